@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// Numbers. Bottom of the house: everything above is written in terms of these.
+///   error.hpp       the exceptions that the library throws
+///   rational.hpp    Rational, Integer: what a decimal in a file means
+///   real.hpp        Real (MPFR at any precision) and PrecisionScope
+///   arithmetic.hpp  the same few words for double, long double, Float128 and Real
+///   text.hpp        exact text in (decimals become rationals), rounded text out
+///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
+#include "edgeproof/precision/text.hpp"

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What only a build of Edgeproof itself wants; a project that includes it is left alone.
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(CCACHE ccache)
+mark_as_advanced(CCACHE)
+if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+if(EDGEPROOF_SANITIZE)
+    add_compile_options(-fsanitize=${EDGEPROOF_SANITIZE} -fno-omit-frame-pointer
+        -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${EDGEPROOF_SANITIZE})
+endif()
+
+if(EDGEPROOF_CLANG_TIDY)
+    find_program(CLANG_TIDY NAMES clang-tidy REQUIRED)
+    set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # quadmath.h is among GCC's own headers
+        execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=include
+            OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
+        list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-idirafter --extra-arg=${gcc_headers})
+    endif()
+endif()

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What every target of this build shares, and no installed target passes on: warnings, no more.
+function(edgeproof_own_flags target)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+    # GNU extensions: Boost offers __float128 only with them.
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON)
+    target_compile_options(${target} PRIVATE
+        -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
+endfunction()
+
+# edgeproof_add_room(<room> [DEPENDS <rooms below>] [LIBS <in its headers>]
+#                    [PRIVATE_LIBS <in its sources only>])
+# The static library edgeproof_<room>, alias edgeproof::<room>, of src/edgeproof/<room>/*.cpp.
+# A room of headers alone is an interface library.
+function(edgeproof_add_room room)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBS;PRIVATE_LIBS")
+    set(target edgeproof_${room})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/edgeproof/${room}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
+    list(TRANSFORM arg_DEPENDS PREPEND edgeproof::)
+    if(sources)
+        set(usage PUBLIC)
+        add_library(${target} STATIC ${sources})
+        edgeproof_own_flags(${target})
+        target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
+    else()
+        set(usage INTERFACE)
+        add_library(${target} INTERFACE)
+    endif()
+    target_compile_features(${target} ${usage} cxx_std_20)
+    target_include_directories(${target} ${usage}
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(${target} ${usage} ${arg_DEPENDS} ${arg_LIBS})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+    add_library(edgeproof::${room} ALIAS ${target})
+    install(TARGETS ${target} EXPORT edgeproof)
+endfunction()

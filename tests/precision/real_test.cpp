@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/real.hpp"
+
+#include <doctest/doctest.h>
+
+#include <barrier>
+#include <cfloat>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace edgeproof {
+namespace {
+
+// "3.333...e-01" with that many digits in all (Boost counts those after the point).
+std::string scientific(const Real& x, unsigned digits) {
+    return x.str(digits - 1, std::ios_base::scientific);
+}
+
+std::string third_at(unsigned digits, unsigned printed) {
+    const PrecisionScope scope(digits);
+    return scientific(from_rational<Real>(Rational(1, 3)), printed);
+}
+
+std::string threes(std::size_t count) { return "3." + std::string(count - 1, '3') + "e-01"; }
+
+} // namespace
+
+TEST_CASE("scopes nest and give the former precision back") {
+    const unsigned outside = working_digits();
+    {
+        const PrecisionScope fifty(50);
+        CHECK(working_digits() == 50);
+        {
+            const PrecisionScope hundred(100);
+            CHECK(working_digits() == 100);
+            CHECK(Real(1).precision() == 100);
+        }
+        CHECK(working_digits() == 50);
+        CHECK(Real(1).precision() == 50);
+    }
+    CHECK(working_digits() == outside);
+}
+
+TEST_CASE("an exception gives the former precision back") {
+    const PrecisionScope fifty(50);
+    try {
+        const PrecisionScope hundred(100);
+        throw std::runtime_error("out of the scope");
+    } catch (const std::runtime_error&) {
+        CHECK(working_digits() == 50);
+    }
+}
+
+TEST_CASE("a precision outside the range is refused and changes nothing") {
+    const PrecisionScope fifty(50);
+    CHECK_THROWS_AS(PrecisionScope(0), DomainError);
+    CHECK_THROWS_AS(PrecisionScope(1), DomainError);
+    CHECK_THROWS_AS(PrecisionScope(1'000'000'000), DomainError);
+    CHECK(working_digits() == 50);
+}
+
+TEST_CASE("one third at 50 and at 100 digits, side by side") {
+    CHECK(third_at(50, 50) == threes(50));
+    CHECK(third_at(100, 100) == threes(100));
+    // The digits end where the precision does: were both computed at 100, this would find threes.
+    CHECK(third_at(50, 100) != threes(100));
+
+    const PrecisionScope hundred(100);
+    const Real finer = from_rational<Real>(Rational(1, 3));
+    const PrecisionScope fifty(50);
+    const Real coarser = from_rational<Real>(Rational(1, 3));
+    CHECK(finer.precision() == 100);
+    CHECK(coarser.precision() == 50);
+    const Real gap = abs(finer - coarser);
+    CHECK(gap > Real("1e-56"));
+    CHECK(gap < Real("1e-50"));
+}
+
+TEST_CASE("two threads with different precisions see only their own") {
+    std::barrier together(2);
+    std::string digits[2];
+    const auto work = [&](int who, unsigned precision) {
+        const PrecisionScope scope(precision);
+        together.arrive_and_wait(); // both scopes stand before either computes
+        const Real third = Real(1) / 3;
+        together.arrive_and_wait();
+        digits[who] = scientific(third, precision);
+    };
+    const PrecisionScope here(30);
+    std::thread fifty(work, 0, 50U);
+    std::thread hundred(work, 1, 100U);
+    fifty.join();
+    hundred.join();
+    CHECK(digits[0] == threes(50));
+    CHECK(digits[1] == threes(100));
+    CHECK(working_digits() == 30);
+}
+
+TEST_CASE("a number is rounded to the working precision on request") {
+    const PrecisionScope hundred(100);
+    const Real finer = from_rational<Real>(Rational(1, 3));
+    const PrecisionScope fifty(50);
+    const Real rounded = at_working_precision(finer);
+    CHECK(rounded.precision() == 50);
+    CHECK(rounded == from_rational<Real>(Rational(1, 3)));
+    CHECK(rounded != finer);
+}
+
+TEST_CASE("a rational becomes the nearest number of each arithmetic") {
+    // The compiler divides correctly rounded: an independent route to the nearest number.
+    CHECK(from_rational<double>(Rational(1, 3)) == 1.0 / 3);
+    CHECK(from_rational<double>(Rational(-1, 10)) == -0.1);
+    CHECK(from_rational<long double>(Rational(1, 3)) == 1.0L / 3);
+    CHECK(from_rational<Float128>(Rational(1, 3)) == Float128(1) / 3);
+    CHECK(from_rational<Float128>(Rational(1, 3)) != Float128(1.0L / 3));
+    const PrecisionScope fifty(50);
+    CHECK(from_rational<Real>(Rational(1, 3)) == Real(1) / 3);
+}
+
+TEST_CASE_TEMPLATE("pi, the spacing at 1 and the digits of each arithmetic", T, double, long double,
+                   Float128, Real) {
+    using std::abs, std::log10, std::sin; // without them C's double versions take a long double
+    const PrecisionScope fifty(50);
+    const T one(1);
+    const T eps = unit_roundoff<T>();
+    CHECK(one + eps > one);
+    CHECK(one + eps / 4 == one);
+    CHECK(abs(sin(pi<T>())) < 4 * eps);
+    const double digits = digits_of<T>();
+    CHECK(digits <= -static_cast<double>(log10(eps)));
+    CHECK(digits > -static_cast<double>(log10(eps)) - 2);
+}
+
+TEST_CASE("pi and the spacing at 1 follow the working precision") {
+    const PrecisionScope sixty(60);
+    CHECK(pi<Real>().str(60, std::ios_base::fmtflags{}) ==
+          "3.14159265358979323846264338327950288419716939937510582097494");
+    CHECK(unit_roundoff<double>() == DBL_EPSILON);
+    CHECK(unit_roundoff<long double>() == LDBL_EPSILON);
+    const Real coarse = unit_roundoff<Real>();
+    const PrecisionScope hundred(100);
+    CHECK(unit_roundoff<Real>() < coarse * Real("1e-38"));
+}
+
+} // namespace edgeproof

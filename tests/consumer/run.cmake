@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -D BUILD=<build> -D WORK=<scratch> -D CXX=<compiler> -D SANITIZE=<as the build> -P run.cmake
+# Installs the build into a scratch folder, builds the project beside this file against it, runs
+# it, and compares its output with expected.txt.
+set(COMPILE_OPTIONS "")
+if(SANITIZE)
+    set(COMPILE_OPTIONS "-fsanitize=${SANITIZE}")
+endif()
+
+function(run)
+    execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output
+        RESULT_VARIABLE status)
+    if(status)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}: ${status}\n${output}")
+    endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
+    -D CMAKE_PREFIX_PATH=${WORK}/installed)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+execute_process(COMMAND ${WORK}/build/consumer OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/expected.txt expected)
+if(status OR NOT printed STREQUAL expected)
+    message(FATAL_ERROR "consumer (exit ${status}) printed\n${printed}instead of\n${expected}")
+endif()
+
+# No path of the source or build tree may be left in what was installed.
+file(GLOB_RECURSE configs ${WORK}/installed/*.cmake)
+foreach(config IN LISTS configs)
+    file(READ ${config} text)
+    cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH tests)
+    cmake_path(GET tests PARENT_PATH source)
+    string(FIND "${text}" "${source}/" found)
+    if(NOT found EQUAL -1)
+        message(FATAL_ERROR "${config} names the source tree ${source}")
+    endif()
+endforeach()
+message(STATUS "the installed package works: ${printed}")

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace edgeproof {
+
+/// The functions that every formula may use. `none` marks a function that the environment of an
+/// evaluation has to supply.
+enum class Builtin {
+    none,
+    sqrt,
+    exp,
+    log,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    atan2,
+    sinh,
+    cosh,
+    tanh,
+    asinh,
+    acosh,
+    atanh,
+    abs,
+    sgn,
+    step,
+    gamma,
+    max,
+    min,
+    hypot,
+};
+
+struct BuiltinInfo {
+    Builtin id;
+    std::string_view name;
+    unsigned min_arity;
+    unsigned max_arity;
+};
+
+/// All of them, `none` excepted, in the order of the enumeration.
+[[nodiscard]] std::span<const BuiltinInfo> builtins();
+[[nodiscard]] std::optional<BuiltinInfo> find_builtin(std::string_view name);
+[[nodiscard]] std::string_view name_of(Builtin f);
+
+} // namespace edgeproof

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/evaluate.hpp"
+
+namespace edgeproof {
+
+std::string inside(const std::string& what, const Expr& part) {
+    constexpr std::size_t longest = 60;
+    std::string text = to_text(part);
+    if (text.size() > longest) {
+        text = text.substr(0, longest) + "...";
+    }
+    return what + " in " + text;
+}
+
+std::pair<long, long> sum_bounds(const Expr& node) {
+    constexpr long most_terms = 100'000;
+    const auto bound = [&node](std::size_t i) {
+        const Rational* q = node.arg(i).rational();
+        const bool integer = q != nullptr && denominator(*q) == 1;
+        if (!integer || abs(*q) > Rational(Integer(1) << 40U)) {
+            throw DomainError(inside("a bound that is not an integer of moderate size", node));
+        }
+        return Integer(numerator(*q)).convert_to<long>();
+    };
+    const long lo = bound(2);
+    const long hi = bound(3);
+    if (hi - lo >= most_terms) {
+        throw DomainError(inside("more than 100000 terms", node));
+    }
+    return {lo, hi};
+}
+
+} // namespace edgeproof

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/expr.hpp"
+
+#include "edgeproof/formula/fold.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace edgeproof {
+
+struct Expr::Node {
+    Kind kind = Kind::number;
+    Builtin builtin = Builtin::none;
+    std::string name;
+    std::vector<Expr> args;
+    /// The exact value, where there is one.
+    std::optional<Rational> value;
+    std::size_t hash = 0;
+    std::size_t height = 1;
+    std::size_t offset = 0;
+    std::size_t length = 0;
+};
+
+namespace {
+
+std::size_t mix(std::size_t seed, std::size_t x) {
+    return seed ^ (x + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
+}
+
+std::size_t hash_of(const Rational& q) {
+    const auto* raw = q.backend().data();
+    std::size_t h = 0;
+    for (const mpz_srcptr z : {mpq_numref(raw), mpq_denref(raw)}) {
+        h = mix(h, mpz_size(z));
+        for (std::size_t i = 0; i < mpz_size(z); ++i) {
+            h = mix(h, mpz_getlimbn(z, static_cast<mp_size_t>(i)));
+        }
+    }
+    return h;
+}
+
+/// True if the decimal expansion of q ends.
+bool terminates(const Rational& q) {
+    Integer d(denominator(q));
+    Integer odd;
+    const Integer two(2);
+    const Integer five(5);
+    mpz_remove(odd.backend().data(), d.backend().data(), two.backend().data());
+    mpz_remove(d.backend().data(), odd.backend().data(), five.backend().data());
+    return d == 1;
+}
+
+std::optional<Expr::Kind> binder_kind(std::string_view name) {
+    if (name == "integral") {
+        return Expr::Kind::integral;
+    }
+    if (name == "pv") {
+        return Expr::Kind::pv;
+    }
+    if (name == "sum") {
+        return Expr::Kind::sum;
+    }
+    return std::nullopt;
+}
+
+void check_call(std::string_view name, std::size_t given, std::size_t least, std::size_t most) {
+    if (given < least || given > most) {
+        std::string wanted = std::to_string(least);
+        if (most > least) {
+            wanted += " or more";
+        }
+        throw InputError("'" + std::string(name) + "' is given " + std::to_string(given) +
+                             (given == 1 ? " argument" : " arguments"),
+                         "give it " + wanted);
+    }
+}
+
+} // namespace
+
+Expr Expr::make(Kind kind, std::string name, std::vector<Expr> args) {
+    auto node = std::make_shared<Node>();
+    node->kind = kind;
+    node->name = std::move(name);
+    node->args = std::move(args);
+    if (kind == Kind::call) {
+        if (const auto f = find_builtin(node->name)) {
+            node->builtin = f->id;
+        }
+    }
+    node->hash = mix(static_cast<std::size_t>(kind), std::hash<std::string>{}(node->name));
+    for (const Expr& x : node->args) {
+        node->hash = mix(node->hash, x.hash());
+        node->height = std::max(node->height, x.height() + 1);
+    }
+    if (node->height > max_height) {
+        throw Error("an expression is more than " + std::to_string(max_height) + " levels high");
+    }
+    node->value = fold(kind, node->builtin, node->args);
+    return Expr(std::move(node));
+}
+
+Expr::Expr() {
+    static const Expr zero = number(Rational(0));
+    node_ = zero.node_;
+}
+
+Expr Expr::number(const Rational& q) {
+    if (q < 0) {
+        return -number(-q);
+    }
+    if (!terminates(q)) {
+        return number(Rational(numerator(q))) / number(Rational(denominator(q)));
+    }
+    auto node = std::make_shared<Node>();
+    node->value = q;
+    node->hash = hash_of(q);
+    return Expr(std::move(node));
+}
+
+Expr Expr::pi() {
+    static const Expr constant = make(Kind::pi, {}, {});
+    return constant;
+}
+
+Expr Expr::symbol(std::string_view name) { return make(Kind::symbol, std::string(name), {}); }
+
+Expr Expr::call(std::string_view name, std::vector<Expr> args) {
+    if (const auto binder = binder_kind(name)) {
+        const std::size_t arity = *binder == Kind::pv ? 5 : 4;
+        check_call(name, args.size(), arity, arity);
+        if (args[1].kind() != Kind::symbol) {
+            throw InputError("the second argument of '" + std::string(name) + "' is not a variable",
+                             "write " + std::string(name) + "(f, s, lower, upper" +
+                                 (arity == 5 ? ", x)" : ")"));
+        }
+        return make(*binder, std::string(name), std::move(args));
+    }
+    if (const auto f = find_builtin(name)) {
+        check_call(name, args.size(), f->min_arity, f->max_arity);
+    }
+    return make(Kind::call, std::string(name), std::move(args));
+}
+
+Expr Expr::with_args(const Expr& like, std::vector<Expr> args) {
+    if (args.size() != like.args().size()) {
+        throw Error("an expression is rebuilt with another number of arguments");
+    }
+    if (args.empty()) {
+        return like;
+    }
+    const bool named = like.kind() == Kind::call || like.is_binder();
+    const Expr made =
+        named ? call(like.name(), std::move(args)) : make(like.kind(), {}, std::move(args));
+    return made.located(like.offset(), like.length());
+}
+
+Expr Expr::located(std::size_t offset, std::size_t length) const {
+    auto node = std::make_shared<Node>(*node_);
+    node->offset = offset;
+    node->length = length;
+    return Expr(std::move(node));
+}
+
+Expr::Kind Expr::kind() const noexcept { return node_->kind; }
+
+const Rational& Expr::number() const {
+    if (node_->kind != Kind::number) {
+        throw Error("the value of an expression that is not a number was asked for");
+    }
+    return *node_->value;
+}
+
+const std::string& Expr::name() const noexcept { return node_->name; }
+Builtin Expr::builtin() const noexcept { return node_->builtin; }
+std::span<const Expr> Expr::args() const noexcept { return node_->args; }
+
+const Expr& Expr::arg(std::size_t i) const {
+    if (i >= node_->args.size()) {
+        throw Error("an argument was asked for that an expression does not have");
+    }
+    return node_->args[i];
+}
+
+bool Expr::is_binder() const noexcept {
+    return kind() == Kind::integral || kind() == Kind::pv || kind() == Kind::sum;
+}
+
+const Rational* Expr::rational() const noexcept { return node_->value ? &*node_->value : nullptr; }
+
+std::size_t Expr::offset() const noexcept { return node_->offset; }
+std::size_t Expr::length() const noexcept { return node_->length; }
+std::size_t Expr::hash() const noexcept { return node_->hash; }
+std::size_t Expr::height() const noexcept { return node_->height; }
+
+bool operator==(const Expr& x, const Expr& y) {
+    if (x.node_ == y.node_) {
+        return true;
+    }
+    if (x.hash() != y.hash() || x.kind() != y.kind() || x.name() != y.name()) {
+        return false;
+    }
+    if (x.kind() == Expr::Kind::number) {
+        return x.number() == y.number();
+    }
+    return std::ranges::equal(x.args(), y.args());
+}
+
+Expr operator-(const Expr& x) { return Expr::make(Expr::Kind::neg, {}, {x}); }
+Expr operator+(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::add, {}, {x, y}); }
+Expr operator-(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::sub, {}, {x, y}); }
+Expr operator*(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::mul, {}, {x, y}); }
+Expr operator/(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::div, {}, {x, y}); }
+Expr pow(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::pow, {}, {x, y}); }
+
+} // namespace edgeproof

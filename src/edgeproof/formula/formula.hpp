@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// Exact expressions: what users and ledgers write, never rounded before somebody asks for digits.
+///   builtin.hpp      the functions that every formula may use
+///   expr.hpp         Expr: the tree; text and TeX of it; substitution; edits by path
+///   parse.hpp        text -> Expr, with a strict table of names; FormulaError
+///   exact.hpp        Exact: a constant such as "pi/16", and its value at any precision
+///   evaluate.hpp     the value of an Expr in any kind of number
+///   environment.hpp  Values: names with values, to evaluate in
+///   program.hpp      Program: an Expr compiled for many evaluations
+#include "edgeproof/formula/builtin.hpp"
+#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/exact.hpp"
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/formula/program.hpp"

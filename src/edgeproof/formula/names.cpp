@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+/// Names that some program somewhere takes for a constant or a limit.
+constexpr std::array taken_for_constants{"E",        "e",   "I",    "inf",  "Inf",
+                                         "INF",      "nan", "NaN",  "NAN",  "infinity",
+                                         "Infinity", "oo",  "true", "false"};
+
+struct Meant {
+    std::string_view written;
+    std::string_view meant;
+};
+constexpr std::array other_spellings{
+    Meant{"ln", "log"},
+    Meant{"arcsin", "asin"},
+    Meant{"arccos", "acos"},
+    Meant{"arctan", "atan"},
+    Meant{"arctan2", "atan2"},
+    Meant{"arcsinh", "asinh"},
+    Meant{"arccosh", "acosh"},
+    Meant{"arctanh", "atanh"},
+    Meant{"arsinh", "asinh"},
+    Meant{"arcosh", "acosh"},
+    Meant{"artanh", "atanh"},
+    Meant{"sign", "sgn"},
+    Meant{"signum", "sgn"},
+    Meant{"Gamma", "gamma"},
+    Meant{"tgamma", "gamma"},
+    Meant{"fabs", "abs"},
+    Meant{"Sqrt", "sqrt"},
+    Meant{"Heaviside", "step"},
+    Meant{"heaviside", "step"},
+    Meant{"integrate", "integral"},
+    Meant{"Integral", "integral"},
+    Meant{"Log", "log"},
+    Meant{"Exp", "exp"},
+    Meant{"PI", "Pi"},
+};
+
+bool is_identifier(std::string_view name) {
+    const auto letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    return !name.empty() && letter(name.front()) &&
+           std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
+}
+
+void check_new_name(std::string_view name) {
+    if (!is_identifier(name)) {
+        throw InputError("'" + std::string(name) + "' cannot be a name",
+                         "write a letter, then letters, digits or _");
+    }
+    if (is_reserved(name)) {
+        throw InputError("the name '" + std::string(name) +
+                             "' has a meaning of its own in formulas",
+                         "choose another, such as " + std::string(name) + "1");
+    }
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 24;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return names.size() > most ? text + ", ..." : text;
+}
+
+std::string_view other_spelling(std::string_view name) {
+    const auto it = std::ranges::find(other_spellings, name, &Meant::written);
+    return it == other_spellings.end() ? std::string_view{} : it->meant;
+}
+
+/// Bytes of the printable character at `offset`; 0 if it is a control or not UTF-8.
+std::size_t character_length(std::string_view text, std::size_t offset) {
+    const auto byte = [&](std::size_t i) {
+        return offset + i < text.size() ? static_cast<unsigned char>(text[offset + i]) : 0U;
+    };
+    if (byte(0) < 0x80U) {
+        return byte(0) >= 0x20U && byte(0) != 0x7FU ? 1 : 0;
+    }
+    if (byte(0) < 0xC3U || byte(0) > 0xF4U) { // 0xC2: Latin-1 signs, among them controls
+        return byte(0) == 0xC2U && byte(1) >= 0xA0U && byte(1) <= 0xBFU ? 2 : 0;
+    }
+    const std::size_t n = byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;
+    for (std::size_t i = 1; i < n; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    return n;
+}
+
+} // namespace
+
+bool is_binder_name(std::string_view name) {
+    return name == "integral" || name == "pv" || name == "sum";
+}
+
+bool is_reserved(std::string_view name) {
+    return name == "pi" || name == "Pi" || is_binder_name(name) || find_builtin(name) ||
+           std::ranges::find(taken_for_constants, name) != taken_for_constants.end();
+}
+
+Symbols::Symbols(std::initializer_list<std::string_view> variables) {
+    for (const std::string_view name : variables) {
+        add(name);
+    }
+}
+
+Symbols::Symbols(const std::set<std::string>& variables) {
+    for (const std::string& name : variables) {
+        add(name);
+    }
+}
+
+Symbols& Symbols::add(std::string_view variable) {
+    check_new_name(variable);
+    variables_.emplace(variable);
+    return *this;
+}
+
+Symbols& Symbols::add_function(std::string_view name, unsigned arity) {
+    check_new_name(name);
+    functions_.insert_or_assign(std::string(name), Function{arity});
+    return *this;
+}
+
+const Symbols::Function* Symbols::function(std::string_view name) const {
+    const auto it = functions_.find(name);
+    return it == functions_.end() ? nullptr : &it->second;
+}
+
+std::pair<std::size_t, std::size_t> arity_of(std::string_view name, const Symbols& allowed) {
+    if (is_binder_name(name)) {
+        return name == "pv" ? std::pair<std::size_t, std::size_t>{5, 5}
+                            : std::pair<std::size_t, std::size_t>{4, 4};
+    }
+    if (const auto f = find_builtin(name)) {
+        return {f->min_arity, f->max_arity};
+    }
+    const auto* f = allowed.function(name);
+    return f == nullptr ? std::pair<std::size_t, std::size_t>{0, 0}
+                        : std::pair<std::size_t, std::size_t>{f->arity, f->arity};
+}
+
+std::string usage(std::string_view name, const Symbols& allowed) {
+    static constexpr std::array letters{"x", "y", "z", "u", "v", "w"};
+    std::string text(name);
+    if (name == "pv") {
+        return text + "(f, s, lower, upper, x)";
+    }
+    if (is_binder_name(name)) {
+        return text + (name == "sum" ? "(f, k, lower, upper)" : "(f, s, lower, upper)");
+    }
+    text += '(';
+    const auto [least, most] = arity_of(name, allowed);
+    for (std::size_t i = 0; i < least; ++i) {
+        text += (i == 0 ? "" : ", ") + std::string(letters[std::min(i, letters.size() - 1)]);
+    }
+    return text + (most > least ? ", ...)" : ")");
+}
+
+std::string instead_of_variable(std::string_view name, const Symbols& allowed,
+                                std::span<const std::string_view> bound) {
+    if (name == "e" || name == "E") {
+        return "write exp(1) for 2.718..., or the name that a modulus has here";
+    }
+    if (name == "I") {
+        return "formulas are real: there is no imaginary unit";
+    }
+    if (is_reserved(name)) {
+        return "write a finite number";
+    }
+    if (const auto meant = other_spelling(name); !meant.empty()) {
+        return "write " + std::string(meant);
+    }
+    std::vector<std::string> names(bound.begin(), bound.end());
+    for (const std::string& v : allowed.variables()) {
+        if (std::ranges::find(names, v) == names.end()) {
+            names.push_back(v);
+        }
+    }
+    names.emplace_back("Pi");
+    return "use one of: " + joined(names);
+}
+
+std::string instead_of_function(std::string_view name, const Symbols& allowed) {
+    if (const auto meant = other_spelling(name); !meant.empty()) {
+        return "write " + std::string(meant) + "(...)";
+    }
+    std::vector<std::string> names;
+    for (const auto& [f, signature] : allowed.functions()) {
+        names.push_back(f);
+    }
+    for (const BuiltinInfo& f : builtins()) {
+        names.emplace_back(f.name);
+    }
+    return "use one of: " + joined(names);
+}
+
+std::string at_column(std::string_view text, std::size_t offset) {
+    const auto head = text.substr(0, offset);
+    const auto characters = std::ranges::count_if(
+        head, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    return " at column " + std::to_string(characters + 1);
+}
+
+std::string quoted_at(std::string_view text, std::size_t offset) {
+    const auto c = static_cast<unsigned char>(text[offset]);
+    const std::size_t length = character_length(text, offset);
+    if (length == 0) {
+        static constexpr std::string_view hex = "0123456789abcdef";
+        return std::string("byte 0x") + hex[c >> 4U] + hex[c & 0xFU];
+    }
+    return "'" + std::string(text.substr(offset, length)) + "'";
+}
+
+std::string hint_for_character(std::string_view text, std::size_t offset) {
+    switch (text[offset]) {
+    case '[':
+    case ']':
+    case '{':
+    case '}':
+        return "write round brackets";
+    case '*':
+    case '/':
+    case '^':
+        return "write a number, a name or '(' before it";
+    case '=':
+    case '<':
+    case '>':
+        return "write one expression, without a comparison";
+    case '\\':
+        return "write plain text, not TeX: sqrt(x)/y";
+    case '\'':
+        return "write a derivative by its name, without primes";
+    case ';':
+        return "separate arguments by commas";
+    default:
+        return (static_cast<unsigned char>(text[offset]) & 0x80U) != 0
+                   ? "write it in ASCII: Pi, *, -, ^, names of letters and digits"
+                   : "use numbers, names, + - * / ^ ( ) and commas";
+    }
+}
+
+} // namespace edgeproof

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/parse.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+/// What the parser says about names and characters: kept apart from the grammar.
+namespace edgeproof {
+
+[[nodiscard]] bool is_binder_name(std::string_view name);
+
+/// Least and most arguments of a known function or binder.
+[[nodiscard]] std::pair<std::size_t, std::size_t> arity_of(std::string_view name,
+                                                           const Symbols& allowed);
+/// "atan2(x, y)".
+[[nodiscard]] std::string usage(std::string_view name, const Symbols& allowed);
+
+[[nodiscard]] std::string instead_of_variable(std::string_view name, const Symbols& allowed,
+                                              std::span<const std::string_view> bound);
+[[nodiscard]] std::string instead_of_function(std::string_view name, const Symbols& allowed);
+
+/// " at column N": columns count characters from 1.
+[[nodiscard]] std::string at_column(std::string_view text, std::size_t offset);
+/// The (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.
+[[nodiscard]] std::string quoted_at(std::string_view text, std::size_t offset);
+/// What to write instead of a character that has no place in a formula.
+[[nodiscard]] std::string hint_for_character(std::string_view text, std::size_t offset);
+
+} // namespace edgeproof

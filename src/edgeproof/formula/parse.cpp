@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/parse.hpp"
+
+#include "edgeproof/formula/fold.hpp"
+#include "edgeproof/formula/names.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t max_length = 20'000;
+constexpr std::size_t max_depth = 200;
+constexpr long max_exponent = 100'000;
+/// All numbers of one expression together.
+constexpr std::size_t max_number_bits = 4'000'000;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_name(char c) { return is_name_start(c) || is_digit(c); }
+
+class Parser {
+public:
+    Parser(std::string_view text, const Symbols& allowed) : text_(text), allowed_(allowed) {}
+
+    Expr operator()() {
+        if (text_.size() > max_length) {
+            fail("the expression is " + std::to_string(text_.size()) + " bytes long",
+                 "write one of at most " + std::to_string(max_length), 0);
+        }
+        skip_space();
+        if (pos_ == text_.size()) {
+            fail("the expression is empty", "write a number or a formula", 0);
+        }
+        const Expr e = sum();
+        if (pos_ < text_.size()) {
+            unexpected_after_operand();
+        }
+        std::vector<std::string_view> bound;
+        check_names(e, bound);
+        return e;
+    }
+
+private:
+    [[noreturn]] static void fail(std::string problem, std::string instead, std::size_t offset) {
+        throw FormulaError(std::move(problem), std::move(instead), offset);
+    }
+    [[nodiscard]] std::string column(std::size_t offset) const { return at_column(text_, offset); }
+
+    // --- characters
+
+    void skip_space() {
+        while (pos_ < text_.size() && is_space(text_[pos_])) {
+            ++pos_;
+        }
+    }
+    [[nodiscard]] char peek() const { return pos_ < text_.size() ? text_[pos_] : '\0'; }
+    [[nodiscard]] bool at_end() const { return pos_ == text_.size(); }
+    /// Takes a character of the grammar, and the space behind it.
+    bool take(char c) {
+        if (at_end() || text_[pos_] != c) {
+            return false;
+        }
+        ++pos_;
+        consumed_ = pos_;
+        skip_space();
+        return true;
+    }
+
+    /// One level deeper, for as long as it lives.
+    class Level {
+    public:
+        explicit Level(Parser& parser) : parser_(parser) {
+            if (++parser_.depth_ > max_depth) {
+                fail("the expression is nested more than " + std::to_string(max_depth) +
+                         " levels deep" + parser_.column(parser_.pos_),
+                     "write it with fewer brackets, signs or powers inside one another",
+                     parser_.pos_);
+            }
+        }
+        ~Level() { --parser_.depth_; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+
+    private:
+        Parser& parser_;
+    };
+
+    // --- the grammar
+
+    Expr located(const Expr& e, std::size_t start) { return e.located(start, consumed_ - start); }
+
+    Expr sum() {
+        const std::size_t start = pos_;
+        Expr left = term();
+        for (;;) {
+            if (take('+')) {
+                left = combine(left, term(), start, [](auto& x, auto& y) { return x + y; });
+            } else if (take('-')) {
+                left = combine(left, term(), start, [](auto& x, auto& y) { return x - y; });
+            } else {
+                return left;
+            }
+        }
+    }
+
+    Expr term() {
+        const std::size_t start = pos_;
+        Expr left = signed_factor();
+        for (;;) {
+            if (take('*')) {
+                if (peek() == '*') {
+                    fail("'**'" + column(pos_ - 1), "write a power as x^y", pos_ - 1);
+                }
+                left =
+                    combine(left, signed_factor(), start, [](auto& x, auto& y) { return x * y; });
+            } else if (take('/')) {
+                left =
+                    combine(left, signed_factor(), start, [](auto& x, auto& y) { return x / y; });
+            } else {
+                return left;
+            }
+        }
+    }
+
+    template <class Operation>
+    Expr combine(const Expr& left, const Expr& right, std::size_t start, Operation operation) {
+        check_height(left, start);
+        check_height(right, start);
+        return located(operation(left, right), start);
+    }
+
+    /// Called for every child before its parent is built.
+    void check_height(const Expr& child, std::size_t start) const {
+        if (child.height() >= Expr::max_height) {
+            fail("more than " + std::to_string(Expr::max_height) + " operations in a chain" +
+                     column(start),
+                 "group the terms by brackets", start);
+        }
+    }
+
+    Expr signed_factor() {
+        const std::size_t start = pos_;
+        if (take('-')) {
+            const Level level(*this);
+            const Expr operand = signed_factor();
+            check_height(operand, start);
+            return located(-operand, start);
+        }
+        if (take('+')) {
+            const Level level(*this);
+            return signed_factor();
+        }
+        return power();
+    }
+
+    Expr power() {
+        const std::size_t start = pos_;
+        const Expr base = primary();
+        if (take('^')) {
+            const Level level(*this);
+            const Expr exponent = signed_factor();
+            check_height(base, start);
+            check_height(exponent, start);
+            return located(pow(base, exponent), start);
+        }
+        return base;
+    }
+
+    Expr primary() {
+        const std::size_t start = pos_;
+        if (take('(')) {
+            const Level level(*this);
+            const Expr inside = sum();
+            close(start);
+            return inside;
+        }
+        if (is_digit(peek()) || peek() == '.') {
+            return number();
+        }
+        if (is_name_start(peek())) {
+            return name_or_call();
+        }
+        expected_operand();
+    }
+
+    void close(std::size_t opened_at) {
+        if (take(')')) {
+            return;
+        }
+        if (at_end()) {
+            fail("the '('" + column(opened_at) + " is never closed", "add a ')'", opened_at);
+        }
+        unexpected_after_operand();
+    }
+
+    Expr number() {
+        const std::size_t start = pos_;
+        std::string digits;
+        long scale = 0;
+        const auto read_digits = [&] {
+            const std::size_t from = pos_;
+            while (is_digit(peek())) {
+                digits += text_[pos_++];
+            }
+            return pos_ - from;
+        };
+        read_digits();
+        if (peek() == '.') {
+            ++pos_;
+            scale = -static_cast<long>(read_digits());
+        }
+        if (digits.empty()) {
+            fail("a '.' without digits" + column(start), "write a number such as 0.5", start);
+        }
+        scale += exponent(start);
+        if (peek() == '.') {
+            fail("a second '.' in the number" + column(start), "write a number such as 0.5", start);
+        }
+        consumed_ = pos_;
+        skip_space();
+        return located(Expr::number(value(digits, scale)), start);
+    }
+
+    /// The decimal exponent, if one follows. An `e` that no digits follow is left to be a name.
+    long exponent(std::size_t start) {
+        std::size_t p = pos_;
+        const auto here = [&] { return p < text_.size() ? text_[p] : '\0'; };
+        if (here() != 'e' && here() != 'E') {
+            return 0;
+        }
+        ++p;
+        const bool negative = here() == '-';
+        if (here() == '-' || here() == '+') {
+            ++p;
+        }
+        if (!is_digit(here())) {
+            return 0;
+        }
+        long size = 0;
+        for (; is_digit(here()); ++p) {
+            size = std::min(10 * size + (here() - '0'), 10 * max_exponent);
+        }
+        if (size > max_exponent) {
+            fail("the number" + column(start) + " has an exponent beyond " +
+                     std::to_string(max_exponent),
+                 "write an exponent between -" + std::to_string(max_exponent) + " and " +
+                     std::to_string(max_exponent),
+                 start);
+        }
+        pos_ = p;
+        return negative ? -size : size;
+    }
+
+    /// digits * 10^scale, exactly.
+    Rational value(const std::string& digits, long scale) {
+        const Integer mantissa(digits.find_first_not_of('0') == std::string::npos
+                                   ? std::string("0")
+                                   : digits.substr(digits.find_first_not_of('0')));
+        if (mantissa == 0) {
+            return {};
+        }
+        Integer ten_power;
+        mpz_ui_pow_ui(ten_power.backend().data(), 10, static_cast<unsigned long>(std::abs(scale)));
+        const Rational q =
+            scale < 0 ? Rational(mantissa, ten_power) : Rational(mantissa * ten_power);
+        number_bits_ += bits_of(q);
+        if (number_bits_ > max_number_bits) {
+            fail("the numbers are too long, all in all," + column(pos_),
+                 "write fewer digits or smaller exponents", pos_);
+        }
+        return q;
+    }
+
+    Expr name_or_call() {
+        const std::size_t start = pos_;
+        while (is_name(peek())) {
+            ++pos_;
+        }
+        const std::string name(text_.substr(start, pos_ - start));
+        consumed_ = pos_;
+        skip_space();
+        if (peek() == '(') {
+            return call(name, start);
+        }
+        if (name == "pi" || name == "Pi") {
+            return located(Expr::pi(), start);
+        }
+        if (find_builtin(name) || is_binder_name(name) ||
+            (allowed_.function(name) != nullptr && !allowed_.has(name))) {
+            fail("the function '" + name + "'" + column(start) + " has no arguments",
+                 "write " + usage(name, allowed_), start);
+        }
+        return located(Expr::symbol(name), start);
+    }
+
+    Expr call(const std::string& name, std::size_t start) {
+        const bool known =
+            find_builtin(name) || is_binder_name(name) || allowed_.function(name) != nullptr;
+        if (!known) {
+            if (allowed_.has(name) || name == "pi" || name == "Pi") {
+                fail("'" + name + "'" + column(start) + " is not a function",
+                     "write a product as " + name + "*(...)", start);
+            }
+            fail("unknown function '" + name + "'" + column(start),
+                 instead_of_function(name, allowed_), start);
+        }
+        const std::size_t opened_at = pos_;
+        take('(');
+        const Level level(*this);
+        std::vector<Expr> args;
+        if (peek() != ')') {
+            do {
+                args.push_back(sum());
+            } while (take(','));
+        }
+        close(opened_at);
+        check_arguments(name, args, start);
+        for (const Expr& x : args) {
+            check_height(x, start);
+        }
+        return located(Expr::call(name, std::move(args)), start);
+    }
+
+    void check_arguments(const std::string& name, const std::vector<Expr>& args,
+                         std::size_t start) const {
+        const auto [least, most] = arity_of(name, allowed_);
+        if (args.size() < least || args.size() > most) {
+            fail("'" + name + "'" + column(start) + " is given " + std::to_string(args.size()) +
+                     (args.size() == 1 ? " argument" : " arguments"),
+                 "write " + usage(name, allowed_), start);
+        }
+        if (is_binder_name(name)) {
+            const Expr& variable = args[1];
+            if (variable.kind() != Expr::Kind::symbol || is_reserved(variable.name())) {
+                fail("the second argument of '" + name + "'" + column(variable.offset()) +
+                         " is not a variable",
+                     "write " + usage(name, allowed_), variable.offset());
+            }
+        }
+    }
+
+    // --- what went wrong
+
+    /// The character at `pos_`, quoted so that it can be printed.
+    [[nodiscard]] std::string quoted_character() const { return quoted_at(text_, pos_); }
+
+    [[noreturn]] void expected_operand() const {
+        if (at_end()) {
+            fail("the expression ends where a number, a name or '(' must follow",
+                 "complete it or take off the last operator", pos_);
+        }
+        const std::string what = quoted_character() + column(pos_);
+        if (peek() == ')' || peek() == ',') {
+            fail("nothing before the " + what, "write a number, a name or '(' there", pos_);
+        }
+        fail("unexpected " + what, hint_for_character(text_, pos_), pos_);
+    }
+
+    [[noreturn]] void unexpected_after_operand() const {
+        const char c = peek();
+        const std::string what = quoted_character() + column(pos_);
+        if (c == ')') {
+            fail("the " + what + " closes nothing", "take it off or add a '('", pos_);
+        }
+        if (c == ',') {
+            fail("unexpected " + what, "commas stand only between the arguments of a function",
+                 pos_);
+        }
+        if (is_name(c) || c == '(' || c == '.') {
+            fail("a '*' is missing" + column(pos_), "write every product with *", pos_);
+        }
+        fail("unexpected " + what, hint_for_character(text_, pos_), pos_);
+    }
+
+    void check_names(const Expr& e, std::vector<std::string_view>& bound) const {
+        if (e.kind() == Expr::Kind::symbol) {
+            const bool known =
+                allowed_.has(e.name()) || std::ranges::find(bound, e.name()) != bound.end();
+            if (!known) {
+                fail("unknown name '" + e.name() + "'" + column(e.offset()),
+                     instead_of_variable(e.name(), allowed_, bound), e.offset());
+            }
+        }
+        for (std::size_t i = 0; i < e.args().size(); ++i) {
+            if (e.is_binder() && i == 0) {
+                bound.push_back(e.arg(1).name());
+                check_names(e.arg(0), bound);
+                bound.pop_back();
+            } else if (!(e.is_binder() && i == 1)) {
+                check_names(e.args()[i], bound);
+            }
+        }
+    }
+
+    std::string_view text_;
+    const Symbols& allowed_;
+    std::size_t pos_ = 0;
+    std::size_t consumed_ = 0; // end of the last token, without the space behind it
+    std::size_t depth_ = 0;
+    std::size_t number_bits_ = 0;
+};
+
+} // namespace
+
+Expr parse(std::string_view text, const Symbols& allowed) { return Parser(text, allowed)(); }
+
+Expr parse(std::string_view text) { return parse(text, Symbols{}); }
+
+} // namespace edgeproof

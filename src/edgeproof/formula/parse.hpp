@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <cstddef>
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace edgeproof {
+
+/// A text that is not an expression, or that uses a name it may not use. `problem()` names the
+/// column, `instead()` what may stand there.
+class FormulaError : public InputError {
+public:
+    FormulaError(std::string problem, std::string instead, std::size_t offset)
+        : InputError(std::move(problem), std::move(instead)), offset_(offset) {}
+    /// Bytes from the start of the text.
+    [[nodiscard]] std::size_t offset() const noexcept { return offset_; }
+
+private:
+    std::size_t offset_;
+};
+
+/// What a formula may name besides the built-in functions and the constant Pi.
+class Symbols {
+public:
+    struct Function {
+        unsigned arity;
+    };
+
+    Symbols() = default;
+    Symbols(std::initializer_list<std::string_view> variables);
+    explicit Symbols(const std::set<std::string>& variables);
+
+    /// Throws InputError for a name that no formula could use: not an identifier, a built-in
+    /// function, or one that other programs read as a constant (E, e, I, inf, nan).
+    Symbols& add(std::string_view variable);
+    Symbols& add_function(std::string_view name, unsigned arity);
+
+    [[nodiscard]] bool has(std::string_view variable) const {
+        return variables_.contains(variable);
+    }
+    /// nullptr if there is no such function.
+    [[nodiscard]] const Function* function(std::string_view name) const;
+    [[nodiscard]] const std::set<std::string, std::less<>>& variables() const { return variables_; }
+    [[nodiscard]] const std::map<std::string, Function, std::less<>>& functions() const {
+        return functions_;
+    }
+
+private:
+    std::set<std::string, std::less<>> variables_;
+    std::map<std::string, Function, std::less<>> functions_;
+};
+
+/// Names that no variable may have: E, e, I, inf, nan and their kin, pi, integral, pv, sum and the
+/// built-in functions.
+[[nodiscard]] bool is_reserved(std::string_view name);
+
+/// Reads an expression. All numbers in it are exact; `pi` and `Pi` are the constant.
+///   sum     := term (('+' | '-') term)*          left to right
+///   term    := signed (('*' | '/') signed)*      left to right
+///   signed  := ('-' | '+') signed | power        so that -2^2 is -4
+///   power   := primary ('^' exponent)?           right to left: 2^3^2 is 2^9
+///   primary := number | name | name '(' sum, ... ')' | '(' sum ')'
+/// with integral(f, s, lo, hi), pv(f, s, lo, hi, x) and sum(f, k, lo, hi), whose second argument
+/// is a variable known inside f. There is no multiplication without `*`.
+/// Throws FormulaError, always with one line, for anything else; also for texts longer than 20,000
+/// bytes, deeper than 200 levels, with more than `Expr::max_height` operations in a chain, and
+/// for numbers with a decimal exponent beyond 100,000 in size.
+[[nodiscard]] Expr parse(std::string_view text, const Symbols& allowed);
+/// Reads a constant expression: no variables.
+[[nodiscard]] Expr parse(std::string_view text);
+
+} // namespace edgeproof

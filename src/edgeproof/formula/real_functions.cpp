@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/real_functions.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/hypot.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace edgeproof {
+namespace {
+
+[[noreturn]] void outside(Builtin f, const char* domain) {
+    throw DomainError(std::string(name_of(f)) + " of a number that is " + domain);
+}
+
+// --- Real: MPFR's own functions, each correctly rounded
+
+using UnaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+using BinaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+
+/// A new Real that carries at least the digits of x.
+Real as_wide_as(const Real& x) {
+    Real y;
+    if (mpfr_get_prec(y.backend().data()) < mpfr_get_prec(x.backend().data())) {
+        mpfr_set_prec(y.backend().data(), mpfr_get_prec(x.backend().data()));
+    }
+    return y;
+}
+
+Real rounded(UnaryMpfr f, const Real& x) {
+    Real y = as_wide_as(x);
+    f(y.backend().data(), x.backend().data(), MPFR_RNDN);
+    return y;
+}
+
+Real rounded(BinaryMpfr f, const Real& x1, const Real& x2) {
+    const bool first = mpfr_get_prec(x1.backend().data()) > mpfr_get_prec(x2.backend().data());
+    Real y = as_wide_as(first ? x1 : x2);
+    f(y.backend().data(), x1.backend().data(), x2.backend().data(), MPFR_RNDN);
+    return y;
+}
+
+Real elementary(Builtin f, std::span<const Real> x) {
+    switch (f) {
+    case Builtin::sqrt:
+        return rounded(mpfr_sqrt, x[0]);
+    case Builtin::exp:
+        return rounded(mpfr_exp, x[0]);
+    case Builtin::log:
+        return rounded(mpfr_log, x[0]);
+    case Builtin::sin:
+        return rounded(mpfr_sin, x[0]);
+    case Builtin::cos:
+        return rounded(mpfr_cos, x[0]);
+    case Builtin::tan:
+        return rounded(mpfr_tan, x[0]);
+    case Builtin::asin:
+        return rounded(mpfr_asin, x[0]);
+    case Builtin::acos:
+        return rounded(mpfr_acos, x[0]);
+    case Builtin::atan:
+        return rounded(mpfr_atan, x[0]);
+    case Builtin::atan2:
+        return rounded(mpfr_atan2, x[0], x[1]);
+    case Builtin::sinh:
+        return rounded(mpfr_sinh, x[0]);
+    case Builtin::cosh:
+        return rounded(mpfr_cosh, x[0]);
+    case Builtin::tanh:
+        return rounded(mpfr_tanh, x[0]);
+    case Builtin::asinh:
+        return rounded(mpfr_asinh, x[0]);
+    case Builtin::acosh:
+        return rounded(mpfr_acosh, x[0]);
+    case Builtin::atanh:
+        return rounded(mpfr_atanh, x[0]);
+    case Builtin::gamma:
+        return rounded(mpfr_gamma, x[0]);
+    case Builtin::hypot:
+        return rounded(mpfr_hypot, x[0], x[1]);
+    default:
+        return x[0];
+    }
+}
+
+// --- double, long double, Float128
+
+template <class T> T elementary(Builtin f, std::span<const T> x) {
+    using std::acos;
+    using std::acosh;
+    using std::asin;
+    using std::asinh;
+    using std::atan;
+    using std::atan2;
+    using std::atanh;
+    using std::cos;
+    using std::cosh;
+    using std::exp;
+    using std::log;
+    using std::sin;
+    using std::sinh;
+    using std::sqrt;
+    using std::tan;
+    using std::tanh;
+    switch (f) {
+    case Builtin::sqrt:
+        return sqrt(x[0]);
+    case Builtin::exp:
+        return exp(x[0]);
+    case Builtin::log:
+        return log(x[0]);
+    case Builtin::sin:
+        return sin(x[0]);
+    case Builtin::cos:
+        return cos(x[0]);
+    case Builtin::tan:
+        return tan(x[0]);
+    case Builtin::asin:
+        return asin(x[0]);
+    case Builtin::acos:
+        return acos(x[0]);
+    case Builtin::atan:
+        return atan(x[0]);
+    case Builtin::atan2:
+        return atan2(x[0], x[1]);
+    case Builtin::sinh:
+        return sinh(x[0]);
+    case Builtin::cosh:
+        return cosh(x[0]);
+    case Builtin::tanh:
+        return tanh(x[0]);
+    case Builtin::asinh:
+        return asinh(x[0]);
+    case Builtin::acosh:
+        return acosh(x[0]);
+    case Builtin::atanh:
+        return atanh(x[0]);
+    case Builtin::gamma:
+        if constexpr (std::same_as<T, Float128>) {
+            return boost::math::tgamma(x[0]);
+        } else {
+            return std::tgamma(x[0]);
+        }
+    case Builtin::hypot:
+        return boost::math::hypot(x[0], x[1]);
+    default:
+        return x[0];
+    }
+}
+
+template <class T> bool is_integer(const T& x) {
+    using std::floor;
+    return floor(x) == x;
+}
+
+template <class T> void check_domain(Builtin f, std::span<const T> x) {
+    switch (f) {
+    case Builtin::sqrt:
+        if (x[0] < 0) {
+            outside(f, "negative");
+        }
+        return;
+    case Builtin::log:
+        if (!(x[0] > 0)) {
+            outside(f, "not positive");
+        }
+        return;
+    case Builtin::asin:
+    case Builtin::acos:
+        if (x[0] < -1 || x[0] > 1) {
+            outside(f, "outside -1 ... 1");
+        }
+        return;
+    case Builtin::acosh:
+        if (x[0] < 1) {
+            outside(f, "less than 1");
+        }
+        return;
+    case Builtin::atanh:
+        if (!(x[0] > -1 && x[0] < 1)) {
+            outside(f, "not between -1 and 1");
+        }
+        return;
+    case Builtin::gamma:
+        if (!(x[0] > 0) && is_integer(x[0])) {
+            outside(f, "zero or a negative integer");
+        }
+        return;
+    case Builtin::atan2:
+        if (x[0] == 0 && x[1] == 0) {
+            throw DomainError("atan2 of two zeros");
+        }
+        return;
+    default:
+        return;
+    }
+}
+
+template <class T> T sign_of(const T& x) { return x > 0 ? T(1) : x < 0 ? T(-1) : T(0); }
+
+template <class T> T product_power(T square, unsigned long n) {
+    T y(1);
+    for (; n != 0; n >>= 1U) {
+        if ((n & 1UL) != 0) {
+            y *= square;
+        }
+        if (n > 1) {
+            square *= square;
+        }
+    }
+    return y;
+}
+
+} // namespace
+
+template <Arithmetic T> T real_call(Builtin f, std::span<const T> x) {
+    check_domain(f, x);
+    switch (f) {
+    case Builtin::abs:
+        return x[0] < 0 ? T(-x[0]) : x[0];
+    case Builtin::sgn:
+        return sign_of(x[0]);
+    case Builtin::step:
+        return (T(1) + sign_of(x[0])) / T(2);
+    case Builtin::max:
+    case Builtin::min: {
+        const T* best = &x[0];
+        for (const T& y : x.subspan(1)) {
+            if (f == Builtin::max ? *best < y : y < *best) {
+                best = &y;
+            }
+        }
+        return *best;
+    }
+    case Builtin::none:
+        throw Error("a function that is not built in was called as one");
+    default:
+        return elementary(f, x);
+    }
+}
+
+template <Arithmetic T> T pow_int(const T& x, long n) {
+    if (n < 0 && x == 0) {
+        throw DomainError("zero to a negative power");
+    }
+    if constexpr (std::same_as<T, Real>) {
+        Real y = as_wide_as(x);
+        mpfr_pow_si(y.backend().data(), x.backend().data(), n, MPFR_RNDN);
+        return y;
+    } else {
+        using std::pow;
+        constexpr long few = 8; // beyond that, the C library's power is the more accurate one
+        constexpr long exact_in_double = 1L << 53U;
+        if (n >= 0 && n <= few) {
+            return product_power(x, static_cast<unsigned long>(n));
+        }
+        if (n < 0 && n >= -few) {
+            return T(1) / product_power(x, static_cast<unsigned long>(-n));
+        }
+        if (n >= -exact_in_double && n <= exact_in_double) {
+            return pow(x, static_cast<T>(n));
+        }
+        const unsigned long size =
+            n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
+        const T y = product_power(x, size);
+        return n < 0 ? T(T(1) / y) : y;
+    }
+}
+
+template <Arithmetic T> T real_power(const T& x, const T& y) {
+    if (x == 0 && y < 0) {
+        throw DomainError("zero to a negative power");
+    }
+    if (x < 0 && !is_integer(y)) {
+        throw DomainError("a negative number to a power that is not an integer");
+    }
+    if constexpr (std::same_as<T, Real>) {
+        return rounded(mpfr_pow, x, y);
+    } else {
+        using std::pow;
+        return pow(x, y);
+    }
+}
+
+template <Arithmetic T> T real_power(const T& x, const Rational& q) {
+    constexpr long large = 1'000'000'000'000;
+    const Integer n(numerator(q));
+    const Integer d(denominator(q));
+    const bool moderate = n >= -large && n <= large;
+    if (d == 1 && moderate) {
+        return pow_int(x, n.convert_to<long>());
+    }
+    if (d != 1 && x < 0) {
+        throw DomainError("a negative number to a power that is not an integer");
+    }
+    if (x == 0) {
+        if (q < 0) {
+            throw DomainError("zero to a negative power");
+        }
+        return T(0);
+    }
+    if (d == 2 && moderate) {
+        const long k = n.convert_to<long>();
+        const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
+        if (k == 1) {
+            return root;
+        }
+        const long whole = (k < 0 ? -k : k) / 2;
+        const T y = whole == 0 ? root : T(pow_int(x, whole) * root);
+        return k < 0 ? T(T(1) / y) : y;
+    }
+    if constexpr (std::same_as<T, Real>) {
+        Real exponent = as_wide_as(x);
+        mpfr_set_q(exponent.backend().data(), q.backend().data(), MPFR_RNDN);
+        return rounded(mpfr_pow, x, exponent);
+    } else {
+        using std::pow;
+        return pow(x, from_rational<T>(q));
+    }
+}
+
+// The four arithmetics, and no others.
+template double real_call(Builtin, std::span<const double>);
+template long double real_call(Builtin, std::span<const long double>);
+template Float128 real_call(Builtin, std::span<const Float128>);
+template Real real_call(Builtin, std::span<const Real>);
+template double real_power(const double&, const Rational&);
+template long double real_power(const long double&, const Rational&);
+template Float128 real_power(const Float128&, const Rational&);
+template Real real_power(const Real&, const Rational&);
+template double real_power(const double&, const double&);
+template long double real_power(const long double&, const long double&);
+template Float128 real_power(const Float128&, const Float128&);
+template Real real_power(const Real&, const Real&);
+template double pow_int(const double&, long);
+template long double pow_int(const long double&, long);
+template Float128 pow_int(const Float128&, long);
+template Real pow_int(const Real&, long);
+
+} // namespace edgeproof

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/parse.hpp"
+
+#include "edgeproof/formula/exact.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace edgeproof;
+
+namespace {
+
+const Symbols symbols = [] {
+    Symbols s{"a", "b", "m", "P1", "x"};
+    s.add_function("slope", 1).add_function("kernel", 2);
+    return s;
+}();
+
+Rational rational(std::string_view text) {
+    const Expr e = parse(text);
+    REQUIRE_MESSAGE(e.rational() != nullptr, text);
+    return *e.rational();
+}
+
+/// The error that a text gives.
+FormulaError error_of(const std::string& text) {
+    try {
+        (void)parse(text, symbols);
+    } catch (const FormulaError& e) {
+        return e;
+    }
+    FAIL("accepted: " << text.substr(0, 80));
+    return {"", "", 0};
+}
+
+std::string repeated(const std::string& piece, std::size_t n) {
+    std::string text;
+    for (std::size_t i = 0; i < n; ++i) {
+        text += piece;
+    }
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("operators bind as in mathematics") {
+    CHECK(rational("-2^2") == -4);
+    CHECK(rational("(-2)^2") == 4);
+    CHECK(rational("2^3^2") == 512);
+    CHECK(rational("(2^3)^2") == 64);
+    CHECK(rational("2^-2") == Rational(1, 4));
+    CHECK(rational("2^-1^2") == Rational(1, 2));
+    CHECK(rational("24/4/3") == 2);
+    CHECK(rational("24/(4/3)") == 18);
+    CHECK(rational("10-4-3") == 3);
+    CHECK(rational("10-(4-3)") == 9);
+    CHECK(rational("2+3*4") == 14);
+    CHECK(rational("-3*-4") == 12);
+    CHECK(rational("7 - -2") == 9);
+    CHECK(rational("--5") == 5);
+    CHECK(rational("+5 - +2") == 3);
+    CHECK(rational("6/2*3") == 9);
+    CHECK(rational("1/2^3") == Rational(1, 8));
+}
+
+TEST_CASE("numbers are exact") {
+    CHECK(rational("0.1 + 0.2 - 0.3") == 0);
+    CHECK(rational("0.1") == Rational(1, 10));
+    CHECK(rational(".5") == Rational(1, 2));
+    CHECK(rational("5.") == 5);
+    CHECK(rational("1.25E2") == 125);
+    CHECK(rational("1e-30") * rational("1e+30") == 1);
+    CHECK(rational("00012.50") == Rational(25, 2));
+    CHECK(rational("0.0") == 0);
+    CHECK(rational("0e99999") == 0);
+    CHECK(rational("1e100000/1e99999") == 10);
+    // A decimal of 60 digits keeps the last.
+    CHECK(rational("0.123456789012345678901234567890123456789012345678901234567891") -
+              rational("0.12345678901234567890123456789012345678901234567890123456789") ==
+          rational("1e-60"));
+    CHECK(rational("sqrt(9/16)") == Rational(3, 4));
+    CHECK(rational("8^(2/3)") == 4);
+    CHECK(rational("max(1/3, 0.3, 1/4)") == Rational(1, 3));
+}
+
+TEST_CASE("names") {
+    CHECK(parse("Pi").kind() == Expr::Kind::pi);
+    CHECK(parse("pi") == parse("Pi"));
+    CHECK(parse("a*P1 + slope(x)", symbols).arg(1).name() == "slope");
+    const Expr f = parse("integral(s*x/sqrt(a^2 - s^2), s, 0, a)", symbols);
+    CHECK(f.kind() == Expr::Kind::integral);
+    CHECK(free_symbols(f) == std::set<std::string>{"a", "x"});
+    CHECK(parse("pv(slope(s)/(s - x), s, -b, a, x)", symbols).args().size() == 5);
+    // The bound variable is known in the first argument only.
+    CHECK(error_of("integral(s, s, 0, s)").offset() == 18);
+    CHECK(error_of("integral(s, s, 0, 1) + s").offset() == 23);
+}
+
+TEST_CASE("an unknown name is an error that says what may be used") {
+    const FormulaError e = error_of("a + bb");
+    CHECK(e.offset() == 4);
+    CHECK(e.problem() == "unknown name 'bb' at column 5");
+    CHECK(e.instead() == "use one of: P1, a, b, m, x, Pi");
+    CHECK(std::string(e.what()) == "unknown name 'bb' at column 5; use one of: P1, a, b, m, x, Pi");
+    CHECK_THROWS_AS((void)parse("a"), FormulaError);
+    for (const char* name : {"E", "e", "I", "inf", "nan", "NaN", "Infinity", "ln", "PI", "c"}) {
+        CHECK_THROWS_AS((void)parse(name, symbols), FormulaError);
+        CHECK_THROWS_AS((void)parse("1 + " + std::string(name), symbols), FormulaError);
+    }
+    CHECK(error_of("e").instead().find("exp(1)") != std::string::npos);
+    CHECK(error_of("ln(a)").instead() == "write log(...)");
+}
+
+TEST_CASE("names with a meaning of their own cannot be given to variables") {
+    Symbols s;
+    for (const char* name : {"e", "E", "I", "pi", "Pi", "inf", "nan", "sqrt", "pv", "integral", "",
+                             "1a", "a b", "a'", "\xC3\xA9"}) {
+        CHECK_THROWS_AS(s.add(name), InputError);
+        CHECK_THROWS_AS(s.add_function(name, 1), InputError);
+    }
+    CHECK(s.variables().empty());
+}
+
+TEST_CASE("malformed text is one line of error, with its place") {
+    struct Case {
+        std::string text;
+        std::size_t offset;
+    };
+    const std::vector<Case> cases{
+        {"", 0},
+        {"   ", 0},
+        {"2a", 1},
+        {"2 a", 2},
+        {"2(a+b)", 1},
+        {"(a)(b)", 3},
+        {"a b", 2},
+        {"a(b)", 0},
+        {"Pi(2)", 0},
+        {"(a", 0},
+        {"a)", 1},
+        {"((a)", 0},
+        {"a + ", 4},
+        {"* a", 0},
+        {"a */ b", 3},
+        {"a ** 2", 2},
+        {"a + + ", 6},
+        {"()", 1},
+        {"sqrt()", 0},
+        {"sqrt", 0},
+        {"sqrt(1, 2)", 0},
+        {"kernel(1)", 0},
+        {"slope", 0},
+        {"sqrt(a", 4},
+        {"sqrt(a,)", 7},
+        {"a, b", 1},
+        {"1.2.3", 0},
+        {".", 0},
+        {"1..2", 0},
+        {"1e", 1},
+        {"1e+", 1},
+        {"0x10", 1},
+        {"a = b", 2},
+        {"a < b", 2},
+        {"[a]", 0},
+        {"\\frac{a}{b}", 0},
+        {"P'(a)", 0},
+        {"a\xE2\x88\x92"
+         "b",
+         1},
+        {"\xCF\x80", 0},
+        {std::string("a\0b", 3), 1},
+        {"a\x01", 1},
+        {"a\xFF", 1},
+        {"integral(x, 2, 0, 1)", 12},
+        {"integral(x, Pi, 0, 1)", 12},
+        {"integral(x, e, 0, 1)", 12},
+        {"integral(x, x, 0)", 0},
+        {"pv(x, x, 0, 1)", 0},
+        {"pv(x, x, 0, 1, c)", 15},
+        {"a^", 2},
+        {"a^^2", 2},
+        {"#", 0},
+        {"a; b", 1},
+        {"1,5", 1},
+    };
+    for (const Case& c : cases) {
+        CAPTURE(c.text);
+        const FormulaError e = error_of(c.text);
+        if (c.text != "P'(a)") {
+            CHECK(e.offset() == c.offset);
+        }
+        const std::string line = e.what();
+        CHECK(line.find('\n') == std::string::npos);
+        CHECK(line.find('\0') == std::string::npos);
+        CHECK_FALSE(e.problem().empty());
+        CHECK_FALSE(e.instead().empty());
+    }
+    CHECK(error_of("2a").problem() == "a '*' is missing at column 2");
+    CHECK(error_of("\xCF\x80 c").problem() == "unexpected '\xCF\x80' at column 1");
+    CHECK(error_of("a + \xFF").problem() == "unexpected byte 0xff at column 5");
+}
+
+TEST_CASE("no text makes the parser crash, hang or fill the memory") {
+    for (const std::size_t n : {std::size_t{201}, std::size_t{5000}, std::size_t{9999}}) {
+        CHECK_THROWS_AS((void)parse(repeated("(", n) + "1" + repeated(")", n)), FormulaError);
+        CHECK_THROWS_AS((void)parse(repeated("-", n) + "1"), FormulaError);
+        CHECK_THROWS_AS((void)parse(repeated("(", n)), FormulaError);
+        CHECK_THROWS_AS((void)parse(repeated("1^", n) + "1"), FormulaError);
+    }
+    CHECK_THROWS_AS((void)parse(repeated("sqrt(", 3000)), FormulaError);
+    CHECK_THROWS_AS((void)parse(repeated("(", 100'000)), FormulaError);
+    CHECK_THROWS_AS((void)parse(repeated("1+", 9000) + "1"), FormulaError);
+    CHECK_THROWS_AS((void)parse("1e999999999"), FormulaError);
+    CHECK_THROWS_AS((void)parse("1e-999999999"), FormulaError);
+    CHECK_THROWS_AS((void)parse("1e99999999999999999999999999"), FormulaError);
+    CHECK_THROWS_AS((void)parse("1e100001"), FormulaError);
+    CHECK_THROWS_AS((void)parse(repeated("1e100000+", 1000) + "1"), FormulaError);
+    CHECK_THROWS_AS((void)parse(repeated("9", 20'001)), FormulaError);
+    // Powers that would not fit are left as they are, not computed.
+    CHECK(parse("9^9^9^9").rational() == nullptr);
+    CHECK(parse("2^1e100000").rational() == nullptr);
+    CHECK(parse("(1 + 1e-1000)^100000").rational() == nullptr);
+    CHECK(rational("1^9^9") == 1);
+    CHECK(rational("(-1)^1e100000") == 1);
+    // Up to the limits all is well.
+    CHECK(rational(repeated("(", 200) + "1" + repeated(")", 200)) == 1);
+    CHECK(rational(repeated("-", 200) + "1") == 1);
+    CHECK(rational(repeated("1+", 1990) + "1") == 1991);
+    CHECK_THROWS_AS((void)parse("-(" + repeated("1+", 1999) + "1)"), FormulaError);
+    CHECK_THROWS_AS((void)parse("(" + repeated("1+", 1999) + "1)^2"), FormulaError);
+    CHECK_THROWS_AS((void)parse("abs(" + repeated("1+", 1999) + "1)"), FormulaError);
+}
+
+TEST_CASE("places in the text are kept") {
+    const std::string text = " 2*sqrt(a ) + (b - 1)^2/3 ";
+    const Expr e = parse(text, symbols);
+    const auto slice = [&](const Expr& x) { return text.substr(x.offset(), x.length()); };
+    CHECK(slice(e) == "2*sqrt(a ) + (b - 1)^2/3");
+    CHECK(slice(e.arg(0)) == "2*sqrt(a )");
+    CHECK(slice(e.arg(0).arg(1)) == "sqrt(a )");
+    CHECK(slice(e.arg(1)) == "(b - 1)^2/3");
+    CHECK(slice(e.arg(1).arg(0)) == "(b - 1)^2");
+    CHECK(slice(e.arg(1).arg(0).arg(0)) == "b - 1");
+}

@@ -1,12 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What every target of this build shares, and no installed target passes on: warnings, no more.
+# What every target of this build shares, and no installed target passes on.
 function(edgeproof_own_flags target)
     target_compile_features(${target} PRIVATE cxx_std_20)
     # GNU extensions: Boost offers __float128 only with them.
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
+    if(EDGEPROOF_PCH)
+        if(target STREQUAL "edgeproof_precision")
+            target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+        else()
+            target_precompile_headers(${target} REUSE_FROM edgeproof_precision)
+        endif()
+    endif()
 endfunction()
 
 # edgeproof_add_room(<room> [DEPENDS <rooms below>] [LIBS <in its headers>]

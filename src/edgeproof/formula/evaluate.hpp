@@ -20,7 +20,8 @@ namespace edgeproof {
 /// and, if the formula has them,
 ///   T call(const Expr& node, std::span<const T> args) const      functions that are not built in
 ///   T binder(const Expr& node, const Scope& scope) const         integral, pv and sum: a template
-/// in `Scope`, which is an environment again; `bind` adds the bound variable to it.
+/// in `Scope`, which is an environment again; `with_symbol` adds the bound
+/// variable to it.
 template <class Env, class T>
 concept EnvironmentOf = requires(const Env& env, const Rational& q, std::string_view name) {
     { env.number(q) } -> std::convertible_to<T>;
@@ -65,26 +66,17 @@ private:
 
 /// `scope` with `name` = `value`; refers to all three, which must outlive it.
 template <class T, class Env>
-[[nodiscard]] Scoped<T, Env> bind(const Env& scope, std::string_view name, const T& value) {
+[[nodiscard]] Scoped<T, Env> with_symbol(const Env& scope, std::string_view name, const T& value) {
     return Scoped<T, Env>(scope, nullptr, name, value);
 }
 template <class T, class Env>
-[[nodiscard]] Scoped<T, Env> bind(const Scoped<T, Env>& scope, std::string_view name,
-                                  const T& value) {
+[[nodiscard]] Scoped<T, Env> with_symbol(const Scoped<T, Env>& scope, std::string_view name,
+                                         const T& value) {
     return Scoped<T, Env>(scope.base(), &scope, name, value);
 }
 
 /// What to say of a DomainError in a formula: also the part in which it happened.
 [[nodiscard]] std::string inside(const std::string& what, const Expr& part);
-
-/// operation(), whose DomainError then names `part`.
-template <class Operation> auto in_part(const Expr& part, const Operation& operation) {
-    try {
-        return operation();
-    } catch (const DomainError& error) {
-        throw DomainError(inside(error.what(), part));
-    }
-}
 
 /// The sum over k = lo ... hi of node's first argument, for bounds that are exact integers.
 /// Throws DomainError for bounds that are not integers, or more than 100,000 terms.
@@ -103,6 +95,15 @@ template <class T, class Env> [[nodiscard]] T evaluate_sum(const Expr& node, con
 
 namespace detail {
 
+/// operation(), whose DomainError then names `part`.
+template <class Operation> auto in_part(const Expr& part, const Operation& operation) {
+    try {
+        return operation();
+    } catch (const DomainError& error) {
+        throw DomainError(inside(error.what(), part));
+    }
+}
+
 template <class T, class Env> T evaluate_call(const Expr& e, const Env& env) {
     std::vector<T> args;
     args.reserve(e.args().size());
@@ -110,7 +111,8 @@ template <class T, class Env> T evaluate_call(const Expr& e, const Env& env) {
         args.push_back(evaluate<T>(x, env));
     }
     if (e.builtin() != Builtin::none) {
-        return in_part(e, [&] { return call_builtin<T>(e.builtin(), std::span<const T>(args)); });
+        return in_part(
+            e, [&] { return detail::call_builtin<T>(e.builtin(), std::span<const T>(args)); });
     }
     if constexpr (requires { T(env.call(e, std::span<const T>(args))); }) {
         return T(env.call(e, std::span<const T>(args)));

@@ -31,6 +31,12 @@ Exact Exact::parse(std::string_view text) {
     return {std::string(text), std::move(e)};
 }
 
+Exact::Exact(Expr e) : text_(to_text(e)), expr_(std::move(e)) {
+    if (expr_.rational() == nullptr) {
+        (void)value_at(expr_, 30);
+    }
+}
+
 Exact Exact::of(const Rational& q) {
     Expr e = Expr::number(q);
     return {to_text(e), std::move(e)};

@@ -18,8 +18,9 @@ public:
     [[nodiscard]] static Exact parse(std::string_view text);
     /// The text is then a decimal or a quotient.
     [[nodiscard]] static Exact of(const Rational& q);
-    /// A constant made by building an expression; its text is to_text(e). Not evaluated here.
-    explicit Exact(const Expr& e) : text_(to_text(e)), expr_(e) {}
+    /// An expression without variables; its text is `to_text` of it. Throws Error if it has one,
+    /// DomainError if it has no real value.
+    explicit Exact(Expr e);
 
     /// As it was given.
     [[nodiscard]] const std::string& text() const noexcept { return text_; }

@@ -5,7 +5,7 @@
 #include "edgeproof/formula/names.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -217,17 +217,17 @@ private:
         if (digits.empty()) {
             fail("a '.' without digits" + column(start), "write a number such as 0.5", start);
         }
-        scale += exponent(start);
+        scale += exponent();
         if (peek() == '.') {
             fail("a second '.' in the number" + column(start), "write a number such as 0.5", start);
         }
         consumed_ = pos_;
         skip_space();
-        return located(Expr::number(value(digits, scale)), start);
+        return located(Expr::number(value(digits, scale, start)), start);
     }
 
     /// The decimal exponent, if one follows. An `e` that no digits follow is left to be a name.
-    long exponent(std::size_t start) {
+    long exponent() {
         std::size_t p = pos_;
         const auto here = [&] { return p < text_.size() ? text_[p] : '\0'; };
         if (here() != 'e' && here() != 'E') {
@@ -245,25 +245,24 @@ private:
         for (; is_digit(here()); ++p) {
             size = std::min(10 * size + (here() - '0'), 10 * max_exponent);
         }
-        if (size > max_exponent) {
+        pos_ = p;
+        return negative ? -size : size;
+    }
+
+    /// digits * 10^scale, exactly.
+    Rational value(std::string digits, long scale, std::size_t start) {
+        digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+        if (digits.empty()) {
+            return {};
+        }
+        if (std::abs(scale + static_cast<long>(digits.size()) - 1) > max_exponent) {
             fail("the number" + column(start) + " has an exponent beyond " +
                      std::to_string(max_exponent),
                  "write an exponent between -" + std::to_string(max_exponent) + " and " +
                      std::to_string(max_exponent),
                  start);
         }
-        pos_ = p;
-        return negative ? -size : size;
-    }
-
-    /// digits * 10^scale, exactly.
-    Rational value(const std::string& digits, long scale) {
-        const Integer mantissa(digits.find_first_not_of('0') == std::string::npos
-                                   ? std::string("0")
-                                   : digits.substr(digits.find_first_not_of('0')));
-        if (mantissa == 0) {
-            return {};
-        }
+        const Integer mantissa(digits);
         Integer ten_power;
         mpz_ui_pow_ui(ten_power.backend().data(), 10, static_cast<unsigned long>(std::abs(scale)));
         const Rational q =

@@ -60,25 +60,28 @@ Decimal decimal_of(const Rational& q) {
     return {std::move(digits), exponent};
 }
 
-/// How a number is written: plainly where that is short, with an exponent otherwise.
+/// How a number is written: plainly where that is short, as 1.25e-30 otherwise.
 std::string number_text(const Rational& q) {
-    constexpr long longest_padding = 6;
+    constexpr long most_zeros_behind = 6;
+    constexpr long most_zeros_before = 4;
     const auto [digits, exponent] = decimal_of(q);
     const long size = static_cast<long>(digits.size());
-    if (exponent >= 0) {
-        return exponent <= longest_padding
-                   ? digits + std::string(static_cast<std::size_t>(exponent), '0')
-                   : digits + 'e' + std::to_string(exponent);
-    }
     const long point = size + exponent; // digits before the decimal point
-    if (point > 0) {
-        return digits.substr(0, static_cast<std::size_t>(point)) + '.' +
-               digits.substr(static_cast<std::size_t>(point));
+    const auto zeros = [](long n) { return std::string(static_cast<std::size_t>(n), '0'); };
+    const auto with_point = [&digits = digits](long at) {
+        const auto n = static_cast<std::size_t>(at);
+        return n < digits.size() ? digits.substr(0, n) + '.' + digits.substr(n) : digits;
+    };
+    if (exponent >= 0 && exponent <= most_zeros_behind) {
+        return digits + zeros(exponent);
     }
-    if (-point <= longest_padding) {
-        return "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+    if (exponent < 0 && point > 0) {
+        return with_point(point);
     }
-    return digits + 'e' + std::to_string(exponent);
+    if (exponent < 0 && -point <= most_zeros_before) {
+        return "0." + zeros(-point) + digits;
+    }
+    return with_point(1) + 'e' + std::to_string(point - 1);
 }
 
 class TextPrinter {

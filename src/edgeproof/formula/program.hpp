@@ -108,15 +108,15 @@ template <class T, class Externals = NoExternals>
             results.push_back(T(slot(in[0]) * slot(in[1])));
             continue;
         case Program::Op::div:
-            results.push_back(
-                in_part(step.source, [&] { return quotient<T>(slot(in[0]), slot(in[1])); }));
+            results.push_back(detail::in_part(
+                step.source, [&] { return detail::quotient<T>(slot(in[0]), slot(in[1])); }));
             continue;
         case Program::Op::pow:
-            results.push_back(in_part(step.source, [&] {
+            results.push_back(detail::in_part(step.source, [&] {
                 const Rational* q = step.source.arg(1).rational();
-                return q != nullptr
-                           ? power<T>(slot(in[0]), *q, PowerConstants{slot(in[1]), slot(in[2])})
-                           : power<T>(slot(in[0]), slot(in[1]));
+                return q != nullptr ? detail::power<T>(slot(in[0]), *q,
+                                                       PowerConstants{slot(in[1]), slot(in[2])})
+                                    : detail::power<T>(slot(in[0]), slot(in[1]));
             }));
             continue;
         case Program::Op::binder:
@@ -136,8 +136,8 @@ template <class T, class Externals = NoExternals>
         }
         const std::span<const T> view(args);
         if (step.op == Program::Op::call) {
-            results.push_back(
-                in_part(step.source, [&] { return call_builtin<T>(step.source.builtin(), view); }));
+            results.push_back(detail::in_part(
+                step.source, [&] { return detail::call_builtin<T>(step.source.builtin(), view); }));
         } else if constexpr (requires { T(externals.call(step.source, view)); }) {
             results.push_back(T(externals.call(step.source, view)));
         } else {

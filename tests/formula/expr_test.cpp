@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/expr.hpp"
+
+#include "edgeproof/formula/parse.hpp"
+#include "random_expr.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <string>
+#include <thread>
+#include <unordered_set>
+#include <vector>
+
+using namespace edgeproof;
+
+namespace {
+
+const Symbols symbols = [] {
+    Symbols s{"a", "b", "s", "x", "y", "k", "P1", "s_1"};
+    s.add_function("f", 1).add_function("g", 2);
+    return s;
+}();
+
+Expr read(std::string_view text) { return parse(text, symbols); }
+
+} // namespace
+
+TEST_CASE("text comes out as it would be written by hand") {
+    // Each of these is its own shortest text.
+    for (const char* text : {
+             "0",
+             "12",
+             "0.4",
+             "1e-30",
+             "2.5e12",
+             "1000000",
+             "Pi",
+             "a",
+             "-a",
+             "-2",
+             "-a^2",
+             "(-a)^2",
+             "a - b - x",
+             "a - (b - x)",
+             "a + b + x",
+             "a + (b + x)",
+             "a/b/x",
+             "a/(b/x)",
+             "a*b/x",
+             "a*(b/x)",
+             "a^b^x",
+             "(a^b)^x",
+             "a^(-1/2)",
+             "a^(3/2)",
+             "a^(-2)",
+             "-(a + b)",
+             "-(a*b)",
+             "-a*b",
+             "a*(-b)",
+             "a - (-b)",
+             "-(-a)",
+             "(a + b)*(a - b)",
+             "sqrt(a^2 - b^2)",
+             "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*x)",
+             "max(a, b, x)",
+             "g(f(a), -b)",
+             "integral(f(s)/sqrt(a^2 - s^2), s, 0, a)",
+             "pv(f(s)/(s - x), s, -a, a, x)",
+             "sum(a^k/k, k, 1, 10)",
+         }) {
+        const Expr e = read(text);
+        CAPTURE(text);
+        CHECK(to_text(e) == text);
+        CHECK(read(to_text(e)) == e);
+    }
+    CHECK(to_text(read("a ^ -2")) == "a^(-2)");
+    CHECK(to_text(read("((a)) + ((b*x))")) == "a + b*x");
+    CHECK(to_text(read("+a - +b")) == "a - b");
+    CHECK(to_text(read("0.50")) == "0.5");
+    CHECK(to_text(read("0.0000001")) == "1e-7");
+    CHECK(to_text(read("12000000000")) == "1.2e10");
+    CHECK(to_text(read("0.000012")) == "0.000012");
+    CHECK(to_text(read("123.456e-9")) == "1.23456e-7");
+    CHECK(to_text(read("1e100000")) == "1e100000");
+}
+
+TEST_CASE("numbers that are no decimals become quotients") {
+    CHECK(Expr::number(Rational(1, 3)) == read("1/3"));
+    CHECK(Expr::number(Rational(-1, 3)) == read("-(1/3)"));
+    CHECK(Expr::number(Rational(-5, 4)) == read("-1.25"));
+    CHECK(*Expr::number(Rational(-22, 7)).rational() == Rational(-22, 7));
+    CHECK_THROWS_AS((void)read("a").number(), Error);
+}
+
+TEST_CASE("random trees come back from their text") {
+    std::mt19937_64 random(20240607);
+    for (int i = 0; i < 4000; ++i) {
+        const Expr e = test::random_expr(random, 6, {"a", "b", "x"});
+        const std::string text = to_text(e);
+        CAPTURE(text);
+        const Expr back = read(text);
+        CHECK(back == e);
+        CHECK(back.hash() == e.hash());
+        CHECK(to_text(back) == text);
+    }
+}
+
+TEST_CASE("no pair of parentheses can be left out, but those around a sign") {
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 300; ++i) {
+        const Expr e = test::random_expr(random, 4, {"a", "b", "x"});
+        const std::string text = to_text(e);
+        CAPTURE(text);
+        std::vector<std::size_t> open;
+        for (std::size_t close = 0; close < text.size(); ++close) {
+            if (text[close] == '(') {
+                open.push_back(close);
+            } else if (text[close] == ')') {
+                const std::size_t from = open.back();
+                open.pop_back();
+                const bool call = from > 0 && (std::isalnum(text[from - 1]) != 0);
+                if (call || text[from + 1] == '-') {
+                    continue;
+                }
+                std::string without = text;
+                without.erase(close, 1).erase(from, 1);
+                CHECK_FALSE(read(without) == e);
+            }
+        }
+    }
+}
+
+TEST_CASE("equality and hash see the structure, not the place") {
+    CHECK(read("a+b") == read(" a  + (b)"));
+    CHECK_FALSE(read("a + b") == read("b + a"));
+    CHECK_FALSE(read("a - b") == read("a + b"));
+    CHECK_FALSE(read("0.5") == read("1/2"));
+    CHECK_FALSE(read("integral(s, s, 0, 1)") == read("integral(x, x, 0, 1)"));
+    CHECK_FALSE(read("f(a)") == read("sqrt(a)"));
+    std::unordered_set<Expr, ExprHash> set{read("a*b"), read("a * b"), read("a/b")};
+    CHECK(set.size() == 2);
+}
+
+TEST_CASE("free names and functions") {
+    using Names = std::set<std::string>;
+    CHECK(free_symbols(read("Pi + 2")).empty());
+    CHECK(free_symbols(read("a*sqrt(b) + f(x)")) == Names{"a", "b", "x"});
+    CHECK(free_symbols(read("integral(s*x, s, 0, a) + y")) == Names{"a", "x", "y"});
+    CHECK(free_symbols(read("s + integral(s, s, s, 1)")) == Names{"s"});
+    CHECK(free_symbols(read("sum(integral(k*s, s, 0, k), k, 1, b)")) == Names{"b"});
+    CHECK(called_functions(read("f(g(1, sqrt(2))) + pv(f(s), s, 0, 1, x)")) == Names{"f", "g"});
+    CHECK(has_binder(read("1 + sum(k, k, 1, 3)")));
+    CHECK_FALSE(has_binder(read("1 + f(a)")));
+}
+
+TEST_CASE("substitution") {
+    CHECK(substitute(read("a + a*b"), "a", read("x + y")) == read("x + y + (x + y)*b"));
+    CHECK(substitute(read("a^2"), "a", read("-b")) == read("(-b)^2"));
+    CHECK(substitute(read("a"), "c", read("b")) == read("a"));
+    // A bound name is another name.
+    CHECK(substitute(read("s + integral(s*a, s, 0, s)"), "s", read("b")) ==
+          read("b + integral(s*a, s, 0, b)"));
+    // A value that holds the bound name must not be captured.
+    CHECK(substitute(read("integral(s*a, s, 0, a)"), "a", read("s")) ==
+          read("integral(s_1*s, s_1, 0, s)"));
+    const Expr twice = substitute(read("integral(s*a + s_1, s, 0, 1)"), "a", read("s"));
+    CHECK(twice.arg(1).name() == "s_2");
+    CHECK(free_symbols(twice) == std::set<std::string>{"s", "s_1"});
+    // Nothing changed: the very same tree, place in the text included.
+    CHECK(substitute(read("  a"), "b", read("x")).offset() == 2);
+}
+
+TEST_CASE("edits by path") {
+    const Expr e = read("2*a + integral(s/b, s, 0, a)");
+    const std::vector<Path> all = paths(e);
+    std::vector<std::string> texts;
+    for (const Path& p : all) {
+        texts.push_back(to_text(at(e, p)));
+        CHECK(replace(e, p, at(e, p)) == e);
+        const Expr other = replace(e, p, read("P1"));
+        CHECK_FALSE(other == e);
+        CHECK(at(other, p) == read("P1"));
+    }
+    // The bound variable is no place for an edit.
+    CHECK(texts == std::vector<std::string>{to_text(e), "2*a", "2", "a", "integral(s/b, s, 0, a)",
+                                            "s/b", "s", "b", "0", "a"});
+    CHECK(replace(e, all[2], read("3")) == read("3*a + integral(s/b, s, 0, a)"));
+    CHECK(replace(e, Path{}, read("b")) == read("b"));
+    // An edit below a sum of numbers is seen by its exact value.
+    CHECK(*replace(read("(1 + 2)*3"), Path{0, 1}, read("5")).rational() == 18);
+    CHECK_THROWS_AS((void)at(e, Path{2}), Error);
+    CHECK_THROWS_AS((void)at(e, Path{0, 0, 0}), Error);
+    CHECK_THROWS_AS((void)replace(e, Path{0, 2}, read("1")), Error);
+    CHECK_THROWS_AS((void)replace(e, Path{1, 1}, read("1")), InputError);
+}
+
+TEST_CASE("builders refuse what no text could say") {
+    CHECK_THROWS_AS((void)Expr::call("sqrt", {}), InputError);
+    CHECK_THROWS_AS((void)Expr::call("atan2", {read("1")}), InputError);
+    CHECK_THROWS_AS((void)Expr::call("integral", {read("1"), read("2"), read("3"), read("4")}),
+                    InputError);
+    CHECK_THROWS_AS((void)Expr::with_args(read("a + b"), {read("a")}), Error);
+    Expr e = read("a");
+    CHECK_THROWS_AS(
+        [&] {
+            for (int i = 0; i < 3000; ++i) {
+                e = e + e;
+            }
+        }(),
+        Error);
+    CHECK(e.height() == Expr::max_height);
+}
+
+TEST_CASE("LaTeX") {
+    const auto tex = [](const char* text) { return to_tex(read(text)); };
+    CHECK(tex("2*sqrt(2)/(3*a^(3/2)*Pi)") == "\\frac{2 \\sqrt{2}}{3 {a}^{3/2} \\pi}");
+    CHECK(tex("5*P1/8 - a*x") == "\\frac{5 P_{1}}{8} - a x");
+    CHECK(tex("2*3") == "2 \\cdot 3");
+    CHECK(tex("-(a + b)") == "-\\left(a + b\\right)");
+    CHECK(tex("(a + b)^2") == "{\\left(a + b\\right)}^{2}");
+    CHECK(tex("(a/b)^2") == "{\\left(\\frac{a}{b}\\right)}^{2}");
+    CHECK(tex("1e-30*a") == "10^{-30} a");
+    CHECK(tex("integral(f(s), s, 0, a)") == "{\\int_{0}^{a} f\\left(s\\right) \\,\\mathrm{d}s}");
+    CHECK(to_tex(read("P1*a"), [](std::string_view n) {
+              return n == "P1" ? std::string("P'(a)") : std::string(n);
+          }) == "P'(a) a");
+}
+
+TEST_CASE("expressions may be shared by threads") {
+    const Expr e = read("a*sqrt(2)/Pi + integral(s, s, 0, a)");
+    std::vector<std::thread> threads;
+    std::vector<int> equal(4, 0);
+    for (std::size_t i = 0; i < equal.size(); ++i) {
+        threads.emplace_back([&, i] {
+            for (int k = 0; k < 200; ++k) {
+                const Expr copy = substitute(e, "a", Expr::symbol("b"));
+                equal[i] += substitute(copy, "b", Expr::symbol("a")) == e ? 1 : 0;
+            }
+        });
+    }
+    for (std::thread& t : threads) {
+        t.join();
+    }
+    CHECK(equal == std::vector<int>(4, 200));
+}

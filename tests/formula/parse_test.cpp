@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -234,6 +235,32 @@ TEST_CASE("no text makes the parser crash, hang or fill the memory") {
     CHECK_THROWS_AS((void)parse("-(" + repeated("1+", 1999) + "1)"), FormulaError);
     CHECK_THROWS_AS((void)parse("(" + repeated("1+", 1999) + "1)^2"), FormulaError);
     CHECK_THROWS_AS((void)parse("abs(" + repeated("1+", 1999) + "1)"), FormulaError);
+}
+
+TEST_CASE("random strings are expressions or errors, nothing else") {
+    const std::vector<std::string> pieces{
+        "a",  "b",    "x",    "Pi", "pi",  "sqrt", "slope",   "kernel", "integral", "pv", "sum",
+        "(",  "(",    "(",    ")",  ")",   ")",    ",",       "+",      "-",        "*",  "/",
+        "^",  "**",   " ",    "1",  "2.5", ".",    "1e",      "1e5",    "e",        "s",  "\n",
+        "\t", "\xCF", "\x80", "'",  "[",   "=",    "1e99999", "gamma",  "max",      "0",  "\x01"};
+    std::mt19937_64 random(20250101);
+    int accepted = 0;
+    for (int i = 0; i < 40'000; ++i) {
+        std::string text;
+        for (std::size_t n = 1 + random() % 14; n > 0; --n) {
+            text += pieces[random() % pieces.size()];
+        }
+        CAPTURE(text);
+        try {
+            const Expr e = parse(text, symbols);
+            ++accepted;
+            CHECK(parse(to_text(e), symbols) == e);
+        } catch (const FormulaError& error) {
+            CHECK(error.offset() <= text.size());
+            CHECK(std::string(error.what()).find('\n') == std::string::npos);
+        }
+    }
+    CHECK(accepted > 400);
 }
 
 TEST_CASE("places in the text are kept") {

@@ -214,6 +214,43 @@ template <class T> T product_power(T square, unsigned long n) {
     return y;
 }
 
+/// Larger exponents go to the general power.
+constexpr long largest_exponent = 1'000'000'000'000;
+
+/// x^(n/2) for odd n.
+template <class T> T half_integer_power(const T& x, long n) {
+    const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
+    const long whole = (n < 0 ? -n : n) / 2;
+    const T y = whole == 0 ? root : T(pow_int(x, whole) * root);
+    return n < 0 ? T(T(1) / y) : y;
+}
+
+/// x^q for x > 0, with one rounding that shows: 64 bits more are carried up to it.
+Real power_with_guard(const Real& x, const Rational& q, bool half_integer) {
+    constexpr mpfr_prec_t guard = 64;
+    Real y = as_wide_as(x);
+    const mpfr_prec_t precision = mpfr_get_prec(y.backend().data());
+    Real wide;
+    mpfr_set_prec(wide.backend().data(), precision + guard);
+    if (half_integer) {
+        Real whole;
+        mpfr_set_prec(whole.backend().data(), precision + guard);
+        const long n = Integer(numerator(q)).convert_to<long>();
+        mpfr_sqrt(wide.backend().data(), x.backend().data(), MPFR_RNDN);
+        mpfr_pow_si(whole.backend().data(), x.backend().data(), (n < 0 ? -n : n) / 2, MPFR_RNDN);
+        mpfr_mul(wide.backend().data(), wide.backend().data(), whole.backend().data(), MPFR_RNDN);
+        if (n < 0) {
+            mpfr_ui_div(y.backend().data(), 1, wide.backend().data(), MPFR_RNDN);
+        } else {
+            mpfr_set(y.backend().data(), wide.backend().data(), MPFR_RNDN);
+        }
+    } else {
+        mpfr_set_q(wide.backend().data(), q.backend().data(), MPFR_RNDN);
+        mpfr_pow(y.backend().data(), x.backend().data(), wide.backend().data(), MPFR_RNDN);
+    }
+    return y;
+}
+
 } // namespace
 
 template <Arithmetic T> T real_call(Builtin f, std::span<const T> x) {
@@ -286,10 +323,9 @@ template <Arithmetic T> T real_power(const T& x, const T& y) {
 }
 
 template <Arithmetic T> T real_power(const T& x, const Rational& q) {
-    constexpr long large = 1'000'000'000'000;
     const Integer n(numerator(q));
     const Integer d(denominator(q));
-    const bool moderate = n >= -large && n <= large;
+    const bool moderate = n >= -largest_exponent && n <= largest_exponent;
     if (d == 1 && moderate) {
         return pow_int(x, n.convert_to<long>());
     }
@@ -302,23 +338,12 @@ template <Arithmetic T> T real_power(const T& x, const Rational& q) {
         }
         return T(0);
     }
-    if (d == 2 && moderate) {
-        const long k = n.convert_to<long>();
-        const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
-        if (k == 1) {
-            return root;
-        }
-        const long whole = (k < 0 ? -k : k) / 2;
-        const T y = whole == 0 ? root : T(pow_int(x, whole) * root);
-        return k < 0 ? T(T(1) / y) : y;
-    }
     if constexpr (std::same_as<T, Real>) {
-        Real exponent = as_wide_as(x);
-        mpfr_set_q(exponent.backend().data(), q.backend().data(), MPFR_RNDN);
-        return rounded(mpfr_pow, x, exponent);
+        return power_with_guard(x, q, moderate && d == 2);
     } else {
         using std::pow;
-        return pow(x, from_rational<T>(q));
+        return moderate && d == 2 ? half_integer_power(x, n.convert_to<long>())
+                                  : pow(x, from_rational<T>(q));
     }
 }
 

@@ -14,8 +14,9 @@ namespace edgeproof {
 /// the arguments' own; the others are those of the C library or of Boost.
 template <Arithmetic T> [[nodiscard]] T real_call(Builtin f, std::span<const T> x);
 
-/// x^q with the exponent exact: no rounding of q for integers and half-integers. 0^0 = 1. Throws
-/// DomainError for 0 to a negative power and for a negative x to a power that is no integer.
+/// x^q with the exponent exact: no rounding of q for integers and half-integers, 64 more bits of
+/// it than of the result for other q in `Real`. 0^0 = 1. Throws DomainError for 0 to a negative
+/// power and for a negative x to a power that is no integer.
 template <Arithmetic T> [[nodiscard]] T real_power(const T& x, const Rational& q);
 template <Arithmetic T> [[nodiscard]] T real_power(const T& x, const T& y);
 

@@ -235,23 +235,20 @@ template <class T> [[nodiscard]] T general_power(const T& x, const T& y) {
 
 template <class T, class Env>
 [[nodiscard]] T rational_power(const T& x, const Rational& q, const Env& env) {
-    const Integer n(numerator(q));
-    const Integer d(denominator(q));
     if constexpr (requires { T(pow(x, q)); }) {
         return T(pow(x, q));
     } else {
-        constexpr long large = 1'000'000'000;
-        if (d == 1 && n >= -large && n <= large) {
-            return integer_power<T>(x, n.convert_to<long>(), env.number(Rational(1)));
+        const auto small = small_fraction(q);
+        if (small && small->d == 1) {
+            return integer_power<T>(x, small->n, env.number(Rational(1)));
         }
         if constexpr (requires { T(sqrt(x)); }) {
-            if (d == 2 && n >= -large && n <= large) {
-                const long size = Integer(abs(n)).convert_to<long>();
+            if (small && small->d == 2) {
+                const auto whole =
+                    static_cast<unsigned long>(small->n < 0 ? -small->n : small->n) / 2;
                 const T root = sqrt(x);
-                const T y =
-                    size == 1 ? root
-                              : T(repeated_product(x, static_cast<unsigned long>(size / 2)) * root);
-                return n < 0 ? T(env.number(Rational(1)) / y) : y;
+                const T y = whole == 0 ? root : T(repeated_product(x, whole) * root);
+                return small->n < 0 ? T(env.number(Rational(1)) / y) : y;
             }
         }
         return general_power<T>(x, env.number(q));

@@ -214,9 +214,6 @@ template <class T> T product_power(T square, unsigned long n) {
     return y;
 }
 
-/// Larger exponents go to the general power.
-constexpr long largest_exponent = 1'000'000'000'000;
-
 /// x^(n/2) for odd n.
 template <class T> T half_integer_power(const T& x, long n) {
     const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
@@ -226,16 +223,16 @@ template <class T> T half_integer_power(const T& x, long n) {
 }
 
 /// x^q for x > 0, with one rounding that shows: 64 bits more are carried up to it.
-Real power_with_guard(const Real& x, const Rational& q, bool half_integer) {
+Real power_with_guard(const Real& x, const Rational& q) {
     constexpr mpfr_prec_t guard = 64;
     Real y = as_wide_as(x);
     const mpfr_prec_t precision = mpfr_get_prec(y.backend().data());
     Real wide;
     mpfr_set_prec(wide.backend().data(), precision + guard);
-    if (half_integer) {
+    if (const auto small = small_fraction(q); small && small->d == 2) {
         Real whole;
         mpfr_set_prec(whole.backend().data(), precision + guard);
-        const long n = Integer(numerator(q)).convert_to<long>();
+        const long n = small->n;
         mpfr_sqrt(wide.backend().data(), x.backend().data(), MPFR_RNDN);
         mpfr_pow_si(whole.backend().data(), x.backend().data(), (n < 0 ? -n : n) / 2, MPFR_RNDN);
         mpfr_mul(wide.backend().data(), wide.backend().data(), whole.backend().data(), MPFR_RNDN);
@@ -252,6 +249,15 @@ Real power_with_guard(const Real& x, const Rational& q, bool half_integer) {
 }
 
 } // namespace
+
+std::optional<SmallFraction> small_fraction(const Rational& q) {
+    constexpr long largest = 1'000'000'000'000;
+    const auto* raw = q.backend().data();
+    if (mpz_cmpabs_ui(mpq_numref(raw), largest) > 0 || mpz_fits_ulong_p(mpq_denref(raw)) == 0) {
+        return std::nullopt;
+    }
+    return SmallFraction{mpz_get_si(mpq_numref(raw)), mpz_get_ui(mpq_denref(raw))};
+}
 
 template <Arithmetic T> T real_call(Builtin f, std::span<const T> x) {
     check_domain(f, x);
@@ -323,13 +329,11 @@ template <Arithmetic T> T real_power(const T& x, const T& y) {
 }
 
 template <Arithmetic T> T real_power(const T& x, const Rational& q) {
-    const Integer n(numerator(q));
-    const Integer d(denominator(q));
-    const bool moderate = n >= -largest_exponent && n <= largest_exponent;
-    if (d == 1 && moderate) {
-        return pow_int(x, n.convert_to<long>());
+    const auto small = small_fraction(q);
+    if (small && small->d == 1) {
+        return pow_int(x, small->n);
     }
-    if (d != 1 && x < 0) {
+    if (x < 0 && denominator(q) != 1) {
         throw DomainError("a negative number to a power that is not an integer");
     }
     if (x == 0) {
@@ -339,11 +343,11 @@ template <Arithmetic T> T real_power(const T& x, const Rational& q) {
         return T(0);
     }
     if constexpr (std::same_as<T, Real>) {
-        return power_with_guard(x, q, moderate && d == 2);
+        return power_with_guard(x, q);
     } else {
         using std::pow;
-        return moderate && d == 2 ? half_integer_power(x, n.convert_to<long>())
-                                  : pow(x, from_rational<T>(q));
+        return small && small->d == 2 ? half_integer_power(x, small->n)
+                                      : pow(x, from_rational<T>(q));
     }
 }
 

@@ -3,9 +3,18 @@
 #include "edgeproof/formula/builtin.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 
+#include <optional>
 #include <span>
 
 namespace edgeproof {
+
+/// An exponent of moderate size in lowest terms.
+struct SmallFraction {
+    long n;
+    unsigned long d;
+};
+/// Nothing if |numerator| is beyond 10^12 or the denominator too long for d.
+[[nodiscard]] std::optional<SmallFraction> small_fraction(const Rational& q);
 
 /// The built-in functions on the real line. Each throws DomainError, naming the function, outside
 /// its real domain (log 0, sqrt(-1), asin 2, gamma(-1), atan2(0, 0)), and never returns nan or

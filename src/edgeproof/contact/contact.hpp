@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// The mechanics of an incomplete contact between half-planes, from the bottom up:
+///   profile.hpp          Profile: g'(x), exact
+///   normal_contact.hpp   NormalContact: the exact problem, answered to the digits asked
+///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
+///   pressure_routes.hpp  p(x) by routes that share no formula
+///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
+#include "edgeproof/contact/contact_law.hpp"
+#include "edgeproof/contact/edge_expansion.hpp"
+#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/contact/pressure_routes.hpp"
+#include "edgeproof/contact/profile.hpp"

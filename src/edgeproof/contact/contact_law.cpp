@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/contact_law.hpp"
+
+#include "edgeproof/contact/special.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <cmath>
+
+namespace edgeproof {
+
+template <Arithmetic T>
+ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned target_digits)
+    : slope_(profile), modulus_(std::move(contact_modulus)), symmetric_(profile.symmetric()),
+      target_digits_(target_digits) {
+    if (!(modulus_ > T(0))) {
+        throw DomainError("the contact modulus is not positive");
+    }
+    if (profile.kind() == Profile::Kind::power_law && !profile.piecewise_linear()) {
+        const T m = profile.parameters().at("m").template to<T>();
+        const T C = profile.parameters().at("C").template to<T>();
+        power_ = PowerLaw{m, T(modulus_ * C * sine_power_integral<T>(T(m + T(1))))};
+    }
+    if constexpr (!std::same_as<T, double>) {
+        if (!symmetric_) {
+            guess_ = std::make_shared<const ContactLaw<double>>(profile, 1.0);
+        }
+    }
+}
+
+template <Arithmetic T> T ContactLaw<T>::force(const Extent<T>& e) const {
+    using std::pow;
+    if (power_) {
+        return T(power_->force_factor * pow(e.a, T(power_->exponent + T(1))));
+    }
+    return T(modulus_ / T(2) * over_measure<ForceKernel>(e));
+}
+
+template <Arithmetic T> T ContactLaw<T>::moment(const Extent<T>& e) const {
+    if (symmetric_) {
+        return T(0);
+    }
+    return T(modulus_ / T(4) * over_measure<MomentKernel>(e));
+}
+
+template <Arithmetic T> T ContactLaw<T>::force_rate(const Extent<T>& e) const {
+    using std::pow;
+    if (power_) {
+        return T(power_->force_factor * (power_->exponent + T(1)) * pow(e.a, power_->exponent));
+    }
+    return T(modulus_ / T(2) * over_measure<RightRateKernel>(e));
+}
+
+template <Arithmetic T> T ContactLaw<T>::left_force_rate(const Extent<T>& e) const {
+    if (symmetric_) {
+        return force_rate(e);
+    }
+    return T(modulus_ / T(2) * over_measure<LeftRateKernel>(e));
+}
+
+template <Arithmetic T> T ContactLaw<T>::imbalance(const Extent<T>& e) const {
+    const T right = over_measure<RightBalanceKernel>(e, Part::right_of_origin);
+    const T left = over_measure<LeftBalanceKernel>(e, Part::left_of_origin);
+    const T sum = right + left;
+    return sum > T(0) ? T((right - left) / sum) : T(0);
+}
+
+template <Arithmetic T>
+Extent<T> ContactLaw<T>::extent_with(const T& known, const T& unknown, bool solve_left) const {
+    return solve_left ? Extent<T>{known, unknown} : Extent<T>{unknown, known};
+}
+
+template <Arithmetic T> T ContactLaw<T>::left_edge(const T& a) const { return solve_edge(a, true); }
+template <Arithmetic T> T ContactLaw<T>::right_edge(const T& b) const {
+    return solve_edge(b, false);
+}
+
+template <Arithmetic T>
+typename ContactLaw<T>::EdgeStep ContactLaw<T>::edge_step(const T& known, const T& unknown,
+                                                          bool solve_left) const {
+    const Extent<T> e = extent_with(known, unknown, solve_left);
+    const T right = over_measure<RightBalanceKernel>(e, Part::right_of_origin);
+    const T left = over_measure<LeftBalanceKernel>(e, Part::left_of_origin);
+    // d(right - left)/db = -(integral of sqrt((a-v)/(v+b)) dg')/(a+b), and likewise for a.
+    const T rate =
+        (solve_left ? over_measure<LeftRateKernel>(e) : over_measure<RightRateKernel>(e)) /
+        e.length();
+    const T value = solve_left ? T(right - left) : T(left - right);
+    return {value, T(value / rate)};
+}
+
+/// The edge that balances a given one. Newton from the binary64 answer settles it nearly always;
+/// what it does not settle, the search with a bracket does.
+template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_left) const {
+    using std::abs;
+    using std::isfinite;
+    using std::sqrt;
+    if (!(known > T(0)) || !isfinite(known)) {
+        throw DomainError("a contact edge is not at a positive, finite distance from the origin");
+    }
+    if (symmetric_) {
+        return known;
+    }
+    T start = known;
+    if (guess_) {
+        const double k = static_cast<double>(known);
+        if (k > 1e-150 && k < 1e150) {
+            try {
+                start = T(solve_left ? guess_->left_edge(k) : guess_->right_edge(k));
+            } catch (const Error&) {
+                start = known; // binary64 cannot decide; the search below can
+            }
+        }
+        // Newton doubles the digits: once a step is far below the root of roundoff, the next
+        // would be below roundoff itself.
+        const T enough = sqrt(unit_roundoff<T>()) / T(1 << 17);
+        T x = start;
+        for (int k2 = 0; k2 < 40; ++k2) {
+            const T step = edge_step(known, x, solve_left).step;
+            if (!(abs(step) < x / T(2))) {
+                break;
+            }
+            x += step;
+            if (abs(step) <= enough * x) {
+                return x;
+            }
+        }
+    }
+    return search_edge(known, start, solve_left);
+}
+
+/// The imbalance grows with a and falls with b, so a bracket always exists where a solution does;
+/// Newton runs inside it and falls back on halving (of the logarithm: edges may differ by thirty
+/// decades).
+template <Arithmetic T>
+T ContactLaw<T>::search_edge(const T& known, const T& start, bool solve_left) const {
+    using std::abs;
+    using std::isfinite;
+    using std::sqrt;
+    // > 0: the unknown edge lies further out.
+    const auto want_more = [&](const T& unknown) {
+        const T f = imbalance(extent_with(known, unknown, solve_left));
+        return solve_left ? f : T(-f);
+    };
+    T x = start;
+    T lo(0);
+    T hi(0);
+    T f = want_more(x);
+    T factor(4);
+    for (int k = 0; k < 40; ++k) {
+        if (f == T(0)) {
+            return x;
+        }
+        const T next = f > T(0) ? T(x * factor) : T(x / factor);
+        if (!isfinite(next) || next == T(0)) {
+            break;
+        }
+        (f > T(0) ? lo : hi) = x;
+        const T g = want_more(next);
+        if ((g > T(0)) != (f > T(0))) {
+            (f > T(0) ? hi : lo) = next;
+            break;
+        }
+        x = next;
+        f = g;
+        factor = factor * factor;
+    }
+    if (!(lo > T(0)) || !(hi > T(0))) {
+        throw DomainError("no position of the other edge closes this contact: the profile does not "
+                          "rise on that side");
+    }
+    x = T(sqrt(lo) * sqrt(hi));
+    const T eps = unit_roundoff<T>();
+    T last_step = hi - lo;
+    for (int k = 0; k < 20000; ++k) {
+        const EdgeStep s = edge_step(known, x, solve_left);
+        if (s.value == T(0)) {
+            return x;
+        }
+        (s.value > T(0) ? lo : hi) = x;
+        T next = x + s.step;
+        const bool inside = next > lo && next < hi;
+        if (inside && abs(s.step) <= T(4) * eps * x) {
+            return next;
+        }
+        if (!inside || (k > 3 && abs(s.step) > last_step / T(2))) {
+            next = T(sqrt(lo) * sqrt(hi));
+            if (!(next > lo) || !(next < hi)) {
+                return x;
+            }
+        }
+        last_step = abs(s.step);
+        x = next;
+    }
+    throw BudgetError("the search for a contact edge did not settle");
+}
+
+template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const {
+    using std::abs;
+    using std::isfinite;
+    using std::pow;
+    if (!(P > T(0)) || !isfinite(P)) {
+        throw DomainError("the normal force is not positive and finite");
+    }
+    if (power_) {
+        return T(pow(T(P / power_->force_factor), T(T(1) / (power_->exponent + T(1)))));
+    }
+    // P(a) grows from 0 without bound for every convex profile: bracket by doubling, then Newton
+    // inside the bracket. A flat at the origin carries no force until the contact leaves it.
+    T lo(0);
+    for (std::size_t i = slope_.origin() + 1; i < slope_.knots().size(); ++i) {
+        const Extent<T> e{slope_.knots()[i], slope_.knots()[i]};
+        if (symmetric_ && force(e) < P) {
+            lo = slope_.knots()[i];
+        }
+    }
+    T hi = lo > T(0) ? T(lo * T(2)) : T(P / modulus_);
+    const auto P_of = [&](const T& a) { return force(extent(a)); };
+    int doublings = 0;
+    while (P_of(hi) < P) {
+        lo = hi;
+        hi = hi * T(2);
+        if (++doublings > 4000) {
+            throw BudgetError("no contact width carries this normal force");
+        }
+    }
+    T x = (lo + hi) / T(2);
+    if (lo == T(0)) {
+        while (P_of(T(hi / T(2))) > P) {
+            hi = hi / T(2);
+            if (++doublings > 4000) {
+                throw BudgetError("no contact width carries this normal force");
+            }
+        }
+        lo = hi / T(2);
+        x = hi;
+    }
+    const T eps = unit_roundoff<T>();
+    T last_step = hi - lo;
+    for (int k = 0; k < 500; ++k) {
+        const Extent<T> e = extent(x);
+        const T value = P - force(e);
+        if (value == T(0)) {
+            return x;
+        }
+        (value > T(0) ? lo : hi) = x;
+        const T rate = force_rate(e);
+        T step = rate > T(0) ? T(value / rate) : T(hi - lo);
+        T next = x + step;
+        if (abs(step) <= T(4) * eps * x) {
+            return next;
+        }
+        if (!(next > lo) || !(next < hi) || (k > 3 && abs(step) > last_step / T(2))) {
+            next = (lo + hi) / T(2);
+            if (!(next > lo) || !(next < hi)) {
+                return x;
+            }
+        }
+        last_step = abs(step);
+        x = next;
+    }
+    throw BudgetError("Newton's iteration for the contact width did not settle in 500 steps");
+}
+
+template <Arithmetic T>
+LawSeries<T> ContactLaw<T>::series(const Extent<T>& e, std::size_t order) const {
+    using S = Series<T>;
+    const S a = S::variable(e.a, order);
+    if (power_) {
+        return {pow(a, power_->exponent) * T(power_->force_factor * (power_->exponent + T(1))), a};
+    }
+    S b = a;
+    if (!symmetric_) {
+        // b'(a) = (dP/da)/(dP/db); each step of Newton doubles the terms that are right.
+        b = S(e.b, 1);
+        for (std::size_t known = 1; known < order;) {
+            known = std::min(2 * known, order);
+            std::vector<T> padded = b.coefficients();
+            padded.resize(known, T(0));
+            const Extent<S> moving{a.truncated(known), S(std::move(padded))};
+            const S gap = over_measure<RightBalanceKernel>(moving, Part::right_of_origin) -
+                          over_measure<LeftBalanceKernel>(moving, Part::left_of_origin);
+            const S rate = over_measure<LeftRateKernel>(moving) / moving.length();
+            b = moving.b + gap / rate;
+            b[0] = e.b; // the edge is where it was put; its roundoff is not a correction
+        }
+    }
+    const Extent<S> moving{a, b};
+    return {over_measure<RightRateKernel>(moving) * T(modulus_ / T(2)), b};
+}
+
+template <Arithmetic T> bool ContactLaw<T>::right_edge_on_knot(const Extent<T>& e) const {
+    for (const T& knot : slope_.knots()) {
+        if (knot == e.a) {
+            return true;
+        }
+    }
+    return false;
+}
+template <Arithmetic T> bool ContactLaw<T>::left_edge_on_knot(const Extent<T>& e) const {
+    for (const T& knot : slope_.knots()) {
+        if (-knot == e.b) {
+            return true;
+        }
+    }
+    return false;
+}
+
+template class ContactLaw<double>;
+template class ContactLaw<long double>;
+template class ContactLaw<Float128>;
+template class ContactLaw<Real>;
+
+} // namespace edgeproof

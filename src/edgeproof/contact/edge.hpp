@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace edgeproof {
+
+/// An edge of the contact -b < x < a. Distances u run inwards from it: u = a - x or u = b + x.
+enum class Edge { right, left };
+
+[[nodiscard]] constexpr Edge opposite(Edge edge) {
+    return edge == Edge::right ? Edge::left : Edge::right;
+}
+
+} // namespace edgeproof

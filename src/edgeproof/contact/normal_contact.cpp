@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/normal_contact.hpp"
+
+#include "edgeproof/contact/edge_expansion.hpp"
+#include "edgeproof/contact/pressure_routes.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+constexpr unsigned guard_digits = 20;
+/// A point given exactly is told from a knot down to this many decades below roundoff.
+constexpr unsigned knot_decades = 400;
+
+/// How many decades x lies below `scale`; 0 where it does not.
+unsigned decades_below(const Real& x, const Real& scale) {
+    if (!(x > 0) || !(x < scale)) {
+        return 0;
+    }
+    return static_cast<unsigned>(ceil(log10(scale / x)));
+}
+
+} // namespace
+
+std::string route_name(Route route) {
+    switch (route) {
+    case Route::barber_mossakovskii:
+        return "barber-mossakovskii";
+    case Route::singular_integral:
+        return "singular-integral";
+    case Route::closed_form:
+        return "closed-form";
+    case Route::automatic:
+        break;
+    }
+    return "automatic";
+}
+
+/// The contact in numbers at one working precision. The mirrored law serves the left branch.
+struct NormalContact::Solved {
+    Solved(const Profile& profile, const Exact& modulus, const Load& load, unsigned target)
+        : target_digits(target), law(profile, modulus.to<Real>(), target), extent{}, mirror{} {
+        const Real value = load.value.to<Real>();
+        extent = law.extent(load.kind == Load::Kind::right_edge ? value
+                                                                : law.right_edge_for_force(value));
+    }
+    const ContactLaw<Real>& mirrored(const Profile& profile, const Exact& modulus) {
+        if (!mirror) {
+            mirror = std::make_unique<ContactLaw<Real>>(profile.reflected(), modulus.to<Real>(),
+                                                        target_digits);
+        }
+        return *mirror;
+    }
+    /// The smallest distance of an edge from a knot, but not zero: what b - knot cancels to.
+    [[nodiscard]] Real smallest_gap() const {
+        Real gap = extent.length();
+        for (const Real& knot : law.slope().knots()) {
+            for (const Real& d : {Real(abs(extent.a - knot)), Real(abs(extent.b + knot))}) {
+                if (d > 0 && d < gap) {
+                    gap = d;
+                }
+            }
+        }
+        return gap;
+    }
+
+    unsigned target_digits;
+    ContactLaw<Real> law;
+    Extent<Real> extent;
+    std::unique_ptr<ContactLaw<Real>> mirror;
+};
+
+NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits)
+    : profile_(std::move(profile)), modulus_(std::move(contact_modulus)), load_(std::move(load)),
+      digits_(digits) {
+    if (modulus_.sign() <= 0) {
+        throw InputError("the contact modulus " + modulus_.text() + " is not positive",
+                         "give E* > 0");
+    }
+    if (load_.value.sign() <= 0) {
+        const bool edge = load_.kind == Load::Kind::right_edge;
+        throw InputError(
+            std::string(edge ? "the contact half-width a = " : "the normal force P = ") +
+                load_.value.text() + " is not positive",
+            edge ? "give a > 0" : "give P > 0");
+    }
+    // Gaps are found at a precision that would see them; a gap that fills it is looked at closer.
+    unsigned working = digits_ + guard_digits;
+    for (;;) {
+        const Solved& s = at(working);
+        const PrecisionScope scope(working);
+        const unsigned lost = decades_below(s.smallest_gap(), s.extent.length());
+        const unsigned needed = digits_ + guard_digits + 2 * lost;
+        if (needed <= working) {
+            break;
+        }
+        working = needed;
+        if (lost > 100000) {
+            throw BudgetError("an edge lies within 1e-100000 of a knot");
+        }
+    }
+    base_working_ = working;
+}
+
+NormalContact::~NormalContact() = default;
+NormalContact::NormalContact(NormalContact&&) noexcept = default;
+NormalContact& NormalContact::operator=(NormalContact&&) noexcept = default;
+
+const Profile& NormalContact::profile() const noexcept { return profile_; }
+unsigned NormalContact::digits() const noexcept { return digits_; }
+const Exact& NormalContact::contact_modulus() const noexcept { return modulus_; }
+
+NormalContact::Solved& NormalContact::at(unsigned working) const {
+    auto& slot = solved_[working];
+    if (!slot) {
+        const PrecisionScope scope(working);
+        slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
+    }
+    return *slot;
+}
+
+Real NormalContact::a() const { return at(base_working_).extent.a; }
+Real NormalContact::b() const { return at(base_working_).extent.b; }
+Real NormalContact::force() const {
+    const PrecisionScope scope(base_working_);
+    const Solved& s = at(base_working_);
+    return s.law.force(s.extent);
+}
+Real NormalContact::moment() const {
+    const PrecisionScope scope(base_working_);
+    const Solved& s = at(base_working_);
+    return s.law.moment(s.extent);
+}
+
+Real NormalContact::force_derivative(unsigned k) const {
+    if (k == 0) {
+        return force();
+    }
+    const PrecisionScope scope(base_working_);
+    const Solved& s = at(base_working_);
+    Real d = s.law.series(s.extent, k).force_rate[k - 1];
+    for (unsigned j = 2; j < k; ++j) {
+        d *= j;
+    }
+    return d;
+}
+
+Real NormalContact::left_edge_derivative(unsigned k) const {
+    if (k == 0) {
+        return b();
+    }
+    const PrecisionScope scope(base_working_);
+    const Solved& s = at(base_working_);
+    Real d = s.law.series(s.extent, k + 1).b[k];
+    for (unsigned j = 2; j <= k; ++j) {
+        d *= j;
+    }
+    return d;
+}
+
+NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned working) const {
+    const Solved& s = at(working);
+    const PrecisionScope scope(working);
+    // x - knot is what cancels; a distance from an edge never does.
+    const Real length = s.extent.length();
+    Look found{base_working_, std::nullopt};
+    Real gap = length;
+    const auto& knots = s.law.slope().knots();
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const Real from_edge =
+            edge == Edge::right ? Real(s.extent.a - knots[i]) : Real(s.extent.b + knots[i]);
+        const Real d = abs(from_edge - u);
+        if (d < gap) {
+            gap = d;
+            // Within the roundoff of this look, x may be the knot itself.
+            if (d <= length * pow(Real(10), 8 - static_cast<int>(working))) {
+                found.on_knot = i;
+            }
+        }
+    }
+    if (!found.on_knot) {
+        const unsigned lost = decades_below(gap, length);
+        if (lost > 3) {
+            // In steps, so that neighbouring points share one solved contact.
+            found.working += (2 * lost + 15) / 16 * 16;
+        }
+    }
+    return found;
+}
+
+Estimated NormalContact::pressure(Edge edge, const Exact& u, Route route) const {
+    const auto read = [&](unsigned working) {
+        const PrecisionScope scope(working);
+        return u.to<Real>();
+    };
+    Look found = look(read(base_working_), edge, base_working_);
+    if (found.on_knot) {
+        const unsigned closer = base_working_ + knot_decades;
+        found = look(read(closer), edge, closer);
+    }
+    return pressure_at(edge, read(found.working), route, found);
+}
+
+Estimated NormalContact::pressure(Edge edge, const Real& u, Route route) const {
+    return pressure_at(edge, u, route, look(u, edge, base_working_));
+}
+
+Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
+                                     const Look& found) const {
+    const unsigned working = found.working;
+    Solved& s = at(working);
+    const PrecisionScope scope(working);
+    Point<Real> point = point_at(s.extent, edge, u);
+    if (found.on_knot) {
+        if (profile_.has_corner(*found.on_knot)) {
+            throw DomainError("the pressure is infinite at a corner of the profile");
+        }
+        const Real& knot = s.law.slope().knots()[*found.on_knot];
+        point = {Real(s.extent.a - knot), Real(s.extent.b + knot), knot};
+    }
+    if (route == Route::automatic) {
+        route = profile_.piecewise_linear() ? Route::closed_form : Route::singular_integral;
+    }
+    RoutedPressure<Real> p{};
+    const unsigned target = digits_ + guard_digits / 2;
+    switch (route) {
+    case Route::barber_mossakovskii:
+        if (point.x < 0) {
+            const auto& mirror = s.mirrored(profile_, modulus_);
+            const Extent<Real> e{s.extent.b, s.extent.a};
+            p = barber_mossakovskii(mirror, e, Point<Real>{point.left, point.right, Real(-point.x)},
+                                    target);
+        } else {
+            p = barber_mossakovskii(s.law, s.extent, point, target);
+        }
+        break;
+    case Route::singular_integral:
+        p = singular_integral(s.law, s.extent, point, target);
+        break;
+    default:
+        p = logarithmic_closed_form(s.law, s.extent, point);
+        break;
+    }
+    if (!p.converged) {
+        throw BudgetError("the quadrature of " + route_name(route) +
+                          " did not converge within its levels");
+    }
+    // Roundoff of the whole computation, with the guard that the gaps have eaten given back.
+    const Real roundoff = pow(Real(10), -static_cast<int>(target));
+    return {p.value, p.estimate > roundoff ? p.estimate : roundoff, route, p.evaluations, working};
+}
+
+std::vector<Real> NormalContact::expansion(Edge edge, std::size_t terms) const {
+    // High coefficients are sums that cancel by up to the binomials in them.
+    const unsigned working = base_working_ + static_cast<unsigned>(terms);
+    const Solved& s = at(working);
+    const PrecisionScope scope(working);
+    return edge_expansion(s.law, s.extent, edge, terms);
+}
+
+Real NormalContact::convergence_radius(Edge edge) const {
+    const Solved& s = at(base_working_);
+    const PrecisionScope scope(base_working_);
+    Real radius = s.extent.length();
+    for (const Real& knot : s.law.slope().knots()) {
+        const Real d = edge == Edge::right ? Real(s.extent.a - knot) : Real(s.extent.b + knot);
+        if (d > 0 && d < radius) {
+            radius = d;
+        }
+    }
+    return radius;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/profile.hpp"
+
+#include "edgeproof/contact/profile_checks.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+const Expr x = Expr::symbol("x");  // NOLINT: Expr is immutable and needs no other translation unit
+const Expr zero = Expr::number(0); // NOLINT
+
+void require(bool holds, const std::string& problem, const std::string& instead) {
+    if (!holds) {
+        throw InputError(problem, instead);
+    }
+}
+
+/// e(-x), negated: a slope seen in a mirror.
+Expr mirrored(const Expr& e) {
+    const auto linear = as_linear(e, "x");
+    if (linear) {
+        const Rational* at_origin = linear->at_origin.rational();
+        if (at_origin != nullptr && *at_origin == 0) {
+            return e;
+        }
+        return linear->rate * x - linear->at_origin;
+    }
+    return -substitute(e, "x", -x);
+}
+
+} // namespace
+
+Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes) {
+    Profile p;
+    p.kind_ = kind;
+    // The origin is a knot even where g' is smooth: consistency weighs its two sides.
+    std::size_t at = 0;
+    while (at < knots.size() && knots[at].sign() < 0) {
+        ++at;
+    }
+    if (at == knots.size() || knots[at].sign() != 0) {
+        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), Exact(zero));
+        slopes.insert(slopes.begin() + static_cast<std::ptrdiff_t>(at), slopes[at]);
+    }
+    p.origin_ = at;
+    p.knots_ = std::move(knots);
+    for (const Expr& slope : slopes) {
+        p.pieces_.push_back({slope, as_linear(slope, "x")});
+    }
+    p.corner_.assign(p.knots_.size(), false);
+    return p;
+}
+
+Profile Profile::power_law(const Exact& C, const Exact& m) {
+    require(C.sign() > 0, "the power-law constant C = " + C.text() + " is not positive",
+            "give C > 0");
+    require(m.sign() >= 0, "the power-law exponent m = " + m.text() + " is negative",
+            "give m >= 0 (0: a wedge, 1: Hertz)");
+    const Expr c = C.expr();
+    const Rational* exponent = m.expr().rational();
+    std::vector<Expr> slopes;
+    if (exponent != nullptr && *exponent == 0) {
+        slopes = {-c, c};
+    } else if (exponent != nullptr && *exponent == 1) {
+        slopes = {c * x, c * x};
+    } else {
+        slopes = {-(c * pow(-x, m.expr())), c * pow(x, m.expr())};
+    }
+    Profile p = assemble(Kind::power_law, {Exact(zero)}, std::move(slopes));
+    p.corner_[0] = exponent != nullptr && *exponent == 0;
+    p.symmetric_ = true;
+    p.parameters_ = {{"C", C}, {"m", m}};
+    return p;
+}
+
+Profile Profile::flat_and_rounded(const Exact& t, const Exact& R) {
+    require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
+            "give t >= 0");
+    require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
+    const Expr T = t.expr();
+    const Expr r = R.expr();
+    Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {x / r})
+                              : assemble(Kind::flat_and_rounded, {Exact(-T), t},
+                                         {(x + T) / r, zero, (x - T) / r});
+    p.symmetric_ = true;
+    p.parameters_ = {{"t", t}, {"R", R}};
+    return p;
+}
+
+Profile Profile::tilted_wedge(const Exact& phi, const Exact& alpha) {
+    require(phi.sign() > 0, "the wedge angle phi = " + phi.text() + " is not positive",
+            "give phi > 0 (the half-angle is pi/2 - phi)");
+    const Expr f = phi.expr();
+    const Expr al = alpha.expr();
+    require(Exact(f - al).sign() > 0 && Exact(f + al).sign() > 0,
+            "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
+            "give |alpha| < phi: beyond, one face of the wedge lifts off");
+    Profile p = assemble(Kind::tilted_wedge, {Exact(zero)}, {-(f + al), f - al});
+    p.corner_[0] = true;
+    p.symmetric_ = alpha.sign() == 0;
+    p.parameters_ = {{"phi", phi}, {"alpha", alpha}};
+    return p;
+}
+
+Profile Profile::tilted_flat_and_rounded(const Exact& alpha, const Exact& t, const Exact& R) {
+    require(alpha.sign() >= 0, "the tilt alpha = " + alpha.text() + " is negative",
+            "give alpha >= 0, clockwise; mirror the scene for the other sense");
+    require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
+            "give t >= 0");
+    require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
+    const Expr al = alpha.expr();
+    const Expr r = R.expr();
+    const Expr two_t = Expr::number(2) * t.expr();
+    std::vector<Exact> knots;
+    std::vector<Expr> slopes;
+    if (t.sign() == 0) {
+        slopes = {x / r};
+    } else if (alpha.sign() == 0) {
+        // Upright, the minimum is the whole flat; the paper's frame then has its origin at the
+        // right end of the flat.
+        knots = {Exact(-two_t), Exact(zero)};
+        slopes = {(x + two_t) / r, zero, x / r};
+    } else {
+        knots = {Exact(-(al * r) - two_t), Exact(-(al * r))};
+        slopes = {(x + two_t) / r, -al, x / r};
+    }
+    Profile p = assemble(Kind::tilted_flat_and_rounded, std::move(knots), std::move(slopes));
+    p.parameters_ = {{"alpha", alpha}, {"t", t}, {"R", R}};
+    return p;
+}
+
+Profile Profile::piecewise(const std::vector<Exact>& knots, const std::vector<Expr>& slopes) {
+    require(slopes.size() == knots.size() + 1,
+            "a piecewise profile with " + std::to_string(knots.size()) + " knots has " +
+                std::to_string(slopes.size()) + " pieces",
+            "give one piece more than knots");
+    Profile p = assemble(Kind::piecewise, knots, slopes);
+    p.corner_ = checked_corners(p);
+    return p;
+}
+
+Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
+                                     const std::vector<Expr>& slopes) {
+    require(slopes.size() == knots.size() + 1,
+            "a symmetric piecewise profile with " + std::to_string(knots.size()) +
+                " knots in x > 0 has " + std::to_string(slopes.size()) + " pieces",
+            "give one piece more than knots; the left half is its mirror image");
+    require(knots.empty() || knots.front().sign() > 0,
+            "a symmetric piecewise profile has a knot at or left of the origin",
+            "give knots x > 0 only; the origin is always one");
+    std::vector<Exact> all;
+    std::vector<Expr> both;
+    for (std::size_t i = knots.size(); i-- > 0;) {
+        all.push_back(Exact(-knots[i].expr()));
+    }
+    all.push_back(Exact(zero));
+    all.insert(all.end(), knots.begin(), knots.end());
+    for (std::size_t i = slopes.size(); i-- > 0;) {
+        both.push_back(mirrored(slopes[i]));
+    }
+    both.insert(both.end(), slopes.begin(), slopes.end());
+    Profile p = piecewise(all, both);
+    p.symmetric_ = true;
+    return p;
+}
+
+std::string Profile::kind_name() const {
+    switch (kind_) {
+    case Kind::power_law:
+        return "power-law";
+    case Kind::flat_and_rounded:
+        return "flat-and-rounded";
+    case Kind::tilted_wedge:
+        return "tilted-wedge";
+    case Kind::tilted_flat_and_rounded:
+        return "tilted-flat-and-rounded";
+    case Kind::piecewise:
+        break;
+    }
+    return "piecewise";
+}
+
+bool Profile::piecewise_linear() const noexcept {
+    return std::all_of(pieces_.begin(), pieces_.end(),
+                       [](const SlopePiece& piece) { return piece.linear.has_value(); });
+}
+
+Profile Profile::reflected() const {
+    Profile p;
+    // Only the symmetric kinds keep their name in a mirror; a tilted one leans the other way.
+    p.kind_ = symmetric_ ? kind_ : Kind::piecewise;
+    p.symmetric_ = symmetric_;
+    if (symmetric_) {
+        p.parameters_ = parameters_;
+    }
+    for (std::size_t i = knots_.size(); i-- > 0;) {
+        p.knots_.emplace_back(i == origin_ ? zero : -knots_[i].expr());
+        p.corner_.push_back(corner_[i]);
+    }
+    for (std::size_t i = pieces_.size(); i-- > 0;) {
+        const Expr slope = mirrored(pieces_[i].slope);
+        p.pieces_.push_back({slope, as_linear(slope, "x")});
+    }
+    p.origin_ = knots_.size() - 1 - origin_;
+    return p;
+}
+
+} // namespace edgeproof

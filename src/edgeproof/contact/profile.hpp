@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/exact.hpp"
+#include "edgeproof/formula/expr.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+/// One analytic piece of g'.
+struct SlopePiece {
+    Expr slope; ///< g' as an expression in x alone (constants are exact)
+
+    /// g' = at_origin + rate x, where that is what `slope` comes to.
+    struct Linear {
+        Expr at_origin; ///< dimensionless
+        Expr rate;      ///< 1/length
+    };
+    std::optional<Linear> linear;
+};
+
+/// The slope g'(x) of the gap between the bodies: convex (g' does not decrease), piecewise
+/// analytic, with the origin at its minimum (g' <= 0 to the left of it, >= 0 to the right).
+/// Everything in it is exact. The origin always counts as a knot, with or without a corner.
+class Profile {
+public:
+    enum class Kind {
+        power_law,
+        flat_and_rounded,
+        tilted_wedge,
+        tilted_flat_and_rounded,
+        piecewise
+    };
+
+    /// g' = C sgn(x) |x|^m, m >= 0, C > 0 (moore-hills.tex, eqn:PowerLaw_Profile).
+    /// Throws InputError outside that domain, as all makers do.
+    [[nodiscard]] static Profile power_law(const Exact& C, const Exact& m);
+    /// Flat of length 2t between arcs of radius R, t >= 0, R > 0 (moore-hills.tex, lines 191-198).
+    [[nodiscard]] static Profile flat_and_rounded(const Exact& t, const Exact& R);
+    /// Half-angle pi/2 - phi, tilted clockwise by alpha, |alpha| < phi (lines 289-294).
+    [[nodiscard]] static Profile tilted_wedge(const Exact& phi, const Exact& alpha);
+    /// Flat of length 2t between arcs of radius R, tilted clockwise by alpha >= 0, with the origin
+    /// at the minimum (lines 339-346).
+    [[nodiscard]] static Profile tilted_flat_and_rounded(const Exact& alpha, const Exact& t,
+                                                         const Exact& R);
+    /// The user's own: `slopes[i]` (in x) holds between knots[i-1] and knots[i]. Throws InputError
+    /// that names the place where knots do not ascend, g' decreases, or the minimum is not at 0.
+    [[nodiscard]] static Profile piecewise(const std::vector<Exact>& knots,
+                                           const std::vector<Expr>& slopes);
+    /// The same, given for x > 0 only and continued by g'(-x) = -g'(x).
+    [[nodiscard]] static Profile piecewise_symmetric(const std::vector<Exact>& knots,
+                                                     const std::vector<Expr>& slopes);
+
+    [[nodiscard]] Kind kind() const noexcept { return kind_; }
+    /// "power-law", "flat-and-rounded", ... as in a scene file.
+    [[nodiscard]] std::string kind_name() const;
+    /// True if g'(-x) = -g'(x) by construction: then b = a, and nothing is solved for it.
+    [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
+    /// True if every piece is linear in x: then pressures have a closed form in logarithms.
+    [[nodiscard]] bool piecewise_linear() const noexcept;
+    /// Parameters by their name in the paper (m, C, t, R, phi, alpha).
+    [[nodiscard]] const std::map<std::string, Exact>& parameters() const noexcept {
+        return parameters_;
+    }
+    /// Ascending; `pieces()[i]` ends at `knots()[i]` and `pieces()[i+1]` begins there.
+    [[nodiscard]] const std::vector<Exact>& knots() const noexcept { return knots_; }
+    [[nodiscard]] const std::vector<SlopePiece>& pieces() const noexcept { return pieces_; }
+    /// Index of the origin among the knots.
+    [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
+    /// Whether g' itself jumps at a knot (a corner), rather than only bends.
+    [[nodiscard]] bool has_corner(std::size_t knot) const { return corner_.at(knot); }
+    /// The same contact seen in a mirror: g'(x) becomes -g'(-x); right becomes left.
+    [[nodiscard]] Profile reflected() const;
+
+private:
+    Profile() = default;
+    static Profile assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes);
+
+    Kind kind_ = Kind::piecewise;
+    bool symmetric_ = false;
+    std::map<std::string, Exact> parameters_;
+    std::vector<Exact> knots_;
+    std::vector<SlopePiece> pieces_;
+    std::vector<bool> corner_;
+    std::size_t origin_ = 0;
+};
+
+/// a + b x with a, b free of `x`, where the expression has that form by inspection of its tree.
+[[nodiscard]] std::optional<SlopePiece::Linear> as_linear(const Expr& e, std::string_view x);
+
+} // namespace edgeproof

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/arithmetic.hpp"
+
+#include <cmath>
+#include <deque>
+#include <map>
+#include <vector>
+
+namespace edgeproof {
+
+/// The abscissas and weights of tanh-sinh on the unit interval at one precision. Level k holds
+/// the nodes that level k adds to those before it, from the middle outwards; built when first
+/// asked for. An object belongs to one thread and one precision: `tanh_sinh_nodes<T>()` has both
+/// in its key.
+template <Arithmetic T> class TanhSinhNodes {
+public:
+    struct Node {
+        T t;      ///< abscissa in the transformed variable, t >= 0
+        T near;   ///< distance from the nearer end point, exact to the last digit
+        T far;    ///< distance from the other one
+        T weight; ///< d near/dt
+    };
+
+    TanhSinhNodes() : end_(T(0)) {
+        using std::asinh;
+        using std::log;
+        // The outermost node lies so near the end that even d^(-1/2) is done with there.
+        const T depth = log(T(10)) * T(static_cast<int>(smallest_exponent()));
+        end_ = asinh(depth / pi<T>());
+    }
+
+    [[nodiscard]] const T& end() const noexcept { return end_; }
+    [[nodiscard]] static T step(int level) {
+        T h(1);
+        for (int k = 0; k < level; ++k) {
+            h /= 2;
+        }
+        return h;
+    }
+
+    /// The nodes that `level` adds.
+    [[nodiscard]] const std::vector<Node>& level(int level) const {
+        while (levels_.size() <= static_cast<std::size_t>(level)) {
+            add_level();
+        }
+        return levels_[static_cast<std::size_t>(level)];
+    }
+
+private:
+    static unsigned smallest_exponent() {
+        if constexpr (std::same_as<T, double>) {
+            return 300;
+        } else if constexpr (std::same_as<T, long double> || std::same_as<T, Float128>) {
+            return 2 * digits_of<T>() + 20;
+        } else {
+            return 2 * digits_of<T>() + 20;
+        }
+    }
+    void add_level() const {
+        using std::cosh;
+        using std::exp;
+        using std::sinh;
+        const int level = static_cast<int>(levels_.size());
+        const T h = step(level);
+        std::vector<Node> nodes;
+        const int stride = level == 0 ? 1 : 2;
+        for (int j = level == 0 ? 0 : 1;; j += stride) {
+            const T t = h * T(j);
+            if (t > end_) {
+                break;
+            }
+            const T e = exp(T(pi<T>() * sinh(t)));
+            const T sum = T(1) + e;
+            // d/dt 1/(1 + exp(pi sinh t)) = pi cosh t e/(1 + e)^2
+            nodes.push_back({t, T(1) / sum, e / sum, T(pi<T>() * cosh(t)) * e / sum / sum});
+        }
+        levels_.push_back(std::move(nodes));
+    }
+
+    T end_;
+    mutable std::deque<std::vector<Node>> levels_;
+};
+
+/// The node tables of this thread at its working precision.
+template <Arithmetic T> [[nodiscard]] const TanhSinhNodes<T>& tanh_sinh_nodes() {
+    thread_local std::map<unsigned, TanhSinhNodes<T>> tables;
+    return tables[digits_of<T>()];
+}
+
+} // namespace edgeproof

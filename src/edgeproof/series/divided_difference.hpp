@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/error.hpp"
+
+#include <cmath>
+
+namespace edgeproof {
+
+/// f at two points, and (f(s) - f(x))/(s - x) *without* the subtraction: every operation carries
+/// the quotient forward by a formula that has no cancellation as s -> x, where it becomes f'(x).
+/// This is what the regularised principal value needs: there, s comes as near to x as the nodes
+/// of the quadrature go.
+template <class T> class DividedDifference {
+public:
+    /// The function f(z) = z between x and s = x + delta (delta given exactly).
+    static DividedDifference variable(const T& x, const T& delta) {
+        return {x, T(x + delta), T(1), delta};
+    }
+    static DividedDifference constant(const T& c, const T& delta) { return {c, c, T(0), delta}; }
+    DividedDifference(T at_x, T at_s, T quotient, T delta)
+        : x(at_x), s(at_s), q(quotient), delta_(delta) {}
+
+    T x; ///< f at the first point
+    T s; ///< f at the second point
+    T q; ///< (f(s) - f(x))/(s - x)
+
+    [[nodiscard]] const T& delta() const noexcept { return delta_; }
+    /// f(s) - f(x)
+    [[nodiscard]] T difference() const { return T(q * delta_); }
+
+    friend DividedDifference operator-(const DividedDifference& f) {
+        return {T(-f.x), T(-f.s), T(-f.q), f.delta_};
+    }
+    friend DividedDifference operator+(const DividedDifference& f, const DividedDifference& g) {
+        return {T(f.x + g.x), T(f.s + g.s), T(f.q + g.q), f.delta_};
+    }
+    friend DividedDifference operator-(const DividedDifference& f, const DividedDifference& g) {
+        return {T(f.x - g.x), T(f.s - g.s), T(f.q - g.q), f.delta_};
+    }
+    friend DividedDifference operator*(const DividedDifference& f, const DividedDifference& g) {
+        return {T(f.x * g.x), T(f.s * g.s), T(f.x * g.q + f.q * g.s), f.delta_};
+    }
+    friend DividedDifference operator/(const DividedDifference& f, const DividedDifference& g) {
+        if (g.x == T(0) || g.s == T(0)) {
+            throw DomainError("division by zero");
+        }
+        const T quotient = f.x / g.x;
+        return {quotient, T(f.s / g.s), T((f.q - quotient * g.q) / g.s), f.delta_};
+    }
+
+private:
+    T delta_;
+};
+
+template <class T> [[nodiscard]] DividedDifference<T> sqrt(const DividedDifference<T>& f) {
+    using std::sqrt;
+    const T rx = sqrt(f.x);
+    const T rs = sqrt(f.s);
+    const T sum = rx + rs;
+    return {rx, rs, sum == T(0) ? T(0) : T(f.q / sum), f.delta()};
+}
+
+/// (F(f(s)) - F(f(x)))/(s - x) from F's own difference, or by the derivative where s = x.
+template <class T>
+[[nodiscard]] DividedDifference<T> from_difference(const DividedDifference<T>& f, T at_x, T at_s,
+                                                   const T& difference, const T& derivative) {
+    const bool same = f.delta() == T(0) || f.difference() == T(0);
+    return {at_x, at_s, same ? T(derivative * f.q) : T(difference / f.delta()), f.delta()};
+}
+
+template <class T> [[nodiscard]] DividedDifference<T> exp(const DividedDifference<T>& f) {
+    using std::exp;
+    using std::expm1;
+    const T ex = exp(f.x);
+    return from_difference<T>(f, ex, exp(f.s), T(ex * expm1(f.difference())), ex);
+}
+
+template <class T> [[nodiscard]] DividedDifference<T> log(const DividedDifference<T>& f) {
+    using std::log;
+    using std::log1p;
+    return from_difference<T>(f, log(f.x), log(f.s), log1p(T(f.difference() / f.x)), T(T(1) / f.x));
+}
+
+/// f^p for f > 0 and a constant p.
+template <class T>
+[[nodiscard]] DividedDifference<T> pow(const DividedDifference<T>& f, const T& p) {
+    using std::expm1;
+    using std::log1p;
+    using std::pow;
+    const T px = pow(f.x, p);
+    const T ratio = f.difference() / f.x;
+    return from_difference<T>(f, px, pow(f.s, p), T(px * expm1(T(p * log1p(ratio)))),
+                              T(p * px / f.x));
+}
+template <class T>
+[[nodiscard]] DividedDifference<T> pow(const DividedDifference<T>& f,
+                                       const DividedDifference<T>& p) {
+    if (!(p.q == T(0))) {
+        return exp(p * log(f));
+    }
+    return pow(f, p.x);
+}
+
+template <class T>
+[[nodiscard]] DividedDifference<T> pow_int(const DividedDifference<T>& f, long n) {
+    const auto one = DividedDifference<T>::constant(T(1), f.delta());
+    auto result = one;
+    auto square = n < 0 ? one / f : f;
+    for (unsigned long k = n < 0 ? 0UL - static_cast<unsigned long>(n)
+                                 : static_cast<unsigned long>(n);
+         k != 0; k >>= 1U) {
+        if ((k & 1U) != 0) {
+            result = result * square;
+        }
+        if (k > 1) {
+            square = square * square;
+        }
+    }
+    return result;
+}
+
+template <class T> [[nodiscard]] DividedDifference<T> sin(const DividedDifference<T>& f) {
+    using std::cos;
+    using std::sin;
+    const T half = f.difference() / T(2);
+    return from_difference<T>(f, sin(f.x), sin(f.s), T(T(2) * cos(T(f.x + half)) * sin(half)),
+                              cos(f.x));
+}
+template <class T> [[nodiscard]] DividedDifference<T> cos(const DividedDifference<T>& f) {
+    using std::cos;
+    using std::sin;
+    const T half = f.difference() / T(2);
+    return from_difference<T>(f, cos(f.x), cos(f.s), T(T(-2) * sin(T(f.x + half)) * sin(half)),
+                              T(-sin(f.x)));
+}
+template <class T> [[nodiscard]] DividedDifference<T> tan(const DividedDifference<T>& f) {
+    return sin(f) / cos(f);
+}
+template <class T> [[nodiscard]] DividedDifference<T> atan(const DividedDifference<T>& f) {
+    using std::atan;
+    const T product = T(1) + f.x * f.s;
+    const T ax = atan(f.x);
+    const T as = atan(f.s);
+    const T difference = product > T(0) ? T(atan(T(f.difference() / product))) : T(as - ax);
+    return from_difference<T>(f, ax, as, difference, T(T(1) / (T(1) + f.x * f.x)));
+}
+template <class T> [[nodiscard]] DividedDifference<T> asin(const DividedDifference<T>& f) {
+    const auto one = DividedDifference<T>::constant(T(1), f.delta());
+    return atan(f / sqrt((one - f) * (one + f)));
+}
+template <class T> [[nodiscard]] DividedDifference<T> sinh(const DividedDifference<T>& f) {
+    const auto two = DividedDifference<T>::constant(T(2), f.delta());
+    return (exp(f) - exp(-f)) / two;
+}
+template <class T> [[nodiscard]] DividedDifference<T> cosh(const DividedDifference<T>& f) {
+    const auto two = DividedDifference<T>::constant(T(2), f.delta());
+    return (exp(f) + exp(-f)) / two;
+}
+template <class T> [[nodiscard]] DividedDifference<T> tanh(const DividedDifference<T>& f) {
+    return sinh(f) / cosh(f);
+}
+
+} // namespace edgeproof

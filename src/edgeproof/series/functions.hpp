@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/series/truncated.hpp"
+
+#include <cmath>
+
+/// Elementary functions of truncated series, each by the recurrence that its differential
+/// equation gives; the constant term uses the function of T.
+namespace edgeproof {
+
+/// x^(p) for any exponent p of T, by n y' x = p y x'. Throws DomainError without a constant term.
+template <class T> [[nodiscard]] Series<T> pow_with_constant(const Series<T>& x, const T& p, T y0) {
+    if (x[0] == T(0)) {
+        throw DomainError("a power of a series with no constant term");
+    }
+    Series<T> y(y0, x.order());
+    for (std::size_t n = 1; n < x.order(); ++n) {
+        T sum(0);
+        for (std::size_t j = 1; j <= n; ++j) {
+            sum += (p * T(static_cast<int>(j)) - T(static_cast<int>(n - j))) * x[j] * y[n - j];
+        }
+        y[n] = sum / (T(static_cast<int>(n)) * x[0]);
+    }
+    return y;
+}
+
+template <class T> [[nodiscard]] Series<T> sqrt(const Series<T>& x) {
+    using std::sqrt;
+    return pow_with_constant<T>(x, T(1) / T(2), sqrt(x[0]));
+}
+
+template <class T> [[nodiscard]] Series<T> pow(const Series<T>& x, const T& p) {
+    using std::pow;
+    return pow_with_constant<T>(x, p, pow(x[0], p));
+}
+
+/// x^n by repeated squaring; n < 0 needs a constant term.
+template <class T> [[nodiscard]] Series<T> pow_int(const Series<T>& x, long n) {
+    Series<T> result(T(1), x.order());
+    Series<T> square = n < 0 ? T(1) / x : x;
+    for (unsigned long k = n < 0 ? 0UL - static_cast<unsigned long>(n)
+                                 : static_cast<unsigned long>(n);
+         k != 0; k >>= 1U) {
+        if ((k & 1U) != 0) {
+            result = result * square;
+        }
+        if (k > 1) {
+            square = square * square;
+        }
+    }
+    return result;
+}
+
+/// The series f with f(x_0) = f0 and f' = g x', g known: the common form of log, atan, asin, ...
+template <class T>
+[[nodiscard]] Series<T> integrate_along(const Series<T>& g, const Series<T>& x, const T& f0) {
+    if (x.order() == 1) {
+        return Series<T>(f0, 1);
+    }
+    return antiderivative(g.truncated(x.order() - 1) * derivative(x), f0);
+}
+
+template <class T> [[nodiscard]] Series<T> log(const Series<T>& x) {
+    using std::log;
+    return integrate_along(T(1) / x, x, T(log(x[0])));
+}
+
+template <class T> [[nodiscard]] Series<T> log1p(const Series<T>& x) {
+    using std::log1p;
+    return integrate_along(T(1) / (T(1) + x), x, T(log1p(x[0])));
+}
+
+template <class T> [[nodiscard]] Series<T> exp(const Series<T>& x) {
+    using std::exp;
+    Series<T> y(T(exp(x[0])), x.order());
+    for (std::size_t n = 1; n < x.order(); ++n) {
+        T sum(0);
+        for (std::size_t j = 1; j <= n; ++j) {
+            sum += T(static_cast<int>(j)) * x[j] * y[n - j];
+        }
+        y[n] = sum / T(static_cast<int>(n));
+    }
+    return y;
+}
+
+template <class T> [[nodiscard]] Series<T> atan(const Series<T>& x) {
+    using std::atan;
+    return integrate_along(T(1) / (T(1) + x * x), x, T(atan(x[0])));
+}
+
+template <class T> [[nodiscard]] Series<T> asin(const Series<T>& x) {
+    using std::asin;
+    if (x.order() == 1) {
+        return Series<T>(T(asin(x[0])), 1);
+    }
+    return integrate_along(T(1) / sqrt(T(1) - x * x), x, T(asin(x[0])));
+}
+
+template <class T> [[nodiscard]] Series<T> acos(const Series<T>& x) {
+    using std::acos;
+    if (x.order() == 1) {
+        return Series<T>(T(acos(x[0])), 1);
+    }
+    return integrate_along(T(-1) / sqrt(T(1) - x * x), x, T(acos(x[0])));
+}
+
+/// sin x and cos x together.
+template <class T> [[nodiscard]] std::pair<Series<T>, Series<T>> sin_cos(const Series<T>& x) {
+    using std::cos;
+    using std::sin;
+    Series<T> s(T(sin(x[0])), x.order());
+    Series<T> c(T(cos(x[0])), x.order());
+    for (std::size_t n = 1; n < x.order(); ++n) {
+        T sum_s(0);
+        T sum_c(0);
+        for (std::size_t j = 1; j <= n; ++j) {
+            const T jx = T(static_cast<int>(j)) * x[j];
+            sum_s += jx * c[n - j];
+            sum_c -= jx * s[n - j];
+        }
+        s[n] = sum_s / T(static_cast<int>(n));
+        c[n] = sum_c / T(static_cast<int>(n));
+    }
+    return {s, c};
+}
+template <class T> [[nodiscard]] Series<T> sin(const Series<T>& x) { return sin_cos(x).first; }
+template <class T> [[nodiscard]] Series<T> cos(const Series<T>& x) { return sin_cos(x).second; }
+template <class T> [[nodiscard]] Series<T> tan(const Series<T>& x) {
+    const auto [s, c] = sin_cos(x);
+    return s / c;
+}
+
+template <class T> [[nodiscard]] Series<T> sinh(const Series<T>& x) {
+    const Series<T> e = exp(x);
+    return (e - T(1) / e) / T(2);
+}
+template <class T> [[nodiscard]] Series<T> cosh(const Series<T>& x) {
+    const Series<T> e = exp(x);
+    return (e + T(1) / e) / T(2);
+}
+template <class T> [[nodiscard]] Series<T> tanh(const Series<T>& x) {
+    const Series<T> e = exp(x * T(2));
+    return (e - T(1)) / (e + T(1));
+}
+template <class T> [[nodiscard]] Series<T> asinh(const Series<T>& x) {
+    using std::asinh;
+    if (x.order() == 1) {
+        return Series<T>(T(asinh(x[0])), 1);
+    }
+    return integrate_along(T(1) / sqrt(T(1) + x * x), x, T(asinh(x[0])));
+}
+
+/// |x| near a point where x does not vanish. Throws DomainError where it does.
+template <class T> [[nodiscard]] Series<T> abs(const Series<T>& x) {
+    if (x[0] == T(0)) {
+        throw DomainError("|x| has no power series where x vanishes");
+    }
+    return x[0] < T(0) ? -x : x;
+}
+template <class T> [[nodiscard]] Series<T> sgn(const Series<T>& x) {
+    if (x[0] == T(0)) {
+        throw DomainError("sgn(x) has no power series where x vanishes");
+    }
+    return Series<T>(x[0] < T(0) ? T(-1) : T(1), x.order());
+}
+
+} // namespace edgeproof

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+
+/// A truncated power series c_0 + c_1 z + ... + c_{n-1} z^{n-1} + O(z^n) over a field T
+/// (floating-point or symbolic). The result of an operation on two series is known to the smaller
+/// of their orders, so a truncation is never forgotten. A coefficient has the units of the
+/// function divided by those of z^k; no operation uses finite differences.
+template <class T> class Series {
+public:
+    Series() = default;
+    /// The constant c, known to `order` terms. Throws DomainError for order 0.
+    Series(const T& c, std::size_t order) : c_(order, T(0)) {
+        if (order == 0) {
+            throw DomainError("a truncated series needs at least one term");
+        }
+        c_[0] = c;
+    }
+    explicit Series(std::vector<T> coefficients) : c_(std::move(coefficients)) {
+        if (c_.empty()) {
+            throw DomainError("a truncated series needs at least one term");
+        }
+    }
+    /// c + z, known to `order` terms.
+    static Series variable(const T& c, std::size_t order) {
+        Series s(c, order);
+        if (order > 1) {
+            s.c_[1] = T(1);
+        }
+        return s;
+    }
+
+    [[nodiscard]] std::size_t order() const noexcept { return c_.size(); }
+    [[nodiscard]] const T& operator[](std::size_t k) const { return c_[k]; }
+    T& operator[](std::size_t k) { return c_[k]; }
+    [[nodiscard]] const std::vector<T>& coefficients() const noexcept { return c_; }
+    [[nodiscard]] Series truncated(std::size_t order) const {
+        return Series(std::vector<T>(
+            c_.begin(), c_.begin() + static_cast<std::ptrdiff_t>(std::min(order, c_.size()))));
+    }
+
+    Series& operator+=(const Series& o) {
+        c_.resize(std::min(order(), o.order()));
+        for (std::size_t k = 0; k < c_.size(); ++k) {
+            c_[k] += o.c_[k];
+        }
+        return *this;
+    }
+    Series& operator-=(const Series& o) {
+        c_.resize(std::min(order(), o.order()));
+        for (std::size_t k = 0; k < c_.size(); ++k) {
+            c_[k] -= o.c_[k];
+        }
+        return *this;
+    }
+    Series& operator+=(const T& x) {
+        c_[0] += x;
+        return *this;
+    }
+    Series& operator-=(const T& x) {
+        c_[0] -= x;
+        return *this;
+    }
+    Series& operator*=(const T& x) {
+        for (T& c : c_) {
+            c *= x;
+        }
+        return *this;
+    }
+    Series& operator/=(const T& x) {
+        for (T& c : c_) {
+            c /= x;
+        }
+        return *this;
+    }
+
+    friend Series operator-(Series s) {
+        for (T& c : s.c_) {
+            c = -c;
+        }
+        return s;
+    }
+    friend Series operator+(Series x, const Series& y) { return x += y; }
+    friend Series operator-(Series x, const Series& y) { return x -= y; }
+    friend Series operator+(Series x, const T& y) { return x += y; }
+    friend Series operator+(const T& x, Series y) { return y += x; }
+    friend Series operator-(Series x, const T& y) { return x -= y; }
+    friend Series operator-(const T& x, const Series& y) { return -y + x; }
+    friend Series operator*(Series x, const T& y) { return x *= y; }
+    friend Series operator*(const T& x, Series y) { return y *= x; }
+    friend Series operator/(Series x, const T& y) { return x /= y; }
+
+    friend Series operator*(const Series& x, const Series& y) {
+        const std::size_t n = std::min(x.order(), y.order());
+        Series r(T(0), n);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; i + j < n; ++j) {
+                r.c_[i + j] += x.c_[i] * y.c_[j];
+            }
+        }
+        return r;
+    }
+    /// x / y. Throws DomainError when y has no constant term.
+    friend Series operator/(const Series& x, const Series& y) {
+        if (y.c_[0] == T(0)) {
+            throw DomainError("division by a series with no constant term");
+        }
+        const std::size_t n = std::min(x.order(), y.order());
+        Series r(T(0), n);
+        for (std::size_t k = 0; k < n; ++k) {
+            T sum = x.c_[k];
+            for (std::size_t j = 1; j <= k; ++j) {
+                sum -= y.c_[j] * r.c_[k - j];
+            }
+            r.c_[k] = sum / y.c_[0];
+        }
+        return r;
+    }
+    friend Series operator/(const T& x, const Series& y) { return Series(x, y.order()) / y; }
+
+private:
+    std::vector<T> c_;
+};
+
+/// d/dz: one term fewer is known (a constant known to one term has no known derivative).
+template <class T> [[nodiscard]] Series<T> derivative(const Series<T>& s) {
+    if (s.order() < 2) {
+        throw DomainError("the derivative of a series known to one term is unknown");
+    }
+    std::vector<T> d(s.order() - 1, T(0));
+    for (std::size_t k = 1; k < s.order(); ++k) {
+        d[k - 1] = s[k] * T(static_cast<int>(k));
+    }
+    return Series<T>(std::move(d));
+}
+
+/// The antiderivative with constant term c: one term more is known.
+template <class T> [[nodiscard]] Series<T> antiderivative(const Series<T>& s, const T& c) {
+    std::vector<T> r(s.order() + 1, T(0));
+    r[0] = c;
+    for (std::size_t k = 0; k < s.order(); ++k) {
+        r[k + 1] = s[k] / T(static_cast<int>(k + 1));
+    }
+    return Series<T>(std::move(r));
+}
+
+} // namespace edgeproof

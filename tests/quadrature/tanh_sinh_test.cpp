@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/quadrature/near_singularity.hpp"
+#include "edgeproof/series/functions.hpp"
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <doctest/doctest.h>
+
+#include <thread>
+
+using namespace edgeproof;
+
+namespace {
+
+template <class T> void end_point_singularities(const char* label) {
+    INFO(label);
+    const T tolerance = T(2000) * unit_roundoff<T>();
+    const auto near = [&](const T& x, const T& exact) {
+        using std::abs;
+        return abs(T(x - exact)) <= tolerance * abs(exact);
+    };
+    // B(1/2, 1/2) = pi; the integral of ln(x)/sqrt(x) is -4; of (x(1-x))^(3/2) is 3 pi/128.
+    const auto r1 = tanh_sinh<T>([](const T& lo, const T& hi) {
+        using std::sqrt;
+        return T(T(1) / sqrt(T(lo * hi)));
+    });
+    CHECK(r1.converged);
+    CHECK(near(r1.value, pi<T>()));
+    const auto r2 = tanh_sinh<T>([](const T& lo, const T&) {
+        using std::log;
+        using std::sqrt;
+        return T(log(lo) / sqrt(lo));
+    });
+    CHECK(near(r2.value, T(-4)));
+    const auto r3 = tanh_sinh<T>([](const T& lo, const T& hi) {
+        using std::sqrt;
+        const T z = lo * hi;
+        return T(z * sqrt(z));
+    });
+    CHECK(near(r3.value, T(T(3) * pi<T>() / T(128))));
+}
+
+} // namespace
+
+TEST_CASE("end-point singularities cost no digits in any arithmetic") {
+    end_point_singularities<double>("double");
+    end_point_singularities<long double>("long double");
+    end_point_singularities<Float128>("binary128");
+    for (const unsigned digits : {50U, 100U, 300U}) {
+        const PrecisionScope scope(digits);
+        end_point_singularities<Real>("Real");
+    }
+}
+
+TEST_CASE("the one-argument integrand loses half the digits: what the two distances are for") {
+    const PrecisionScope scope(50);
+    const auto careless = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
+        const Real x = 1 - hi;       // the distance from the right end, thrown away ...
+        const Real from_end = 1 - x; // ... cannot be had back
+        return Real(1 / sqrt(from_end + (from_end == 0 ? hi : Real(0)) + 0 * lo));
+    });
+    const Real error = abs(careless.value - 2);
+    CHECK(error > Real("1e-35"));
+    CHECK(error < Real("1e-15"));
+}
+
+TEST_CASE("a singularity just outside is mapped away, however near") {
+    const PrecisionScope scope(50);
+    for (const char* text : {"0.1", "1e-5", "1e-20", "1e-100"}) {
+        const Real d(text);
+        // integral of 1/sqrt(x (x + d)) over (0, 1) = 2 asinh(1/sqrt(d))
+        const Real exact = 2 * asinh(1 / sqrt(d));
+        const auto f = [&](const Real& lo, const Real&) { return Real(1 / sqrt(lo * (lo + d))); };
+        const auto right = integrate_near<Real>(f, Real(1), d, Real(0));
+        CHECK(right.converged);
+        CHECK(abs(right.value / exact - 1) < Real("1e-47"));
+        const auto mirrored = integrate_near<Real>(
+            [&](const Real& lo, const Real& hi) { return f(hi, lo); }, Real(1), Real(0), d);
+        CHECK(abs(mirrored.value / exact - 1) < Real("1e-47"));
+    }
+    // Near at both ends: of 1/sqrt((x + d)(1 + d - x)) over (0, 1).
+    const Real d("1e-12");
+    const auto both = integrate_near<Real>(
+        [&](const Real& lo, const Real& hi) { return Real(1 / sqrt((lo + d) * (hi + d))); },
+        Real(1), d, d);
+    CHECK(abs(both.value - 2 * asin(1 / (1 + 2 * d))) < Real("1e-47"));
+}
+
+TEST_CASE("a feature between the nodes is invisible: the reason for cutting at every knot") {
+    const PrecisionScope scope(50);
+    // sqrt|x - c| with c inside: never converges to full digits in one piece, does in two.
+    const Real c = Real(1) / 3;
+    const auto whole = tanh_sinh<Real>(
+        [&](const Real& lo, const Real&) { return Real(sqrt(abs(lo - c))); }, {.last_level = 9});
+    CHECK_FALSE(whole.converged);
+    const std::vector<Real> lengths{c, Real(1 - c)};
+    const auto cut = integrate_pieces<Real>(
+        [&](std::size_t i, const Real& lo, const Real& hi) { return Real(sqrt(i == 0 ? hi : lo)); },
+        lengths, Real(0), Real(0));
+    CHECK(cut.converged);
+    const Real exact = 2 * (c * sqrt(c) + (1 - c) * sqrt(1 - c)) / 3;
+    CHECK(abs(cut.value - exact) < Real("1e-48"));
+}
+
+TEST_CASE("a whole series is integrated coefficient by coefficient") {
+    const PrecisionScope scope(50);
+    // integral of (x + z)^(-1/2) (1-x)^(-1/2) about z = 1: derivatives of 2 atan(1/sqrt z).
+    const auto r = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
+        Series<Real> z = Series<Real>::variable(Real(1) + lo, 12);
+        return Real(1 / sqrt(hi)) / sqrt(z);
+    });
+    const Series<Real> exact = atan(Real(1) / sqrt(Series<Real>::variable(Real(1), 12))) * Real(2);
+    for (std::size_t k = 0; k < 12; ++k) {
+        CHECK(abs(r.value[k] - exact[k]) < Real("1e-47"));
+    }
+}
+
+TEST_CASE("Boost.Math's tanh-sinh agrees, given the same two distances") {
+    const PrecisionScope scope(50);
+    boost::math::quadrature::tanh_sinh<Real> boost_rule(15);
+    const auto theirs = boost_rule.integrate(
+        [](const Real& x, const Real& xc) {
+            const Real from_right = x > 0 ? Real(abs(xc)) : Real(1 - x);
+            const Real from_left = x > 0 ? Real(1 + x) : Real(abs(xc));
+            return Real(asin(x / 2) * asin(x / 2) / sqrt(from_right * from_left));
+        },
+        Real("1e-46"));
+    const auto ours = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
+        const Real x = lo - hi;
+        return Real(asin(x / 2) * asin(x / 2) / sqrt(lo * hi));
+    });
+    CHECK(abs(ours.value - theirs) < Real("1e-45"));
+}
+
+TEST_CASE("nodes belong to a thread and a precision") {
+    const auto integral = [](unsigned digits) {
+        const PrecisionScope scope(digits);
+        return tanh_sinh<Real>(
+                   [](const Real& lo, const Real& hi) { return Real(1 / sqrt(lo * hi)); })
+            .value;
+    };
+    Real coarse;
+    Real fine;
+    // Interleaved on one thread, and side by side on two: 100 digits after 50 are 100.
+    const Real first = integral(50);
+    std::thread one([&] { fine = integral(100); });
+    std::thread two([&] { coarse = integral(30); });
+    one.join();
+    two.join();
+    const PrecisionScope scope(120);
+    CHECK(abs(integral(100) - pi<Real>()) < Real("1e-97"));
+    CHECK(abs(fine - pi<Real>()) < Real("1e-97"));
+    CHECK(abs(first - pi<Real>()) < Real("1e-47"));
+    CHECK(abs(coarse - pi<Real>()) < Real("1e-27"));
+    CHECK(abs(coarse - pi<Real>()) > Real("1e-60"));
+}
+
+TEST_CASE("evaluations are counted, and an unexplained saving fails as well") {
+    const PrecisionScope scope(50);
+    std::size_t calls = 0;
+    const auto r = tanh_sinh<Real>([&](const Real& lo, const Real& hi) {
+        ++calls;
+        return Real(1 / sqrt(lo * hi));
+    });
+    CHECK(r.evaluations == calls);
+    CHECK(r.evaluations > 150);
+    CHECK(r.evaluations < 400);
+}

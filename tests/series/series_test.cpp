@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
+#include "edgeproof/series/series.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+
+namespace {
+
+constexpr std::size_t terms = 45;
+using S = Series<Rational>;
+
+Rational q(int n, int d = 1) { return Rational(n) / d; }
+
+S sample() {
+    // 1 + z/2 - z^2/3 + z^3/5 ...: nothing special about it.
+    S s(q(1), terms);
+    for (std::size_t k = 1; k < terms; ++k) {
+        s[k] = q(k % 2 == 0 ? -1 : 1, static_cast<int>(k) + 1);
+    }
+    return s;
+}
+
+void check_equal(const S& x, const S& y) {
+    REQUIRE(x.order() == y.order());
+    for (std::size_t k = 0; k < x.order(); ++k) {
+        CHECK_MESSAGE(x[k] == y[k], "coefficient ", k);
+    }
+}
+
+} // namespace
+
+TEST_CASE("arithmetic over the rationals is exact") {
+    const S s = sample();
+    check_equal(s / s, S(q(1), terms));
+    check_equal((s + s) - s, s);
+    check_equal((s * s) / s, s);
+    check_equal(pow_int(s, 5) * pow_int(s, -3), s * s);
+    CHECK((S::variable(q(0), 4) * S::variable(q(0), 4))[2] == 1);
+}
+
+TEST_CASE("a result is known to the smaller order, never more") {
+    CHECK((S(q(1), 7) * S(q(1), 4)).order() == 4);
+    CHECK((S(q(1), 3) + S(q(1), 9)).order() == 3);
+    CHECK(derivative(S(q(1), 5)).order() == 4);
+    CHECK(antiderivative(S(q(1), 5), q(0)).order() == 6);
+    CHECK_THROWS_AS((void)derivative(S(q(1), 1)), DomainError);
+    CHECK_THROWS_AS(S(q(1), 0), DomainError);
+    CHECK_THROWS_AS((void)(S(q(1), 3) / S(q(0), 3)), DomainError);
+}
+
+TEST_CASE("binomial series: known coefficients") {
+    // (1 - z)^(-1/2) has C(2k, k)/4^k (Abramowitz & Stegun 3.6.9), an exact recurrence.
+    S one_minus = S(q(1), terms);
+    one_minus[1] = q(-1);
+    const S s = pow_with_constant<Rational>(one_minus, q(-1, 2), q(1));
+    Rational expected = 1;
+    for (std::size_t k = 0; k < terms; ++k) {
+        CHECK(s[k] == expected);
+        expected *= q(2 * static_cast<int>(k) + 1, 2 * static_cast<int>(k) + 2);
+    }
+    check_equal(s * s * one_minus, S(q(1), terms));
+}
+
+TEST_CASE("reversion: the Catalan numbers, and f(g(z)) = z") {
+    // z - z^2 reverts to the generating function of the Catalan numbers (OEIS A000108).
+    S f(q(0), 12);
+    f[1] = 1;
+    f[2] = -1;
+    const S g = revert(f);
+    const int catalan[] = {1, 1, 2, 5, 14, 42, 132, 429, 1430, 4862, 16796};
+    for (std::size_t k = 1; k < 12; ++k) {
+        CHECK(g[k] == catalan[k - 1]);
+    }
+    S h = sample();
+    h[0] = 0;
+    check_equal(compose(h, revert(h)), S::variable(q(0), terms));
+    check_equal(compose(revert(h), h), S::variable(q(0), terms));
+    CHECK_THROWS_AS((void)revert(sample()), DomainError);
+    CHECK_THROWS_AS((void)compose(h, sample()), DomainError);
+}
+
+TEST_CASE("elementary functions invert each other to the last term") {
+    const PrecisionScope scope(80);
+    using R = Series<Real>;
+    R x = R::variable(Real(1) / 3, 40);
+    x[2] = Real(2) / 7;
+    const auto small = [&](const R& d) {
+        Real worst = 0;
+        for (const Real& c : d.coefficients()) {
+            worst = abs(c) > worst ? Real(abs(c)) : worst;
+        }
+        return worst < Real("1e-60");
+    };
+    CHECK(small(exp(log(x)) - x));
+    CHECK(small(log(exp(x)) - x));
+    CHECK(small(tan(atan(x)) - x));
+    CHECK(small(sin(asin(x)) - x));
+    CHECK(small(cos(acos(x)) - x));
+    CHECK(small(sinh(asinh(x)) - x));
+    CHECK(small(sqrt(x) * sqrt(x) - x));
+    CHECK(small(pow(x, Real(1) / 3) * pow(x, Real(2) / 3) - x));
+    CHECK(small(log1p(x) - log(x + Real(1))));
+    CHECK(small(tanh(x) - sinh(x) / cosh(x)));
+    // ... and against factorials, which nothing above would notice being wrong together.
+    const R e = exp(R::variable(Real(0), 30));
+    Real factorial = 1;
+    for (std::size_t k = 1; k < 30; ++k) {
+        factorial *= static_cast<int>(k);
+        CHECK(abs(e[k] * factorial - 1) < Real("1e-75"));
+    }
+    const R s = sin(R::variable(Real(0), 6));
+    CHECK(abs(s[3] + Real(1) / 6) < Real("1e-75"));
+    CHECK(abs(s[5] - Real(1) / 120) < Real("1e-75"));
+}
+
+TEST_CASE("a truncated antiderivative undoes the derivative") {
+    const S s = sample();
+    check_equal(antiderivative(derivative(s), s[0]), s);
+}
+
+TEST_CASE("the beta weight of a polynomial in sigma") {
+    // integral of sigma^j (1 - sigma)^(-1/2) = 2, 4/3, 16/15, 32/35 (B(j+1, 1/2)).
+    using P = Polynomial<Rational>;
+    CHECK(P(q(1)).integrate_beta() == 2);
+    CHECK(P::monomial(q(1), 1).integrate_beta() == q(4, 3));
+    CHECK(P::monomial(q(1), 2).integrate_beta() == q(16, 15));
+    CHECK(P::monomial(q(3), 3).integrate_beta() == q(96, 35));
+    // (1 - sigma^3)/(1 - sigma) = 1 + sigma + sigma^2
+    const P p(std::vector<Rational>{1, 0, 0, -1});
+    CHECK(p.at_one() == 0);
+    CHECK(p.over_one_minus_sigma() == P(std::vector<Rational>{1, 1, 1}));
+    CHECK_THROWS_AS(P(q(1)) / P::monomial(q(1), 1), DomainError);
+}
+
+TEST_CASE("divided differences do not cancel") {
+    const PrecisionScope scope(40);
+    using D = DividedDifference<Real>;
+    const auto f = [](const auto& z) {
+        return exp(sin(z)) + pow_int(z, 3) / (sqrt(z) + log(z)) + atan(z);
+    };
+    // At a distance where subtraction keeps 20 of 40 digits, 200-digit subtraction is the judge.
+    for (const char* step : {"1e-20", "-1e-35", "0.3"}) {
+        const D d = f(D::variable(Real(2), Real(step)));
+        Real expected;
+        {
+            const PrecisionScope fine(200);
+            const D zero_step = D::variable(Real(2), Real(0));
+            const auto plain = [](const Real& z) {
+                return Real(exp(sin(z)) + z * z * z / (sqrt(z) + log(z)) + atan(z));
+            };
+            (void)zero_step;
+            const Real h(Real(step), 200);
+            expected = (plain(Real(2) + h) - plain(Real(2))) / h;
+        }
+        CHECK(abs(d.q - expected) < abs(expected) * Real("1e-36"));
+    }
+}
+
+TEST_CASE("a divided difference at one point is the derivative") {
+    const PrecisionScope scope(50);
+    using D = DividedDifference<Real>;
+    const D x = D::variable(Real(3) / 2, Real(0));
+    CHECK(abs(sqrt(x).q - 1 / (2 * sqrt(Real(3) / 2))) < Real("1e-48"));
+    CHECK(abs(pow(x, Real(1) / 3).q - pow(Real(3) / 2, Real(-2) / 3) / 3) < Real("1e-48"));
+    CHECK(abs(asin(x / D::constant(Real(2), Real(0))).q - 1 / sqrt(4 - Real(9) / 4)) <
+          Real("1e-48"));
+    CHECK(abs(tanh(x).q - 1 / (cosh(Real(3) / 2) * cosh(Real(3) / 2))) < Real("1e-48"));
+}

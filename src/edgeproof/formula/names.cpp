@@ -221,7 +221,10 @@ std::string quoted_at(std::string_view text, std::size_t offset) {
         static constexpr std::string_view hex = "0123456789abcdef";
         return std::string("byte 0x") + hex[c >> 4U] + hex[c & 0xFU];
     }
-    return "'" + std::string(text.substr(offset, length)) + "'";
+    std::string quoted(1, '\'');
+    quoted.append(text.substr(offset, length));
+    quoted += '\'';
+    return quoted;
 }
 
 std::string hint_for_character(std::string_view text, std::size_t offset) {

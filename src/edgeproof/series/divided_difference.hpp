@@ -68,6 +68,11 @@ template <class T>
     return {at_x, at_s, same ? T(derivative * f.q) : T(difference / f.delta()), f.delta()};
 }
 
+/// Whether f(s)/f(x) - 1 is so large that subtraction loses nothing.
+template <class T> [[nodiscard]] bool far_apart(const T& ratio) {
+    return ratio < T(-1) / T(2) || ratio > T(1);
+}
+
 template <class T> [[nodiscard]] DividedDifference<T> exp(const DividedDifference<T>& f) {
     using std::exp;
     using std::expm1;
@@ -78,7 +83,12 @@ template <class T> [[nodiscard]] DividedDifference<T> exp(const DividedDifferenc
 template <class T> [[nodiscard]] DividedDifference<T> log(const DividedDifference<T>& f) {
     using std::log;
     using std::log1p;
-    return from_difference<T>(f, log(f.x), log(f.s), log1p(T(f.difference() / f.x)), T(T(1) / f.x));
+    const T lx = log(f.x);
+    const T ls = log(f.s);
+    const T ratio = f.difference() / f.x;
+    // Far apart, the plain difference is the one that does not cancel (1 + ratio would).
+    const T difference = far_apart(ratio) ? T(ls - lx) : T(log1p(ratio));
+    return from_difference<T>(f, lx, ls, difference, T(T(1) / f.x));
 }
 
 /// f^p for f > 0 and a constant p.
@@ -89,8 +99,9 @@ template <class T>
     using std::pow;
     const T px = pow(f.x, p);
     const T ratio = f.difference() / f.x;
-    return from_difference<T>(f, px, pow(f.s, p), T(px * expm1(T(p * log1p(ratio)))),
-                              T(p * px / f.x));
+    const T ps = pow(f.s, p);
+    const T difference = far_apart(ratio) ? T(ps - px) : T(px * expm1(T(p * log1p(ratio))));
+    return from_difference<T>(f, px, ps, difference, T(p * px / f.x));
 }
 template <class T>
 [[nodiscard]] DividedDifference<T> pow(const DividedDifference<T>& f,

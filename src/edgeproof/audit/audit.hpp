@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// Printed claims against the mechanics, from the bottom up:
+///   claim.hpp     Claim: what is printed, as data; Vocabulary: the names it may use
+///   family.hpp    Family: the scenes that a claim is sampled over, drawn deterministically
+///   ledger.hpp    Ledger: a file of claims and families, read strictly
+///   setting.hpp   Setting: a scene in numbers, in which formulas are evaluated
+///   verdict.hpp   Verdict
+///   evidence.hpp  Evidence: what a verdict rests on
+///   check.hpp     Outcome, and the interface of a kind of claim (checks/ has one file a kind)
+#include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/claim.hpp"
+#include "edgeproof/audit/evidence.hpp"
+#include "edgeproof/audit/family.hpp"
+#include "edgeproof/audit/ledger.hpp"
+#include "edgeproof/audit/setting.hpp"
+#include "edgeproof/audit/verdict.hpp"

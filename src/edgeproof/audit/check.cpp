@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/check.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+
+std::string Sample::text() const {
+    std::string text = scene.text();
+    if (fraction) {
+        text += ", u = " + fraction->text() + " of the length from the " +
+                (edge == Edge::right ? "right" : "left") + " edge";
+    }
+    for (const auto& [name, value] : variables) {
+        text += ", " + name + " = " + value.text();
+    }
+    return text;
+}
+
+std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
+    return draw_scenes(ledger_.family(claim.text("over")), ledger_.families);
+}
+
+std::vector<Sample> AuditContext::samples(const Claim& claim) const {
+    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    std::vector<Sample> samples;
+    std::size_t i = 0;
+    for (const SceneSpec& scene : scenes(claim)) {
+        const Family& family = ledger_.family(scene.family);
+        const auto points = static_cast<std::size_t>(
+            std::max(1L, claim.integer_or("points", static_cast<long>(family.points))));
+        for (std::size_t k = 0; k < points; ++k, ++i) {
+            Sample sample{scene, std::nullopt, edge, {}};
+            if (!family.u.empty()) {
+                sample.fraction =
+                    family.u[stratified_index(family.name + "/u", family.u.size(), i)];
+            }
+            if (claim.has("vary")) {
+                for (const auto& [name, values] : claim.table("vary")) {
+                    Symbols names;
+                    for (const auto& [parameter, value] : scene.parameters) {
+                        names.add(parameter);
+                    }
+                    try {
+                        Expr e =
+                            parse(values[stratified_index(claim.id + '/' + name, values.size(), i)],
+                                  names);
+                        for (const auto& [parameter, value] : scene.parameters) {
+                            e = substitute(e, parameter, value.expr());
+                        }
+                        sample.variables.emplace(name, Exact(e));
+                    } catch (const InputError& error) {
+                        claim.reject("vary", error.problem(), error.instead());
+                    }
+                }
+            }
+            samples.push_back(std::move(sample));
+        }
+    }
+    return samples;
+}
+
+} // namespace edgeproof

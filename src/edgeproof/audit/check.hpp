@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/claim.hpp"
+#include "edgeproof/audit/evidence.hpp"
+#include "edgeproof/audit/ledger.hpp"
+#include "edgeproof/audit/setting.hpp"
+#include "edgeproof/audit/verdict.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof {
+
+/// What a check found.
+struct Outcome {
+    Verdict verdict = Verdict::undecided;
+    std::string note;                    ///< one line for a reader of the table
+    std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
+    std::optional<std::string> computed; ///< the figure or formula that was computed
+    Evidence evidence;
+};
+
+/// A scene, a place in it, and values for the names of `vary`: one sample of a claim.
+struct Sample {
+    SceneSpec scene;
+    std::optional<Exact> fraction; ///< u as a fraction of the contact's length
+    Edge edge = Edge::right;
+    std::map<std::string, Exact, std::less<>> variables;
+    [[nodiscard]] std::string text() const;
+};
+
+/// What a check may ask for beside the claim.
+class AuditContext {
+public:
+    AuditContext(const Ledger& ledger, unsigned digits) : ledger_(ledger), digits_(digits) {}
+
+    [[nodiscard]] const Ledger& ledger() const noexcept { return ledger_; }
+    /// D: the digits that were asked for.
+    [[nodiscard]] unsigned digits() const noexcept { return digits_; }
+    /// Digits that a claim must agree to to be confirmed: D - 5.
+    [[nodiscard]] unsigned digits_needed() const noexcept { return digits_ - 5; }
+    /// The scenes of the family that the claim's `over` names.
+    [[nodiscard]] std::vector<SceneSpec> scenes(const Claim& claim) const;
+    /// Scenes, places (from the claim's `edge`; in `points` per scene) and values of `vary`.
+    [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
+
+private:
+    const Ledger& ledger_;
+    unsigned digits_;
+};
+
+/// A key that claims of a kind have beside the common ones.
+struct KeySpec {
+    enum class Type {
+        text,      ///< any text
+        formula,   ///< parsed and its names checked when the ledger is read
+        condition, ///< "x > 0 and x < a", checked likewise
+        number,    ///< an exact constant: "1 %" is not one, "1/100" is
+        integer,
+        list,     ///< of texts
+        formulas, ///< a list of formulas
+        table,    ///< name = text or list of texts
+        choice,   ///< one of `choices`
+    };
+    std::string_view name;
+    Type type = Type::text;
+    bool required = false;
+    std::vector<std::string_view> choices = {};
+};
+
+/// A kind of claim: one file in checks/.
+struct CheckKind {
+    std::string_view name;
+    std::vector<KeySpec> keys;
+    std::function<Outcome(const Claim&, const AuditContext&)> check;
+};
+
+/// All kinds, in the order of checks/kinds.cpp.
+[[nodiscard]] const std::vector<CheckKind>& check_kinds();
+/// nullptr if there is none of that name.
+[[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
+/// Keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary, note.
+[[nodiscard]] const std::vector<KeySpec>& common_keys();
+
+} // namespace edgeproof

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+
+namespace edgeproof {
+
+CheckKind definition_kind() {
+    const auto check = [](const Claim&, const AuditContext&) {
+        Outcome outcome;
+        outcome.verdict = Verdict::definition;
+        return outcome;
+    };
+    return {"definition", {{.name = "says"}}, check};
+}
+
+} // namespace edgeproof

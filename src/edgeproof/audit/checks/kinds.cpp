@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+
+namespace edgeproof {
+
+const std::vector<CheckKind>& check_kinds() {
+    static const std::vector<CheckKind> kinds{
+        definition_kind(),
+    };
+    return kinds;
+}
+
+const CheckKind* find_check_kind(std::string_view name) {
+    for (const CheckKind& kind : check_kinds()) {
+        if (kind.name == name) {
+            return &kind;
+        }
+    }
+    return nullptr;
+}
+
+const std::vector<KeySpec>& common_keys() {
+    using Type = KeySpec::Type;
+    static const std::vector<KeySpec> keys{
+        {.name = "over"},
+        {.name = "edge", .type = Type::choice, .choices = {"right", "left"}},
+        {.name = "where", .type = Type::condition},
+        {.name = "quoted"},
+        {.name = "with", .type = Type::table},
+        {.name = "vary", .type = Type::table},
+        {.name = "points", .type = Type::integer},
+        {.name = "remark"},
+    };
+    return keys;
+}
+
+} // namespace edgeproof

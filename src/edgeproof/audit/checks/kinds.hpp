@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/check.hpp"
+
+/// Every kind of claim, one file each in this folder. A new one is declared here and listed in
+/// kinds.cpp.
+namespace edgeproof {
+
+/// Nothing to check; with `of` the printed form is held against what the program takes it to be.
+[[nodiscard]] CheckKind definition_kind();
+
+} // namespace edgeproof

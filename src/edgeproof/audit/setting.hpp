@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/family.hpp"
+#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/formula/expr.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+struct Relation;
+
+/// A place in a contact: the distance u inwards from an edge, and x.
+struct Place {
+    Edge edge = Edge::right;
+    Real u;
+    Real x;
+    std::string text; ///< "u = 1e-3 of the length, from the right edge"
+};
+
+/// Values for names that a sample adds to its scene.
+using Variables = std::map<std::string, Real, std::less<>>;
+
+/// The value of a formula, with what its quadratures said of themselves.
+struct FormulaValue {
+    Real value;
+    Real estimate;         ///< relative error of the worst integral in it; 0 without integrals
+    bool converged = true; ///< every integral in it did
+    /// Digits that the value is good for by this estimate and the precision it was worked at.
+    unsigned digits = 0;
+};
+
+/// A scene in numbers, good for `digits` digits: what the formulas of a ledger are evaluated in.
+///
+/// Symbols: every parameter of the scene (m, C, t, R, phi, alpha, Es, ...), a, b, P, M, L = a + b,
+/// P1, P2, ... (P'(a), P''(a), ...), b1, b2, ..., right_c0, ..., left_c0, ... (the expansions'
+/// coefficients: "right.c0" in a ledger), u and x of the place, `edge` (+1 right, -1 left).
+/// Functions: p(x), g1(x) the slope, Pof(s), P1of(s), bof(s), binv(y) along the family of
+/// contacts, and right_local(n, x), left_local(n, x), the n-term approximations.
+/// integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are evaluated naively, at a precision that loses
+/// nothing at their end points. One object belongs to one thread.
+class Setting {
+public:
+    Setting(SceneSpec spec, unsigned digits);
+    ~Setting();
+    Setting(Setting&&) noexcept;
+
+    [[nodiscard]] const SceneSpec& spec() const noexcept;
+    [[nodiscard]] unsigned digits() const noexcept;
+    /// The exact contact, from which `p`, the coefficients and the derivatives come.
+    [[nodiscard]] const NormalContact& contact() const;
+    [[nodiscard]] Real a() const;
+    [[nodiscard]] Real b() const;
+    [[nodiscard]] Real length() const;
+    /// A parameter of the scene, at the precision that formulas are worked at.
+    [[nodiscard]] Real parameter(std::string_view name) const;
+
+    /// The place at a fraction of the length a + b.
+    [[nodiscard]] Place place(Edge edge, const Exact& fraction) const;
+    [[nodiscard]] Place place_at_u(Edge edge, const Real& u) const;
+
+    /// Exact pressure at u from an edge, by any of its routes.
+    [[nodiscard]] Real pressure(Edge edge, const Real& u, Route route = Route::automatic) const;
+    /// c_0 ... c_{terms-1}; computed once, longer when asked.
+    [[nodiscard]] std::vector<Real> expansion(Edge edge, std::size_t terms) const;
+    /// The sum of the first n terms at u.
+    [[nodiscard]] Real local(Edge edge, std::size_t n, const Real& u) const;
+
+    /// The value of a formula (definitions put in). Throws DomainError where it is undefined, and
+    /// Error for a name that the scene does not have.
+    [[nodiscard]] FormulaValue evaluate(const Expr& e, const Place* place = nullptr,
+                                        const Variables& variables = {}) const;
+    [[nodiscard]] bool holds(const std::vector<Relation>& condition, const Place* place = nullptr,
+                             const Variables& variables = {}) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The names that every Setting knows, beside the parameters of its scene.
+[[nodiscard]] const std::vector<std::string>& setting_symbols();
+[[nodiscard]] const std::vector<std::pair<std::string, unsigned>>& setting_functions();
+
+} // namespace edgeproof

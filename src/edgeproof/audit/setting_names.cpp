@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/setting.hpp"
+
+namespace edgeproof {
+
+const std::vector<std::string>& setting_symbols() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"a", "b", "Es", "P", "M", "L", "u", "x"};
+        for (int k = 1; k <= 9; ++k) {
+            all.push_back("P" + std::to_string(k));
+            all.push_back("b" + std::to_string(k));
+        }
+        for (int k = 0; k <= 9; ++k) {
+            all.push_back("right_c" + std::to_string(k));
+            all.push_back("left_c" + std::to_string(k));
+        }
+        return all;
+    }();
+    return names;
+}
+
+const std::vector<std::pair<std::string, unsigned>>& setting_functions() {
+    static const std::vector<std::pair<std::string, unsigned>> functions{
+        {"p", 1},   {"g1", 1},   {"Pof", 1},         {"P1of", 1},
+        {"bof", 1}, {"binv", 1}, {"right_local", 2}, {"left_local", 2}};
+    return functions;
+}
+
+} // namespace edgeproof

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/exact.hpp"
 
+#include "edgeproof/formula/enclosure.hpp"
 #include "edgeproof/formula/environment.hpp"
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/formula/parse.hpp"
@@ -16,7 +17,7 @@ Real value_at(const Expr& e, unsigned digits) {
     return evaluate<Real>(e, Values<Real>{});
 }
 
-constexpr unsigned most_digits = 2500;
+constexpr long most_bits = 4096;
 
 template <class T> mpfr_prec_t bits_of_arithmetic() {
     if constexpr (std::same_as<T, Real>) {
@@ -42,24 +43,44 @@ Real sticky(const Rational& q, mpfr_prec_t bits) {
     return x;
 }
 
-/// x rounded once to T. Throws DomainError if it overflows, or vanishes and x does not.
-template <class T> T nearest(const Real& x) {
-    T y;
+/// Throws Error if e has no value: a name in it, an integral, or no real value (DomainError).
+void check_defined(const Expr& e) {
+    if (e.rational() != nullptr) {
+        return;
+    }
+    try {
+        (void)value_at(e, 30);
+    } catch (const DomainError&) {
+        // With 30 digits the root of a small positive number may look like that of a negative one.
+        for (long bits = 256; bits <= most_bits; bits *= 2) {
+            if (enclose(e, bits)) {
+                return;
+            }
+        }
+        throw;
+    }
+}
+
+template <class T> T rounded_to(const Real& x) {
     if constexpr (std::same_as<T, Real>) {
+        Real y;
         mpfr_set(y.backend().data(), x.backend().data(), MPFR_RNDN);
+        return y;
     } else if constexpr (std::same_as<T, double>) {
-        y = mpfr_get_d(x.backend().data(), MPFR_RNDN);
+        return mpfr_get_d(x.backend().data(), MPFR_RNDN);
     } else if constexpr (std::same_as<T, long double>) {
-        y = mpfr_get_ld(x.backend().data(), MPFR_RNDN);
+        return mpfr_get_ld(x.backend().data(), MPFR_RNDN);
     } else {
         Real narrow = x;
         mpfr_prec_round(narrow.backend().data(), bits_of_arithmetic<T>(), MPFR_RNDN);
-        y = narrow.convert_to<T>();
+        return narrow.convert_to<T>();
     }
-    if (y - y != 0 || (y == 0 && x != 0)) {
+}
+
+template <class T> void check_range(const T& rounded, const Real& x) {
+    if (rounded - rounded != 0 || (rounded == 0 && x != 0)) {
         throw DomainError("a number beyond the range of the arithmetic asked for");
     }
-    return y;
 }
 
 } // namespace
@@ -68,25 +89,20 @@ Exact::Exact() : text_("0") {}
 
 Exact Exact::parse(std::string_view text) {
     Expr e = edgeproof::parse(text);
-    if (e.rational() == nullptr) {
-        try {
-            (void)value_at(e, 30);
-        } catch (const Error& error) { // no real value, or an integral
-            throw FormulaError(error.what(), "write a constant with a real value", 0);
-        }
+    try {
+        check_defined(e);
+    } catch (const Error& error) {
+        throw FormulaError(error.what(), "write a constant with a real value", 0);
     }
     return {std::string(text), std::move(e)};
 }
 
-Exact::Exact(Expr e) : text_(to_text(e)), expr_(std::move(e)) {
-    if (expr_.rational() == nullptr) {
-        (void)value_at(expr_, 30);
-    }
-}
+Exact::Exact(Expr e) : text_(to_text(e)), expr_(std::move(e)) { check_defined(expr_); }
 
 Exact Exact::of(const Rational& q) {
     Expr e = Expr::number(q);
-    return {to_text(e), std::move(e)};
+    std::string text = to_text(e);
+    return {std::move(text), std::move(e)};
 }
 
 const Rational& Exact::rational() const {
@@ -99,23 +115,23 @@ const Rational& Exact::rational() const {
 template <Arithmetic T> T Exact::to() const {
     const mpfr_prec_t bits = bits_of_arithmetic<T>();
     if (is_rational()) {
-        return nearest<T>(sticky(rational(), bits + 2));
+        const Real x = sticky(rational(), bits + 2);
+        const T y = rounded_to<T>(x);
+        check_range(y, x);
+        return y;
     }
-    // Digits are added until they change the rounded value no more.
-    unsigned digits = digits_of<T>() + 20;
-    const unsigned most = digits + most_digits;
-    T last = nearest<T>(value_at(expr_, digits));
-    for (;;) {
-        digits = digits + digits / 2;
-        if (digits > most) {
-            throw BudgetError("'" + text_ + "' is not settled by 4096 bits");
+    for (long working = bits + 32; working <= bits + most_bits; working *= 2) {
+        if (const auto x = enclose(expr_, working)) {
+            // Both ends round to one number: so does what lies between them.
+            const T low = rounded_to<T>(x->lower);
+            if (low == rounded_to<T>(x->upper)) {
+                check_range(low, x->lower);
+                return low;
+            }
         }
-        const T next = nearest<T>(value_at(expr_, digits));
-        if (next == last) {
-            return next;
-        }
-        last = next;
     }
+    throw BudgetError(std::to_string(most_bits) + " bits do not settle the rounding of '" + text_ +
+                      "'");
 }
 
 template double Exact::to() const;
@@ -130,11 +146,11 @@ int Exact::sign() const {
     if (expr_.kind() == Expr::Kind::sub && expr_.arg(0) == expr_.arg(1)) {
         return 0;
     }
-    for (unsigned digits = 40; digits <= most_digits; digits *= 2) {
-        const Real x = value_at(expr_, digits);
-        const PrecisionScope scope(digits);
-        if (abs(x) > pow(Real(10), -static_cast<int>(digits / 2))) {
-            return x.sign();
+    for (long bits = 64; bits <= most_bits; bits *= 2) {
+        if (const auto x = enclose(expr_, bits)) {
+            if (x->lower > 0 || x->upper < 0 || (x->lower == 0 && x->upper == 0)) {
+                return x->lower.sign();
+            }
         }
     }
     throw BudgetError("4096 bits do not tell '" + text_ + "' from zero");

@@ -14,6 +14,7 @@
 namespace edgeproof {
 
 struct Relation;
+struct SettingState;
 
 /// A place in a contact: the distance u inwards from an edge, and x.
 struct Place {
@@ -79,8 +80,7 @@ public:
                              const Variables& variables = {}) const;
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<SettingState> state_;
 };
 
 /// The names that every Setting knows, beside the parameters of its scene.

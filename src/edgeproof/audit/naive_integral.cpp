@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/naive_integral.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/near_singularity.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace edgeproof {
+namespace {
+
+/// Where an interval [lo, hi] is split, and how far beyond its ends f is not analytic.
+struct Split {
+    std::vector<Real> marks; ///< lo, cuts inside, hi
+    Real beyond_lo;          ///< 0: nothing known there
+    Real beyond_hi;
+};
+
+Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
+    std::sort(cuts.begin(), cuts.end());
+    Split split{{lo}, Real(0), Real(0)};
+    // Cuts that the precision hardly tells apart are one.
+    const Real same = (hi - lo) * pow(Real(10), -static_cast<int>(working_digits() * 9 / 10));
+    for (const Real& cut : cuts) {
+        if (cut < lo - same) {
+            split.beyond_lo = lo - cut;
+        } else if (cut > hi + same) {
+            split.beyond_hi = cut - hi;
+            break;
+        } else if (cut > split.marks.back() + same && cut < hi - same) {
+            split.marks.push_back(cut);
+        }
+    }
+    split.marks.push_back(hi);
+    return split;
+}
+
+/// f at the working precision of the caller, evaluated at the integrand's.
+Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& base,
+               const Real& distance, bool upwards) {
+    Real value;
+    {
+        const PrecisionScope scope(precision.integrand());
+        value = f(upwards ? Real(base + distance) : Real(base - distance));
+    }
+    return at_working_precision(value);
+}
+
+NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision precision) {
+    std::vector<Real> lengths;
+    for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
+        lengths.push_back(split.marks[i + 1] - split.marks[i]);
+    }
+    const PrecisionScope scope(precision.nodes);
+    const auto result = integrate_pieces<Real>(
+        [&](std::size_t i, const Real& from_lo, const Real& from_hi) {
+            return from_lo < from_hi ? evaluated(f, precision, split.marks[i], from_lo, true)
+                                     : evaluated(f, precision, split.marks[i + 1], from_hi, false);
+        },
+        lengths, split.beyond_lo, split.beyond_hi);
+    return {result.value, result.estimate, result.converged};
+}
+
+} // namespace
+
+NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& hi,
+                                std::vector<Real> cuts, NaivePrecision precision) {
+    const PrecisionScope scope(precision.integrand());
+    if (lo == hi) {
+        return {Real(0), Real(0), true};
+    }
+    if (hi < lo) {
+        NaiveIntegral result = integrate_naively(f, hi, lo, std::move(cuts), precision);
+        result.value = -result.value;
+        return result;
+    }
+    return pieces(f, split_at(lo, hi, std::move(cuts)), precision);
+}
+
+NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const Real& hi,
+                                      const Real& pole, std::vector<Real> cuts,
+                                      NaivePrecision precision) {
+    const PrecisionScope scope(precision.integrand());
+    if (!(lo < pole) || !(pole < hi)) {
+        throw DomainError("the pole of a principal value is not inside its interval");
+    }
+    Real h = std::min(Real(pole - lo), Real(hi - pole));
+    for (const Real& cut : cuts) {
+        const Real d = abs(cut - pole);
+        if (d > 0 && d < h) {
+            h = d;
+        }
+    }
+    const Real left = pole - h;
+    const Real right = pole + h;
+    NaiveIntegral sum{};
+    {
+        const PrecisionScope nodes(precision.nodes);
+        const auto fold = integrate_near<Real>(
+            [&](const Real& r, const Real& rest) {
+                return r < rest ? Real(evaluated(f, precision, pole, r, true) +
+                                       evaluated(f, precision, pole, r, false))
+                                : Real(evaluated(f, precision, right, rest, false) +
+                                       evaluated(f, precision, left, rest, true));
+            },
+            h, Real(0), Real(0));
+        sum = {fold.value, fold.estimate, fold.converged};
+    }
+    cuts.push_back(pole);
+    const auto add = [&](const Real& from, const Real& to) {
+        // Where h reached an end, nothing but roundoff is left beyond it.
+        if (!(to - from > h * pow(Real(10), -static_cast<int>(precision.integrand() / 2)))) {
+            return;
+        }
+        const NaiveIntegral part = integrate_naively(f, from, to, cuts, precision);
+        sum.value += part.value;
+        sum.estimate = std::max(sum.estimate, part.estimate);
+        sum.converged = sum.converged && part.converged;
+    };
+    add(lo, left);
+    add(right, hi);
+    return sum;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/setting.hpp"
+
+#include "edgeproof/audit/claim.hpp"
+#include "edgeproof/audit/setting_environment.hpp"
+#include "edgeproof/audit/setting_state.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+/// The contact is computed to more digits than formulas are compared at.
+constexpr unsigned contact_guard = 15;
+constexpr unsigned quadrature_guard = 20;
+
+std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
+
+/// The number behind a name such as P2 or right_c1.
+std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {
+    if (!name.starts_with(prefix) || name.size() != prefix.size() + 1 || name.back() < '0' ||
+        name.back() > '9') {
+        return std::nullopt;
+    }
+    return static_cast<unsigned>(name.back() - '0');
+}
+
+} // namespace
+
+SettingState::SettingState(SceneSpec scene, unsigned digits_wanted)
+    : spec(std::move(scene)), digits(digits_wanted), precision{digits_wanted + quadrature_guard},
+      profile(spec.make_profile()),
+      contact(profile, spec.parameter("Es"), Load::right_edge(spec.parameter("a")),
+              digits_wanted + contact_guard),
+      law([this] {
+          const PrecisionScope scope(precision.integrand());
+          return ContactLaw<Real>(profile, spec.parameter("Es").to<Real>());
+      }()) {
+    const PrecisionScope scope(precision.integrand());
+    for (const auto& [name, value] : spec.parameters) {
+        parameters.emplace(name, value.to<Real>());
+    }
+    extent = law.extent(parameters.at("a"));
+}
+
+const Extent<Real>& SettingState::extent_at(const Real& s) {
+    if (!last_extent || last_extent->a != s) {
+        last_extent = law.extent(s);
+    }
+    return *last_extent;
+}
+
+Real SettingState::right_edge_of(const Real& y) {
+    if (y == extent.b) {
+        return extent.a;
+    }
+    return law.right_edge(y);
+}
+
+const std::vector<Real>& SettingState::expansion(Edge edge, std::size_t terms) {
+    auto& known = expansions[index_of(edge)];
+    if (known.size() < terms) {
+        known = contact.expansion(edge, std::max<std::size_t>(terms, 4));
+    }
+    return known;
+}
+
+std::optional<Real> SettingState::derived_symbol(std::string_view name) {
+    if (name == "b") {
+        return extent.b;
+    }
+    if (name == "L") {
+        return extent.length();
+    }
+    const auto it = derived.find(name);
+    if (it != derived.end()) {
+        return it->second;
+    }
+    std::optional<Real> value;
+    if (name == "P") {
+        value = contact.force();
+    } else if (name == "M") {
+        value = contact.moment();
+    } else if (const auto k = order_in(name, "P")) {
+        value = contact.force_derivative(*k);
+    } else if (const auto j = order_in(name, "b")) {
+        value = contact.left_edge_derivative(*j);
+    } else if (const auto right = order_in(name, "right_c")) {
+        value = expansion(Edge::right, *right + 1)[*right];
+    } else if (const auto left = order_in(name, "left_c")) {
+        value = expansion(Edge::left, *left + 1)[*left];
+    }
+    if (value) {
+        derived.emplace(std::string(name), *value);
+    }
+    return value;
+}
+
+Place SettingState::place_of_x(const Real& x) const {
+    const Real right = extent.a - x;
+    const Real left = x + extent.b;
+    return right < left ? Place{Edge::right, right, x, {}} : Place{Edge::left, left, x, {}};
+}
+
+Real SettingState::call(const std::string& name, std::span<const Real> args, const Place* place) {
+    const Real& s = args[0];
+    if (name == "g1") {
+        // On a knot the mean of both sides: a point that no integral sees.
+        const auto& slope = law.slope();
+        const std::size_t piece = slope.piece_at(s);
+        if (piece > 0 && slope.knots()[piece - 1] == s) {
+            return (slope.value(piece - 1, s) + slope.value(piece, s)) / 2;
+        }
+        return slope.value(piece, s);
+    }
+    if (name == "Pof") {
+        return law.force(extent_at(s));
+    }
+    if (name == "P1of") {
+        return law.force_rate(extent_at(s));
+    }
+    if (name == "bof") {
+        return extent_at(s).b;
+    }
+    if (name == "binv") {
+        return right_edge_of(s);
+    }
+    if (name == "p") {
+        const Place at = place != nullptr && place->x == s ? *place : place_of_x(s);
+        return contact.pressure(at.edge, at.u).value;
+    }
+    if (name == "right_local" || name == "left_local") {
+        const Edge edge = name == "right_local" ? Edge::right : Edge::left;
+        const auto n = args[0].convert_to<long>();
+        if (n < 0 || n > 1000 || Real(n) != args[0]) {
+            throw DomainError(name + " is asked for a number of terms that is no whole number");
+        }
+        const Real u = place != nullptr && place->x == args[1] && place->edge == edge
+                           ? place->u
+                           : Real(edge == Edge::right ? extent.a - args[1] : args[1] + extent.b);
+        const auto terms = static_cast<std::size_t>(n);
+        const std::vector<Real>& c = expansion(edge, terms);
+        Real sum(0);
+        for (std::size_t k = terms; k-- > 0;) {
+            sum = sum * u + c[k];
+        }
+        return sum * sqrt(u);
+    }
+    throw Error("the function '" + name + "' has no meaning here");
+}
+
+std::vector<Real> SettingState::critical_arguments(const std::string& function) {
+    std::vector<Real> values;
+    for (const Real& knot : law.slope().knots()) {
+        if (function == "g1" || function == "p") {
+            values.push_back(knot);
+        } else if (function == "binv") {
+            values.push_back(knot > 0 ? extent_at(knot).b : Real(-knot));
+        } else if (knot > 0) {
+            values.push_back(knot);
+        } else if (knot < 0 && !law.symmetric()) {
+            values.push_back(right_edge_of(Real(-knot)));
+        } else {
+            values.push_back(Real(0));
+        }
+    }
+    return values;
+}
+
+Setting::Setting(SceneSpec spec, unsigned digits)
+    : state_(std::make_unique<SettingState>(std::move(spec), digits)) {}
+Setting::~Setting() = default;
+Setting::Setting(Setting&&) noexcept = default;
+
+const SceneSpec& Setting::spec() const noexcept { return state_->spec; }
+unsigned Setting::digits() const noexcept { return state_->digits; }
+const NormalContact& Setting::contact() const { return state_->contact; }
+Real Setting::a() const { return state_->extent.a; }
+Real Setting::b() const { return state_->extent.b; }
+Real Setting::length() const { return state_->extent.length(); }
+
+Real Setting::parameter(std::string_view name) const {
+    const auto it = state_->parameters.find(name);
+    if (it == state_->parameters.end()) {
+        throw Error("a scene of family " + spec().family + " has no '" + std::string(name) + "'");
+    }
+    return it->second;
+}
+
+Place Setting::place(Edge edge, const Exact& fraction) const {
+    const PrecisionScope scope(state_->precision.integrand());
+    Place at = place_at_u(edge, Real(fraction.to<Real>() * length()));
+    at.text = "u = " + fraction.text() + " of the length from the " +
+              (edge == Edge::right ? "right" : "left") + " edge";
+    return at;
+}
+
+Place Setting::place_at_u(Edge edge, const Real& u) const {
+    const PrecisionScope scope(state_->precision.integrand());
+    const auto& e = state_->extent;
+    return {edge, u, edge == Edge::right ? Real(e.a - u) : Real(u - e.b), {}};
+}
+
+Real Setting::pressure(Edge edge, const Real& u, Route route) const {
+    return state_->contact.pressure(edge, u, route).value;
+}
+
+std::vector<Real> Setting::expansion(Edge edge, std::size_t terms) const {
+    std::vector<Real> c = state_->expansion(edge, terms);
+    c.resize(terms);
+    return c;
+}
+
+Real Setting::local(Edge edge, std::size_t n, const Real& u) const {
+    const PrecisionScope scope(state_->precision.integrand());
+    const std::vector<Real>& c = state_->expansion(edge, n);
+    Real sum(0);
+    for (std::size_t k = n; k-- > 0;) {
+        sum = sum * u + c[k];
+    }
+    return sum * sqrt(u);
+}
+
+FormulaValue Setting::evaluate(const Expr& e, const Place* place,
+                               const Variables& variables) const {
+    const PrecisionScope scope(state_->precision.integrand());
+    SettingEnvironment environment(*state_, place, variables);
+    FormulaValue result;
+    result.value = edgeproof::evaluate<Real>(e, environment);
+    result.estimate = environment.worst_estimate();
+    result.converged = environment.converged();
+    result.digits = state_->precision.nodes;
+    if (result.estimate > 0) {
+        const long good = (-floor(log10(result.estimate)) - 1).convert_to<long>();
+        result.digits = static_cast<unsigned>(std::clamp(good, 0L, long{result.digits}));
+    }
+    return result;
+}
+
+bool Setting::holds(const Condition& condition, const Place* place,
+                    const Variables& variables) const {
+    return std::all_of(condition.begin(), condition.end(), [&](const Relation& r) {
+        const Real lhs = evaluate(r.lhs, place, variables).value;
+        const Real rhs = evaluate(r.rhs, place, variables).value;
+        switch (r.op) {
+        case Relation::Op::less:
+            return lhs < rhs;
+        case Relation::Op::less_equal:
+            return lhs <= rhs;
+        case Relation::Op::greater:
+            return lhs > rhs;
+        case Relation::Op::greater_equal:
+            return lhs >= rhs;
+        default:
+            return lhs == rhs;
+        }
+    });
+}
+
+} // namespace edgeproof

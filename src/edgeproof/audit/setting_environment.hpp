@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/setting_state.hpp"
+#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace edgeproof {
+
+/// The formula environment of a Setting: names, functions along the family of contacts, and
+/// integrals evaluated as printed.
+class SettingEnvironment {
+public:
+    SettingEnvironment(SettingState& state, const Place* place, const Variables& variables)
+        : state_(state), place_(place), variables_(variables) {}
+
+    [[nodiscard]] Real number(const Rational& q) const { return number_of<Real>(q); }
+    [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
+    [[nodiscard]] Real symbol(std::string_view name) const;
+    [[nodiscard]] Real call(const Expr& node, std::span<const Real> args) const {
+        return state_.call(node.name(), args, place_);
+    }
+    template <class Scope> [[nodiscard]] Real binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
+            return evaluate_sum<Real>(node, scope);
+        }
+        const std::string& name = node.arg(1).name();
+        const Real lo = evaluate<Real>(node.arg(2), scope);
+        const Real hi = evaluate<Real>(node.arg(3), scope);
+        const auto along = [&](const Expr& e) {
+            return [&](const Real& s) { return evaluate<Real>(e, with_symbol(scope, name, s)); };
+        };
+        std::vector<Real> cuts = places(lo, hi);
+        collect_cuts(
+            node.arg(0), name, lo, hi, [&](const Expr& e, const Real& s) { return along(e)(s); },
+            cuts);
+        const NaiveIntegral result =
+            node.kind() == Expr::Kind::pv
+                ? principal_value_naively(along(node.arg(0)), lo, hi,
+                                          evaluate<Real>(node.arg(4), scope), std::move(cuts),
+                                          state_.precision)
+                : integrate_naively(along(node.arg(0)), lo, hi, std::move(cuts), state_.precision);
+        worst_ = std::max(worst_, result.estimate);
+        converged_ = converged_ && result.converged;
+        return result.value;
+    }
+
+    [[nodiscard]] const Real& worst_estimate() const noexcept { return worst_; }
+    [[nodiscard]] bool converged() const noexcept { return converged_; }
+
+private:
+    using At = std::function<Real(const Expr&, const Real&)>;
+    /// Places where printed integrands have their branch points; those inside an interval are no
+    /// cuts, those outside tell an end what lies near.
+    [[nodiscard]] std::vector<Real> places(const Real& lo, const Real& hi) const;
+    /// Values of the bound variable at which a function in f is not analytic.
+    void collect_cuts(const Expr& f, const std::string& variable, const Real& lo, const Real& hi,
+                      const At& at, std::vector<Real>& cuts) const;
+    static void add_preimage(const std::function<Real(const Real&)>& argument, const Real& critical,
+                             const Real& lo, const Real& hi, std::vector<Real>& cuts);
+
+    SettingState& state_;
+    const Place* place_;
+    const Variables& variables_;
+    mutable Real worst_{0};
+    mutable bool converged_ = true;
+};
+
+} // namespace edgeproof

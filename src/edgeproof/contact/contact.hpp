@@ -6,8 +6,10 @@
 ///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
 ///   pressure_routes.hpp  p(x) by routes that share no formula
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
+///   extent.hpp           how far from an edge n terms stay within a tolerance
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
+#include "edgeproof/contact/extent.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"

@@ -111,6 +111,7 @@ NormalContact& NormalContact::operator=(NormalContact&&) noexcept = default;
 const Profile& NormalContact::profile() const noexcept { return profile_; }
 unsigned NormalContact::digits() const noexcept { return digits_; }
 const Exact& NormalContact::contact_modulus() const noexcept { return modulus_; }
+const Load& NormalContact::load() const noexcept { return load_; }
 
 NormalContact::Solved& NormalContact::at(unsigned working) const {
     auto& slot = solved_[working];

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] const Profile& profile() const noexcept;
     [[nodiscard]] unsigned digits() const noexcept;
     [[nodiscard]] const Exact& contact_modulus() const noexcept;
+    [[nodiscard]] const Load& load() const noexcept;
 
     [[nodiscard]] Real a() const;
     [[nodiscard]] Real b() const;

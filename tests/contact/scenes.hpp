@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/formula/parse.hpp"
+
+#include <string>
+#include <vector>
+
+/// Contacts for the tests, given exactly, with nothing equal to 1 so that a dimensional slip shows.
+namespace edgeproof::scenes {
+
+inline Exact exact(const std::string& text) { return Exact::parse(text); }
+
+struct Contact {
+    std::string name;
+    Profile profile;
+    Exact modulus;
+    Load load;
+};
+
+inline std::vector<Contact> symmetric() {
+    const auto power = [](const char* m, const char* C, const char* a) {
+        return Contact{std::string("power-law m=") + m, Profile::power_law(exact(C), exact(m)),
+                       exact("7/3"), Load::right_edge(exact(a))};
+    };
+    const auto flat = [](const char* t, const char* R, const char* a) {
+        return Contact{std::string("flat-and-rounded t=") + t,
+                       Profile::flat_and_rounded(exact(t), exact(R)), exact("2.1e11"),
+                       Load::right_edge(exact(a))};
+    };
+    return {power("0", "0.3", "3/2"),
+            power("1", "1/70", "0.02"),
+            power("1/2", "3", "5"),
+            power("5/8", "1e-3", "7e4"),
+            power("10", "2", "1.25"),
+            power("100", "2", "0.9"),
+            flat("0.4", "3", "1.5"),
+            flat("8e-4", "0.1", "1e-3"),
+            flat("0.999999", "40", "1.000001"),
+            flat("1e-6", "2", "1.5")};
+}
+
+/// g' with a corner at the origin, a bend and a piece that is not linear.
+inline Contact own_symmetric() {
+    const Symbols x{"x"};
+    return {"own symmetric",
+            Profile::piecewise_symmetric(
+                {exact("1/2")}, {parse("1/10 + x^3", x), parse("1/10 + x^3 + sinh(x - 1/2)", x)}),
+            exact("7/3"), Load::right_edge(exact("4/5"))};
+}
+
+inline std::vector<Contact> tilted() {
+    const auto wedge = [](const char* phi, const char* alpha, const char* a) {
+        return Contact{std::string("tilted wedge alpha=") + alpha,
+                       Profile::tilted_wedge(exact(phi), exact(alpha)), exact("7/3"),
+                       Load::right_edge(exact(a))};
+    };
+    const auto punch = [](const char* alpha, const char* t, const char* R, const char* a) {
+        return Contact{std::string("tilted flat-and-rounded a=") + a,
+                       Profile::tilted_flat_and_rounded(exact(alpha), exact(t), exact(R)),
+                       exact("7/3"), Load::right_edge(exact(a))};
+    };
+    // The punch of moore-hills.tex line 349 with the left edge in each of its three pieces.
+    return {wedge("pi/16", "pi/20", "1.5"),   wedge("0.1", "0.001", "30"),
+            wedge("pi/3", "-pi/7", "0.01"),   punch("pi/16", "1", "2", "0.2"),
+            punch("pi/16", "1", "2", "0.5"),  punch("pi/16", "1", "2", "3"),
+            punch("0.01", "0.5", "70", "0.9")};
+}
+
+} // namespace edgeproof::scenes

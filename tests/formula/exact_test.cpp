@@ -85,6 +85,11 @@ TEST_CASE("a double halfway between two is decided by digits far behind") {
     // 1 + 2^-53 lies halfway between 1 and the next double.
     CHECK(Exact::parse("1 + 2^-53 + 1e-60*sqrt(2)").to<double>() == 1.0 + 0x1p-52);
     CHECK(Exact::parse("1 + 2^-53 - 1e-60*sqrt(2)").to<double>() == 1.0);
+    CHECK(Exact::parse("1 + 2^-53 + 1e-60").to<double>() == 1.0 + 0x1p-52); // the same, rational
+    CHECK(Exact::parse("1 + 2^-53 - 1e-60").to<double>() == 1.0);
+    CHECK(Exact::parse("-1 - 2^-53 - 1e-60").to<double>() == -1.0 - 0x1p-52);
+    CHECK(Exact::parse("2^-1074*(3/2 + 1e-60)").to<double>() == 0x1p-1073);
+    CHECK(Exact::parse("2^-1074*(3/2 - 1e-60)").to<double>() == 0x1p-1074);
     CHECK(Exact::parse("1 + 2^-53").to<double>() == 1.0); // ties to even
 }
 
@@ -97,7 +102,7 @@ TEST_CASE("a value beyond the range of the arithmetic is an error") {
     CHECK(Exact::parse("1e400").to<long double>() == 1e400L);
 }
 
-TEST_CASE("signs are decided, however close to zero") {
+TEST_CASE("signs are decided however close to zero") {
     CHECK(Exact::parse("0.1 + 0.2 - 0.3").sign() == 0);
     CHECK(Exact::parse("-1e-1000").sign() == -1);
     CHECK(Exact::parse("sqrt(2) - 1.41421356237309504880168872420969807856967187537694").sign() >

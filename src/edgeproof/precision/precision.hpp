@@ -7,9 +7,11 @@
 ///   arithmetic.hpp  the same few words for double, long double, Float128 and Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
+///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/escalate.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/text.hpp"

@@ -6,10 +6,14 @@
 ///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
 ///   pressure_routes.hpp  p(x) by routes that share no formula
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
+///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
+///   forward.hpp          back from a traction to its resultant and its principal value
 ///   extent.hpp           how far from an edge n terms stay within a tolerance
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/forward.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"
+#include "edgeproof/contact/shear_traction.hpp"

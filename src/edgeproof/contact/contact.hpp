@@ -5,10 +5,13 @@
 ///   normal_contact.hpp   NormalContact: the exact problem, answered to the digits asked
 ///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
 ///   pressure_routes.hpp  p(x) by routes that share no formula
+///   ball_contact.hpp     the same contact in balls: enclosures that are proved
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
 ///   forward.hpp          back from a traction to its resultant and its principal value
+///   tilt_solver.hpp      the tilt that carries a given force and moment
 ///   extent.hpp           how far from an edge n terms stay within a tolerance
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/extent.hpp"
@@ -17,3 +20,4 @@
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"
 #include "edgeproof/contact/shear_traction.hpp"
+#include "edgeproof/contact/tilt_solver.hpp"

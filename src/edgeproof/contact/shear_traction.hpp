@@ -36,8 +36,8 @@ struct EstimatedTraction {
 /// `together`: while the contact grows by da, without slip, dQ adds dq = dQ/(pi sqrt((a-x)(x+b)))
 /// (eqn:Shear_Adhered with sigma_0 = 0, whatever is locked in beneath), as dP adds dp = dP/(pi
 /// sqrt((a-x)(x+b))) (the flat punch of eqn:ContactPressure_NonSym). With dQ = (Q/P) dP both sums
-/// run alike, so q = (Q/P) p, on either side of any contact (Hills, Davies & Barber, J. Strain
-/// Anal. 46 (2011) 436, the paper's reference for it; moore-hills.tex, line 413).
+/// run alike, so q = (Q/P) p, on either side of any contact (moore-hills.tex, line 413, which
+/// cites Hills2011 for it).
 class ShearTraction {
 public:
     /// Keeps a reference to `contact`. Throws InputError for a bulk tension on the path `together`:

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/tilt_solver.hpp"
+
+#include "edgeproof/contact/bracketed_root.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+constexpr unsigned rough_digits = 14;
+constexpr int most_decades = 1000;
+
+Expr number(long k) { return Expr::number(Rational(k)); }
+
+/// An exact decimal within 10^-digits of v, relative.
+Exact decimal(const Real& v, unsigned digits) {
+    return Exact::parse(v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific));
+}
+
+int sign_or_zero(const Exact& x) {
+    try {
+        return x.sign();
+    } catch (const BudgetError&) {
+        return 0; // equal as far as can be told
+    }
+}
+
+/// One unknown v > 0 and one y > 0 that is a monotone function of it: the tilt near one end of its
+/// range, and the moment from what it is there. Neither cancels, however small both get.
+struct Branch {
+    Exact v_end;                               ///< v runs in (0, v_end)
+    std::function<Exact(const Exact& v)> tilt; ///< alpha(v)
+    Exact moment_at_zero;                      ///< y = sense (M - this)
+    int sense;
+};
+
+class Solver {
+public:
+    Solver(const TiltedPunch& punch, const Exact& modulus, const Exact& P)
+        : punch_(punch), modulus_(modulus), P_(P) {}
+
+    /// y at v to `wanted` digits; digits are added for what cancels in it.
+    [[nodiscard]] Real y(const Branch& branch, const Real& v, unsigned wanted) {
+        unsigned working = wanted + 30;
+        for (int k = 0; k < 30; ++k) {
+            const PrecisionScope scope(working);
+            const Profile profile = punch_.at(branch.tilt(decimal(v, working)));
+            const ContactLaw<Real> law(profile, modulus_.to<Real>());
+            const Real P = P_.to<Real>();
+            const Extent<Real> e = law.extent(law.right_edge_for_force(P));
+            ++contacts_;
+            const Real offset = branch.moment_at_zero.to<Real>();
+            const Real value = branch.sense * (law.moment(e) - offset);
+            const Real scale = P * e.length() + abs(offset);
+            if (value > 0) {
+                const Real lost = log10(Real(scale / value));
+                const auto needed =
+                    wanted + 20 + (lost > 0 ? 2 * static_cast<unsigned>(ceil(lost)) : 0U);
+                if (needed <= working) {
+                    return value;
+                }
+                working = needed;
+            } else {
+                working *= 2; // nothing but roundoff is left
+            }
+        }
+        throw BudgetError("the moment of a tilted punch is lost in roundoff");
+    }
+
+    /// The v at which y is `target`, to `digits` digits.
+    [[nodiscard]] Real solve(const Branch& branch, const Exact& target, unsigned digits) {
+        const Real rough = [&] {
+            const PrecisionScope scope(rough_digits + 30);
+            return rough_root(branch, target);
+        }();
+        const PrecisionScope scope(digits + 20);
+        const Real log_target = log(target.to<Real>());
+        const auto f = [&](const Real& log_v) {
+            return Real(log(y(branch, Real(exp(log_v)), digits + 10)) - log_target);
+        };
+        const Real middle = log(rough);
+        for (int width = 8; width > 0; width -= 4) {
+            const Real slack = pow(Real(10), -width);
+            const Real lo = middle - slack;
+            const Real hi = middle + slack;
+            const Real f_lo = f(lo);
+            const Real f_hi = f(hi);
+            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
+                const Real relative = pow(Real(10), -static_cast<int>(digits)) / (1 + abs(middle));
+                return exp(bracketed_root<Real>(f, lo, f_lo, hi, f_hi, relative).x);
+            }
+        }
+        throw BudgetError("the tilt did not settle");
+    }
+    [[nodiscard]] std::size_t contacts() const { return contacts_; }
+
+private:
+    Real rough_root(const Branch& branch, const Exact& target) {
+        const Real log_target = log(target.to<Real>());
+        const auto f = [&](const Real& log_v) {
+            return Real(log(y(branch, Real(exp(log_v)), rough_digits)) - log_target);
+        };
+        Real hi = log(branch.v_end.to<Real>());
+        Real f_hi = f(hi);
+        for (int decades = 1; decades <= most_decades * 2; decades *= 2) {
+            const Real lo = log(branch.v_end.to<Real>()) - log(Real(10)) * decades;
+            const Real f_lo = f(lo);
+            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
+                return exp(bracketed_root<Real>(f, lo, f_lo, hi, f_hi, Real("1e-13")).x);
+            }
+            hi = lo;
+            f_hi = f_lo;
+        }
+        throw BudgetError("the moment lies within 1e-1000 of the end of its range");
+    }
+
+    const TiltedPunch& punch_;
+    const Exact& modulus_;
+    const Exact& P_;
+    std::size_t contacts_ = 0;
+};
+
+/// Which of two branches that meet at the middle of the range holds the solution, and the tilt.
+SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near, const Branch& far,
+                    const Exact& M, unsigned digits) {
+    const auto target = [&](const Branch& b) {
+        return Exact(number(b.sense) * (M.expr() - b.moment_at_zero.expr()));
+    };
+    const bool is_near = [&] {
+        const PrecisionScope scope(rough_digits + 30);
+        const Real at_middle = solver.y(near, near.v_end.to<Real>(), rough_digits);
+        return target(near).to<Real>() <= at_middle;
+    }();
+    const Branch& branch = is_near ? near : far;
+    const unsigned full = digits + 15;
+    const Real v = solver.solve(branch, target(branch), full);
+    const Exact alpha = branch.tilt(decimal(v, full + 5));
+    return {alpha, punch.at(alpha), solver.contacts()};
+}
+
+SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const Exact& modulus, const Exact& P,
+                         const Exact& M, unsigned digits) {
+    const int sense = M.sign();
+    if (sense == 0) {
+        const Exact upright = Exact::of(Rational(0));
+        return {upright, punch.at(upright), 0};
+    }
+    const Exact zero;
+    const Exact half(punch.phi.expr() / number(2));
+    const Branch near{half, [sense](const Exact& v) { return sense > 0 ? v : Exact(-v.expr()); },
+                      zero, sense};
+    const Branch far{half,
+                     [sense, &punch](const Exact& v) {
+                         return sense > 0 ? Exact(punch.phi.expr() - v.expr())
+                                          : Exact(v.expr() - punch.phi.expr());
+                     },
+                     zero, sense};
+    Solver solver(punch, modulus, P);
+    return solve_on(solver, punch, near, far, M, digits);
+}
+
+SolvedTilt tilt_of_punch(const TiltedPunch& punch, const Exact& modulus, const Exact& P,
+                         const Exact& M, unsigned digits) {
+    if (punch.t.sign() == 0) {
+        throw InputError("with t = 0 every tilt has the same moment, 0",
+                         "give alpha, or P alone with kind = \"power-law\", m = \"1\"");
+    }
+    const Exact upright(-(punch.t.expr() * P.expr()));
+    const int above = sign_or_zero(Exact(M.expr() - upright.expr()));
+    if (above == 0) {
+        const Exact alpha = Exact::of(Rational(0));
+        return {alpha, punch.at(alpha), 0};
+    }
+    if (above < 0) {
+        throw InputError("no tilt alpha >= 0 has the moment M = " + M.text() +
+                             ": upright, M is -t P already, and it rises with alpha",
+                         "mirror the scene for a punch that leans the other way");
+    }
+    if (M.sign() >= 0) {
+        throw InputError("no tilt has the moment M = " + M.text() +
+                             " alone: about the minimum of the punch M lies between -t P and 0, "
+                             "and is 0 for every tilt that lifts the flat off",
+                         "give M about that minimum (M_c - P (t + alpha R) from the middle of the "
+                         "flat), or alpha itself");
+    }
+    const Expr lift =
+        Expr::call("sqrt", {number(4) * P.expr() / (Expr::pi() * modulus.expr() * punch.R.expr())});
+    const Exact half(lift / number(2));
+    const Branch near{half, [](const Exact& v) { return v; }, upright, 1};
+    const Branch far{half, [lift](const Exact& v) { return Exact(lift - v.expr()); }, Exact(), -1};
+    Solver solver(punch, modulus, P);
+    return solve_on(solver, punch, near, far, M, digits);
+}
+
+} // namespace
+
+TiltedPunch TiltedPunch::wedge(Exact phi) {
+    return {Profile::Kind::tilted_wedge, std::move(phi), {}, {}};
+}
+TiltedPunch TiltedPunch::flat_and_rounded(Exact t, Exact R) {
+    return {Profile::Kind::tilted_flat_and_rounded, {}, std::move(t), std::move(R)};
+}
+Profile TiltedPunch::at(const Exact& alpha) const {
+    return kind == Profile::Kind::tilted_wedge ? Profile::tilted_wedge(phi, alpha)
+                                               : Profile::tilted_flat_and_rounded(alpha, t, R);
+}
+
+SolvedTilt solve_tilt(const TiltedPunch& punch, const Exact& contact_modulus, const Exact& P,
+                      const Exact& M, unsigned digits) {
+    if (P.sign() <= 0) {
+        throw InputError("the normal force P = " + P.text() + " is not positive", "give P > 0");
+    }
+    if (contact_modulus.sign() <= 0) {
+        throw InputError("the contact modulus " + contact_modulus.text() + " is not positive",
+                         "give E* > 0");
+    }
+    (void)punch.at(Exact::of(Rational(0))); // the parameters themselves
+    return punch.kind == Profile::Kind::tilted_wedge
+               ? tilt_of_wedge(punch, contact_modulus, P, M, digits)
+               : tilt_of_punch(punch, contact_modulus, P, M, digits);
+}
+
+} // namespace edgeproof

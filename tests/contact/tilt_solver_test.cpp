@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/tilt_solver.hpp"
+
+#include "edgeproof/contact/forward.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using scenes::exact;
+
+namespace {
+
+bool agree(const Real& x, const Real& y, int digits) {
+    return abs(Real(x - y)) <= abs(y) * pow(Real(10), -digits);
+}
+
+Exact exactly(const Real& x) {
+    Rational q;
+    mpfr_get_q(q.backend().data(), x.backend().data());
+    return Exact::of(q);
+}
+
+/// A contact under P at the tilt found has the force and the moment.
+void check_carries(const TiltedPunch& punch, const char* modulus, const Exact& P, const Exact& M,
+                   unsigned digits) {
+    CAPTURE(P.text());
+    CAPTURE(M.text());
+    const SolvedTilt tilt = solve_tilt(punch, exact(modulus), P, M, digits);
+    CAPTURE(tilt.alpha.text());
+    // Looked at with many more digits: what was found must hold, not only look so.
+    const NormalContact contact(tilt.profile, exact(modulus), Load::force(P), 3 * digits + 60);
+    const PrecisionScope scope(3 * digits + 100);
+    const int d = static_cast<int>(digits);
+    CHECK(agree(contact.force(), P.to<Real>(), d + 20));
+    if (M.sign() == 0) {
+        CHECK(abs(contact.moment()) < Real("1e-150"));
+    } else {
+        CHECK(agree(contact.moment(), M.to<Real>(), d));
+    }
+}
+
+} // namespace
+
+TEST_CASE("the tilt of a wedge is found again from its force and moment") {
+    for (const char* alpha : {"pi/20", "-pi/20", "0.001", "pi/16 - 1e-6"}) {
+        CAPTURE(alpha);
+        const NormalContact contact(Profile::tilted_wedge(exact("pi/16"), exact(alpha)),
+                                    exact("7/3"), Load::right_edge(exact("3/2")), 70);
+        const SolvedTilt tilt = solve_tilt(TiltedPunch::wedge(exact("pi/16")), exact("7/3"),
+                                           exactly(contact.force()), exactly(contact.moment()), 50);
+        const PrecisionScope scope(80);
+        CHECK(agree(tilt.alpha.to<Real>(), exact(alpha).to<Real>(), 50));
+    }
+}
+
+// moore-hills.tex line 303: gamma = b/a is known from alpha, P = E* phi sqrt(gamma) a. The moment
+// by integration of x p over the contact: nothing of the solver's.
+TEST_CASE("the moment is the integral of x p") {
+    const Exact P = exact("2/7");
+    const Exact M = exact("-3/11");
+    const SolvedTilt tilt = solve_tilt(TiltedPunch::wedge(exact("1/5")), exact("3"), P, M, 30);
+    const NormalContact contact(tilt.profile, exact("3"), Load::force(P), 40);
+    const PrecisionScope scope(60);
+    const Extent<Real> e{contact.a(), contact.b()};
+    const Real sine = sin(Real(pi<Real>() * tilt.alpha.to<Real>() / 2 * 5));
+    const Real gamma = (1 - sine) / (1 + sine);
+    CHECK(agree(Real(e.b / e.a), gamma, 29));
+    CHECK(agree(P.to<Real>(), Real(Real(3) / 5 * sqrt(gamma) * e.a), 29));
+    // Cut at the apex, where p has a logarithm.
+    Real sum = 0;
+    for (const bool right : {true, false}) {
+        const Real length = right ? e.a : e.b;
+        const auto part = integrate_one_sided<Real>(
+            [&](const Real& from_edge, const Real& from_apex) {
+                if (from_apex < length * Real("1e-40")) {
+                    return Real(0);
+                }
+                const Real p = contact.pressure(right ? Edge::right : Edge::left, from_edge).value;
+                return Real((right ? from_apex : Real(-from_apex)) * p);
+            },
+            length, Real(0), true, {.target_digits = 25});
+        REQUIRE(part.converged);
+        sum += part.value;
+    }
+    CHECK(agree(sum, M.to<Real>(), 24));
+}
+
+TEST_CASE("force and moment over extreme ratios: the wedge") {
+    const TiltedPunch punch = TiltedPunch::wedge(exact("pi/16"));
+    for (const char* M : {"-1e12", "1e-30", "0.7", "0"}) {
+        check_carries(punch, "7/3", exact("2"), exact(M), 40);
+    }
+    check_carries(punch, "2.1e11", exact("1e-12"), exact("1e-20"), 40);
+    check_carries(punch, "2.1e11", exact("1e12"), exact("-1e25"), 20);
+}
+
+TEST_CASE("force and moment over extreme ratios: the flat-and-rounded punch") {
+    const TiltedPunch punch = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    // M from -t P (upright) to 0 (the flat lifts off); P from a sliver beside the flat to a contact
+    // that dwarfs it.
+    for (const char* P : {"1e-9", "0.3", "1e4"}) {
+        for (const char* part : {"-1 + 1e-25", "-0.999", "-1/2", "-1e-3", "-1e-25"}) {
+            const Exact M(exact(P).expr() * exact(part).expr());
+            check_carries(punch, "7/3", exact(P), M, 40);
+        }
+    }
+    // Upright itself.
+    const SolvedTilt upright = solve_tilt(punch, exact("7/3"), exact("0.3"), exact("-0.3"), 30);
+    CHECK(upright.alpha.sign() == 0);
+    CHECK(upright.profile.kind() == Profile::Kind::tilted_flat_and_rounded);
+}
+
+TEST_CASE("the paper's punch comes back from its force and moment") {
+    for (const char* a : {"0.5", "3"}) {
+        const NormalContact contact(
+            Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")), exact("1"),
+            Load::right_edge(exact(a)), 70);
+        const SolvedTilt tilt =
+            solve_tilt(TiltedPunch::flat_and_rounded(exact("1"), exact("2")), exact("1"),
+                       exactly(contact.force()), exactly(contact.moment()), 50);
+        const PrecisionScope scope(80);
+        CHECK(agree(tilt.alpha.to<Real>(), exact("pi/16").to<Real>(), 48));
+    }
+}
+
+TEST_CASE("where no tilt exists, the error says why") {
+    const auto fails = [](const TiltedPunch& punch, const char* P, const char* M,
+                          const char* words) {
+        try {
+            (void)solve_tilt(punch, exact("1"), exact(P), exact(M), 20);
+            FAIL("no error");
+        } catch (const InputError& error) {
+            CHECK(std::string(error.what()).find(words) != std::string::npos);
+        }
+    };
+    const TiltedPunch punch = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    fails(punch, "1", "-1.5", "mirror the scene");
+    fails(punch, "1", "0", "between -t P and 0");
+    fails(punch, "1", "1/2", "between -t P and 0");
+    fails(punch, "0", "-1/2", "not positive");
+    fails(punch, "-1", "-1/2", "not positive");
+    fails(TiltedPunch::flat_and_rounded(exact("0"), exact("2")), "1", "0", "t = 0");
+    fails(TiltedPunch::flat_and_rounded(exact("1"), exact("-2")), "1", "0", "R");
+    fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi");
+}

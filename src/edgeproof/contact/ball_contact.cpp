@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/ball_contact.hpp"
+
+#include "edgeproof/contact/ball_marks.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/escalate.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace edgeproof {
+namespace {
+
+struct ConstantEnvironment {
+    long bits;
+    [[nodiscard]] Ball number(const Rational& q) const { return {q, bits}; }
+    [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
+    [[nodiscard]] static Ball symbol(std::string_view name) {
+        throw Error("the constant has a variable " + std::string(name));
+    }
+};
+
+Ball middle(const Ball& x) { return {x.midpoint(), x.bits()}; }
+
+/// A zero of f, which is monotone on the positive axis, by the interval form of Newton's method:
+/// when middle - f(middle)/f'(X) lies inside X, there is exactly one zero in X, and it lies there.
+/// f(x) > 0 is to mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
+template <class F, class Rate>
+Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what) {
+    const long bits = start.bits();
+    Ball x = middle(start);
+    // Walk until a sign change is certain, then Newton on midpoints: none of this proves anything.
+    std::optional<Ball> lo;
+    std::optional<Ball> hi;
+    long factor = 2;
+    for (int k = 0; k < 64 && !(lo && hi); ++k) {
+        const Ball value = f(x);
+        if (certainly_positive(value)) {
+            lo = x;
+            x = middle(x * factor);
+        } else if (certainly_negative(value)) {
+            hi = x;
+            x = middle(x / factor);
+        } else {
+            break;
+        }
+        factor = factor < (1L << 30) ? factor * factor : factor;
+    }
+    if (lo && hi) {
+        x = middle(sqrt(*lo * *hi));
+    }
+    Ball step(0, bits);
+    const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits - 12))),
+                    bits);
+    for (int k = 0; k < 400; ++k) {
+        const Ball value = middle(f(x));
+        step = middle(value / rate(x));
+        if (!step.is_finite()) {
+            break;
+        }
+        Ball next = middle(x - step);
+        const bool inside = (!lo || certainly_less(*lo, next)) &&
+                            (!hi || certainly_less(next, *hi)) && certainly_positive(next);
+        if (!inside && lo && hi) {
+            if (certainly_positive(value)) {
+                lo = x;
+            } else if (certainly_negative(value)) {
+                hi = x;
+            }
+            next = middle(sqrt(*lo * *hi));
+        } else if (!inside) {
+            break;
+        }
+        x = next;
+        if (inside && !certainly_less(tiny * abs(x), abs(step))) {
+            break;
+        }
+    }
+    // The proof.
+    Ball radius = abs(step) * 4 + abs(x) * tiny;
+    for (int k = 0; k < 24; ++k) {
+        const Ball candidate = Ball::around(x.midpoint(), radius.upper(), bits);
+        const Ball image = x - f(x) / rate(candidate);
+        if (image.is_finite() && certainly_positive(image) && contains(candidate, image)) {
+            return image;
+        }
+        radius = middle(radius * 32);
+    }
+    throw BudgetError(std::string("ball arithmetic at ") + std::to_string(bits) +
+                      " bits does not isolate " + what);
+}
+
+} // namespace
+
+bool BallContact::has_closed_form(const Profile& profile) {
+    return profile.piecewise_linear() || profile.kind() == Profile::Kind::power_law;
+}
+
+Ball BallContact::constant(const Expr& e) const {
+    return evaluate<Ball>(e, ConstantEnvironment{bits_});
+}
+
+BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                         long bits)
+    : profile_(profile), bits_(bits), modulus_(constant(contact_modulus.expr())) {
+    if (!has_closed_form(profile)) {
+        throw DomainError("only a piecewise linear slope or a power law has a closed form");
+    }
+    for (const Exact& knot : profile.knots()) {
+        knots_.push_back(constant(knot.expr()));
+    }
+    power_law_ = !profile.piecewise_linear();
+    if (power_law_) {
+        exponent_ = constant(profile.parameters().at("m").expr());
+        const Ball C = constant(profile.parameters().at("C").expr());
+        // moore-hills.tex, line 144: E* C (sqrt(pi)/2) Gamma(1 + m/2)/Gamma((3 + m)/2).
+        power_factor_ = modulus_ * C * sqrt(Ball::pi(bits_)) / 2 * gamma(exponent_ / 2 + 1) /
+                        gamma((exponent_ + 3) / 2);
+    } else {
+        for (const SlopePiece& piece : profile.pieces()) {
+            pieces_.push_back({constant(piece.linear->at_origin), constant(piece.linear->rate)});
+        }
+        for (std::size_t i = 0; i < knots_.size(); ++i) {
+            const auto at = [&](const Piece& p) { return p.at_origin + p.rate * knots_[i]; };
+            jumps_.push_back(profile.has_corner(i) ? at(pieces_[i + 1]) - at(pieces_[i])
+                                                   : Ball(0, bits_));
+        }
+    }
+    const Ball given = constant(load.value.expr());
+    a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
+    b_ = solve_left_edge(a_);
+}
+
+template <class AtKnot, class Between>
+Ball BallContact::over_measure(const Ball& a, const Ball& b, const AtKnot& at_knot,
+                               const Between& between) const {
+    // Marks are clamped to the contact: a knot outside falls onto the edge, where the kernels
+    // vanish, so that a ball of b that straddles a knot needs no case of its own.
+    Ball sum(0, bits_);
+    BallMark previous = BallMark::left_end(a, b);
+    for (std::size_t i = 0; i <= knots_.size(); ++i) {
+        const BallMark next =
+            i < knots_.size() ? BallMark::at(a, b, knots_[i]) : BallMark::right_end(a, b);
+        sum += pieces_[i].rate * between(i, previous, next);
+        if (i < knots_.size() && profile_.has_corner(i)) {
+            sum += at_knot(i, next);
+        }
+        previous = next;
+    }
+    return sum;
+}
+
+Ball BallContact::imbalance(const Ball& a, const Ball& b) const {
+    const std::size_t o = profile_.origin();
+    const Ball pi = Ball::pi(bits_);
+    return over_measure(
+        a, b,
+        [&](std::size_t i, const BallMark& m) {
+            if (i != o) {
+                return i > o ? jumps_[i] * m.h : -(jumps_[i] * (pi - m.h));
+            }
+            // g'(0+) weighs on the right, -g'(0-) on the left.
+            return pieces_[i + 1].at_origin * m.h + pieces_[i].at_origin * (pi - m.h);
+        },
+        [&](std::size_t i, const BallMark& m, const BallMark& n) {
+            if (i > o) {
+                return n.y * n.h - m.y * m.h + m.w - n.w;
+            }
+            return -(n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w);
+        });
+}
+
+Ball BallContact::force_of(const Ball& a, const Ball& b) const {
+    const Ball d = (a + b) / 2;
+    return modulus_ / 2 *
+           over_measure(
+               a, b, [&](std::size_t i, const BallMark& m) { return jumps_[i] * m.w; },
+               [&](std::size_t, const BallMark& m, const BallMark& n) {
+                   return (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
+               });
+}
+
+Ball BallContact::force_rate_of(const Ball& a, const Ball& b, Edge edge) const {
+    const Ball d = (a + b) / 2;
+    const bool right = edge == Edge::right;
+    return modulus_ / 2 *
+           over_measure(
+               a, b,
+               [&](std::size_t i, const BallMark& m) {
+                   if (m.outside) {
+                       return Ball(0, bits_);
+                   }
+                   return jumps_[i] * (right ? m.left / m.w : m.right / m.w);
+               },
+               [&](std::size_t, const BallMark& m, const BallMark& n) {
+                   const Ball arc = d * (m.h - n.h);
+                   return right ? m.w - n.w + arc : n.w - m.w + arc;
+               });
+}
+
+Ball BallContact::solve_left_edge(const Ball& a) const {
+    if (profile_.symmetric()) {
+        return a;
+    }
+    return isolate_zero(
+        [&](const Ball& b) { return imbalance(a, b); },
+        [&](const Ball& b) { return -(force_rate_of(a, b, Edge::left) / modulus_ * 2 / (a + b)); },
+        a, "the left edge");
+}
+
+Ball BallContact::solve_right_edge_for_force(const Ball& P) const {
+    if (power_law_) {
+        return pow(P / power_factor_, 1 / (exponent_ + 1));
+    }
+    // Any start will do: the length that the force would indent.
+    return isolate_zero(
+        [&](const Ball& a) { return P - force_of(a, solve_left_edge(a)); },
+        [&](const Ball& a) { return -force_rate_of(a, solve_left_edge(a), Edge::right); },
+        P / modulus_, "the right edge");
+}
+
+Ball BallContact::force() const {
+    return power_law_ ? power_factor_ * pow(a_, exponent_ + 1) : force_of(a_, b_);
+}
+
+Ball BallContact::force_rate() const {
+    return power_law_ ? power_factor_ * (exponent_ + 1) * pow(a_, exponent_)
+                      : force_rate_of(a_, b_, Edge::right);
+}
+
+Ball BallContact::left_force_rate() const {
+    return profile_.symmetric() ? force_rate() : force_rate_of(a_, b_, Edge::left);
+}
+
+Ball BallContact::moment() const {
+    if (profile_.symmetric()) {
+        return {0, bits_};
+    }
+    const Ball d = (a_ + b_) / 2;
+    const Ball offset = a_ - b_;
+    return modulus_ / 4 *
+           over_measure(
+               a_, b_,
+               [&](std::size_t i, const BallMark& m) { return jumps_[i] * m.w * (m.y + offset); },
+               [&](std::size_t, const BallMark& m, const BallMark& n) {
+                   return (m.w * m.w * m.w - n.w * n.w * n.w) / 3 +
+                          offset * (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
+               });
+}
+
+Ball BallContact::pressure(Edge edge, const Exact& u) const {
+    return pressure(edge, constant(u.expr()));
+}
+
+Ball BallContact::pressure(Edge edge, const Ball& u) const {
+    const Ball D = a_ + b_;
+    const Ball other = D - u;
+    if (certainly_negative(u) || certainly_negative(other)) {
+        throw DomainError("a point lies outside the contact");
+    }
+    if (power_law_) {
+        // p = (P'(1) a^m/pi) sqrt(y) 2F1((1-m)/2, 1; 3/2; y), y = 1 - (x/a)^2 = u (2a - u)/a^2:
+        // eqn:MossakovskiiPressure with s^2 = a^2 (1 - y tau) and Euler's integral (DLMF 15.6.1).
+        const Ball y = u * other / (a_ * a_);
+        const Ball rate = power_factor_ * (exponent_ + 1) * pow(a_, exponent_);
+        return rate / Ball::pi(bits_) * sqrt(y) *
+               hypergeometric_2f1((1 - exponent_) / 2, Ball(1, bits_), Ball(Rational(3, 2), bits_),
+                                  y);
+    }
+    const Ball& right = edge == Edge::right ? u : other;
+    const Ball& left = edge == Edge::right ? other : u;
+    const Ball w_x = sqrt(right * left);
+    Ball sum(0, bits_);
+    BallMark previous = BallMark::left_end(a_, b_);
+    Ball previous_moment(0, bits_);
+    for (std::size_t i = 0; i <= knots_.size(); ++i) {
+        const bool edge_here = i == knots_.size();
+        const BallMark next =
+            edge_here ? BallMark::right_end(a_, b_) : BallMark::at(a_, b_, knots_[i]);
+        Ball moment(0, bits_); // (v - x) G(x, v)
+        if (!edge_here && !next.outside) {
+            const Ball offset = edge == Edge::right ? u - (a_ - knots_[i]) : b_ + knots_[i] - u;
+            const BallGreen green = ball_green(next, right, left, D, offset);
+            moment = green.moment;
+            if (profile_.has_corner(i)) {
+                sum += jumps_[i] * green.value;
+            }
+        }
+        sum += pieces_[i].rate * (moment - previous_moment + w_x * (previous.h - next.h));
+        previous = next;
+        previous_moment = moment;
+    }
+    return modulus_ / (Ball::pi(bits_) * 2) * sum;
+}
+
+Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                       Edge edge, const Exact& u, unsigned digits) {
+    const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
+    return escalate(
+        [&](long bits) {
+            try {
+                return BallContact(profile, contact_modulus, load, bits).pressure(edge, u);
+            } catch (const BudgetError&) {
+                // Too few bits to isolate an edge: everything is possible yet.
+                Ball unknown(1, bits);
+                arb_indeterminate(unknown.data());
+                return unknown;
+            }
+        },
+        [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
+        {wanted + 64, 1L << 18});
+}
+
+} // namespace edgeproof

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/edge.hpp"
+#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/precision/ball.hpp"
+
+#include <vector>
+
+namespace edgeproof {
+
+/// A normal contact in ball arithmetic: every value is an enclosure, proved. For profiles with a
+/// closed form: g' piecewise linear (logarithms), or a power law (Gauss's 2F1). It shares no
+/// numerical code with the routes in Real: the formulas are those of eqn:SIEPressure integrated
+/// exactly, the arithmetic is Arb's.
+///
+/// The edges are enclosed by the interval form of Newton's method, which proves that the edge
+/// inside the ball exists and is the only one. Radii grow with the condition of the problem;
+/// callers ask for more bits (escalate.hpp) until they are narrow enough.
+class BallContact {
+public:
+    /// Throws DomainError for a profile without a closed form, or when `bits` are too few to
+    /// separate the edges from the knots (ask for more).
+    BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
+
+    [[nodiscard]] static bool has_closed_form(const Profile& profile);
+
+    [[nodiscard]] long bits() const noexcept { return bits_; }
+    [[nodiscard]] const Ball& a() const noexcept { return a_; }
+    [[nodiscard]] const Ball& b() const noexcept { return b_; }
+    [[nodiscard]] Ball force() const;
+    [[nodiscard]] Ball moment() const;
+    [[nodiscard]] Ball force_rate() const;      ///< dP/da
+    [[nodiscard]] Ball left_force_rate() const; ///< dP/db
+    /// p at the exact distance u from an edge. Not finite when the ball of x meets a corner.
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
+    [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
+
+private:
+    struct Piece {
+        Ball at_origin;
+        Ball rate;
+    };
+    [[nodiscard]] Ball constant(const Expr& e) const;
+    [[nodiscard]] Ball solve_left_edge(const Ball& a) const;
+    [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P) const;
+    [[nodiscard]] Ball imbalance(const Ball& a, const Ball& b) const;
+    [[nodiscard]] Ball imbalance_rate(const Ball& a, const Ball& b) const;
+    [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
+    [[nodiscard]] Ball force_rate_of(const Ball& a, const Ball& b, Edge edge) const;
+    template <class AtKnot, class Between>
+    [[nodiscard]] Ball over_measure(const Ball& a, const Ball& b, const AtKnot& at_knot,
+                                    const Between& between) const;
+
+    Profile profile_;
+    long bits_;
+    Ball modulus_;
+    std::vector<Ball> knots_;
+    std::vector<Piece> pieces_;
+    std::vector<Ball> jumps_;
+    bool power_law_ = false;
+    Ball exponent_;
+    Ball power_factor_; ///< P = power_factor a^(m+1)
+    Ball a_;
+    Ball b_;
+};
+
+/// The pressure to `digits` correct digits: precision doubles until the enclosure's relative
+/// radius is below 10^-(digits + 2). Throws BudgetError when the budget of bits does not suffice.
+[[nodiscard]] Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus,
+                                     const Load& load, Edge edge, const Exact& u, unsigned digits);
+
+} // namespace edgeproof

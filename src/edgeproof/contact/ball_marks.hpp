@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball.hpp"
+
+namespace edgeproof {
+
+/// A point v of the contact in balls, clamped to it: distances from the edges that may be negative
+/// count as 0 ... their upper end.
+struct BallMark {
+    Ball right;           ///< a - v
+    Ball left;            ///< v + b
+    Ball y;               ///< v - c
+    Ball w;               ///< sqrt((a - v)(v + b))
+    Ball h;               ///< 2 atan sqrt((a - v)/(v + b))
+    bool outside = false; ///< certainly not inside the contact
+
+    [[nodiscard]] static BallMark at(const Ball& a, const Ball& b, const Ball& v);
+    [[nodiscard]] static BallMark right_end(const Ball& a, const Ball& b);
+    [[nodiscard]] static BallMark left_end(const Ball& a, const Ball& b);
+};
+
+/// G(x, v) = ln((sqrt p + sqrt q)^2/(D |v - x|)), p = right_v left_x, q = right_x left_v, and
+/// (v - x) G, which is enclosed also where the ball of v - x holds zero.
+struct BallGreen {
+    Ball value;
+    Ball moment;
+};
+[[nodiscard]] BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
+                                   const Ball& D, const Ball& offset);
+
+} // namespace edgeproof

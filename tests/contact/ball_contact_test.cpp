@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "route_agreement.hpp"
+
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::vector<Contact> all_closed() {
+    std::vector<Contact> all = symmetric();
+    for (const Contact& c : tilted()) {
+        all.push_back(c);
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("balls hold what MPFR finds, and are narrow") {
+    for (const Contact& c : all_closed()) {
+        CAPTURE(c.name);
+        const NormalContact contact(c.profile, c.modulus, c.load, 50);
+        const BallContact balls(c.profile, c.modulus, c.load, 400);
+        const PrecisionScope scope(60);
+        // The MPFR values are good to 50 digits and say so: a ball of that radius must overlap.
+        const auto holds = [&](const Ball& ball, const Real& value) {
+            const Real slack = abs(value) * Real("1e-50");
+            CHECK(overlaps(ball, Ball::around(value, slack, 400)));
+            CHECK(ball.relative_accuracy_bits() > 200);
+        };
+        holds(balls.b(), contact.b());
+        holds(balls.force(), contact.force());
+        holds(balls.force_rate(), contact.force_derivative(1));
+        if (!c.profile.symmetric() && c.name != "tilted flat-and-rounded a=0.2") {
+            holds(balls.moment(), contact.moment());
+        }
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            for (const char* fraction : {"1e-30", "0.013", "0.3", "0.47"}) {
+                const Exact u = exact(fraction);
+                if (!(u.to<Real>() < contact.a() + contact.b())) {
+                    continue;
+                }
+                CAPTURE(fraction);
+                holds(balls.pressure(edge, u),
+                      contact.pressure(edge, u, Route::singular_integral).value);
+            }
+        }
+    }
+}
+
+TEST_CASE("a force given: the edge is isolated, and it is the right one") {
+    for (const Contact& c : {symmetric()[6], symmetric()[2], tilted()[0], tilted()[4]}) {
+        CAPTURE(c.name);
+        const BallContact from_force(c.profile, c.modulus, Load::force(exact("0.05")), 300);
+        CHECK(overlaps(from_force.force(), Ball(Rational(1, 20), 300)));
+        CHECK(from_force.a().relative_accuracy_bits() > 200);
+        const NormalContact contact(c.profile, c.modulus, Load::force(exact("0.05")), 40);
+        CHECK(overlaps(from_force.a(),
+                       Ball::around(contact.a(), Real(contact.a() * Real("1e-40")), 300)));
+    }
+}
+
+TEST_CASE("escalation reaches the digits asked in the hard places") {
+    const Contact flat = symmetric()[6];
+    // 1e-30 beside a knot, on it, and 1e-300 from the edge.
+    for (const char* u : {"1.1000000000000000000000000000001", "1.1", "1e-300"}) {
+        CAPTURE(u);
+        const Ball p =
+            enclosed_pressure(flat.profile, flat.modulus, flat.load, Edge::right, exact(u), 50);
+        CHECK(round_ball(p, 50).complete);
+        const NormalContact contact(flat.profile, flat.modulus, flat.load, 55);
+        const PrecisionScope scope(60);
+        CHECK(common_digits(contact.pressure(Edge::right, exact(u)).value, p.midpoint()) >= 50);
+    }
+    // The apex of a wedge carries no finite value: the budget ends, it is not guessed.
+    const Contact wedge = tilted()[0];
+    CHECK_THROWS_AS((void)enclosed_pressure(wedge.profile, wedge.modulus, wedge.load, Edge::right,
+                                            exact("1.5"), 50),
+                    BudgetError);
+    CHECK_THROWS_AS(
+        BallContact(own_symmetric().profile, exact("1"), Load::right_edge(exact("1")), 100),
+        DomainError);
+}
+
+TEST_CASE("the tilted wedge in balls: gamma from 1e-25 to 1 - 1e-25") {
+    // b = gamma a by hand (moore-hills.tex line 301 read as a construction of alpha):
+    // alpha = (2 phi/pi) asin((1-gamma)/(1+gamma)).
+    for (const char* gamma : {"1e-25", "1e-3", "0.5", "1 - 1e-25"}) {
+        CAPTURE(gamma);
+        const std::string g = std::string("(") + gamma + ")";
+        const Exact alpha = exact("2*(pi/7)/pi*asin((1-" + g + ")/(1+" + g + "))");
+        const Profile profile = Profile::tilted_wedge(exact("pi/7"), alpha);
+        const BallContact balls(profile, exact("3"), Load::right_edge(exact("7/5")), 500);
+        const Ball expected = Ball(exact(gamma).rational(), 500) * 7 / 5;
+        CHECK(overlaps(balls.b(), expected));
+        CHECK(balls.b().relative_accuracy_bits() > 250);
+    }
+}

@@ -3,6 +3,7 @@
 /// The mechanics of an incomplete contact between half-planes, from the bottom up:
 ///   profile.hpp          Profile: g'(x), exact
 ///   normal_contact.hpp   NormalContact: the exact problem, answered to the digits asked
+///   work.hpp             Counts and Work: what was done, counted where it is done
 ///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
 ///   pressure_routes.hpp  p(x) by routes that share no formula
 ///   ball_contact.hpp     the same contact in balls: enclosures that are proved
@@ -21,3 +22,4 @@
 #include "edgeproof/contact/profile.hpp"
 #include "edgeproof/contact/shear_traction.hpp"
 #include "edgeproof/contact/tilt_solver.hpp"
+#include "edgeproof/contact/work.hpp"

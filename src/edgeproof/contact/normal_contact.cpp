@@ -72,9 +72,10 @@ struct NormalContact::Solved {
     std::unique_ptr<ContactLaw<Real>> mirror;
 };
 
-NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits)
+NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
+                             Work* work)
     : profile_(std::move(profile)), modulus_(std::move(contact_modulus)), load_(std::move(load)),
-      digits_(digits) {
+      digits_(digits), work_(work) {
     if (modulus_.sign() <= 0) {
         throw InputError("the contact modulus " + modulus_.text() + " is not positive",
                          "give E* > 0");
@@ -116,6 +117,14 @@ const Load& NormalContact::load() const noexcept { return load_; }
 NormalContact::Solved& NormalContact::at(unsigned working) const {
     auto& slot = solved_[working];
     if (!slot) {
+        if (work_ != nullptr) {
+            if (solved_.size() > 1) {
+                ++work_->raised;
+            } else {
+                work_->counts.consistency += profile_.symmetric() ? 0 : 1;
+                work_->counts.load_inversions += load_.kind == Load::Kind::force ? 1 : 0;
+            }
+        }
         const PrecisionScope scope(working);
         slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
     }
@@ -248,12 +257,19 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         throw BudgetError("the quadrature of " + route_name(route) +
                           " did not converge within its levels");
     }
+    if (work_ != nullptr) {
+        ++(route == Route::closed_form ? work_->counts.closed_forms : work_->counts.quadratures);
+        work_->evaluations += p.evaluations;
+    }
     // Roundoff of the whole computation, with the guard that the gaps have eaten given back.
     const Real roundoff = pow(Real(10), -static_cast<int>(target));
     return {p.value, p.estimate > roundoff ? p.estimate : roundoff, route, p.evaluations, working};
 }
 
 std::vector<Real> NormalContact::expansion(Edge edge, std::size_t terms) const {
+    if (work_ != nullptr) {
+        ++work_->counts.expansions;
+    }
     // High coefficients are sums that cancel by up to the binomials in them.
     const unsigned working = base_working_ + static_cast<unsigned>(terms);
     const Solved& s = at(working);

@@ -3,6 +3,7 @@
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/profile.hpp"
+#include "edgeproof/contact/work.hpp"
 
 #include <map>
 #include <memory>
@@ -46,7 +47,9 @@ struct Estimated {
 class NormalContact {
 public:
     /// Throws InputError when the load is not positive, DomainError when no contact carries it.
-    NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits);
+    /// What is done is counted in `work`, which must outlive the contact, where one is given.
+    NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
+                  Work* work = nullptr);
     ~NormalContact();
     NormalContact(NormalContact&&) noexcept;
     NormalContact& operator=(NormalContact&&) noexcept;
@@ -95,6 +98,7 @@ private:
     Load load_;
     unsigned digits_;
     unsigned base_working_ = 0;
+    Work* work_;
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 

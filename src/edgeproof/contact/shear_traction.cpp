@@ -32,8 +32,8 @@ unsigned digits_lost(const Sum& s) {
 
 } // namespace
 
-ShearTraction::ShearTraction(const NormalContact& contact, ShearSpec spec)
-    : contact_(contact), spec_(std::move(spec)) {
+ShearTraction::ShearTraction(const NormalContact& contact, ShearSpec spec, Work* work)
+    : contact_(contact), spec_(std::move(spec)), work_(work) {
     if (spec_.path == LoadingPath::together && spec_.bulk_tension.sign() != 0) {
         throw InputError("P and Q grow together under a bulk tension of " +
                              spec_.bulk_tension.text(),
@@ -77,12 +77,36 @@ template <class At> EstimatedTraction ShearTraction::escalated(const At& at) con
     }
 }
 
+EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
+    if (work_ != nullptr) {
+        ++work_->counts.shear_points;
+    }
+    const PrecisionScope scope(pressure.working_digits);
+    const Real q = spec_.Q.to<Real>() / contact_.force() * pressure.value;
+    return {q, Real(abs(q) * pressure.estimate), pressure.working_digits};
+}
+
+std::vector<EstimatedTraction> ShearTraction::similar_to(const std::vector<Real>& c) const {
+    if (work_ != nullptr) {
+        ++work_->counts.shear_expansions;
+    }
+    const unsigned working = contact_.a().precision();
+    const PrecisionScope scope(working);
+    const Real factor = spec_.Q.to<Real>() / contact_.force();
+    const Real relative = pow(Real(10), -static_cast<int>(contact_.digits() + spare_digits));
+    std::vector<EstimatedTraction> s;
+    for (const Real& x : c) {
+        s.push_back({Real(factor * x), Real(abs(Real(factor * x)) * relative), working});
+    }
+    return s;
+}
+
 EstimatedTraction ShearTraction::traction(Edge edge, const Exact& u) const {
     if (spec_.path == LoadingPath::together) {
-        const Estimated p = contact_.pressure(edge, u);
-        const PrecisionScope scope(p.working_digits);
-        const Real q = spec_.Q.to<Real>() / contact_.force() * p.value;
-        return {q, Real(abs(q) * p.estimate), p.working_digits};
+        return similar_to(contact_.pressure(edge, u));
+    }
+    if (work_ != nullptr) {
+        ++work_->counts.shear_points;
     }
     return escalated([&](const NormalContact& contact) {
         const Extent<Real> e{contact.a(), contact.b()};
@@ -105,17 +129,13 @@ EstimatedTraction ShearTraction::traction(Edge edge, const Real& u) const {
 }
 
 std::vector<EstimatedTraction> ShearTraction::expansion(Edge edge, std::size_t terms) const {
-    std::vector<EstimatedTraction> s;
     if (spec_.path == LoadingPath::together) {
-        const unsigned working = contact_.a().precision();
-        const PrecisionScope scope(working);
-        const Real factor = spec_.Q.to<Real>() / contact_.force();
-        const Real relative = pow(Real(10), -static_cast<int>(contact_.digits() + spare_digits));
-        for (const Real& c : contact_.expansion(edge, terms)) {
-            s.push_back({Real(factor * c), Real(abs(Real(factor * c)) * relative), working});
-        }
-        return s;
+        return similar_to(contact_.expansion(edge, terms));
     }
+    if (work_ != nullptr) {
+        ++work_->counts.shear_expansions;
+    }
+    std::vector<EstimatedTraction> s;
     for (std::size_t k = 0; k < terms; ++k) {
         s.push_back(escalated([&](const NormalContact& contact) {
             const Real length = contact.a() + contact.b();

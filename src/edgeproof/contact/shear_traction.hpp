@@ -40,9 +40,9 @@ struct EstimatedTraction {
 /// cites Hills2011 for it).
 class ShearTraction {
 public:
-    /// Keeps a reference to `contact`. Throws InputError for a bulk tension on the path `together`:
-    /// the similarity holds without one only.
-    ShearTraction(const NormalContact& contact, ShearSpec spec);
+    /// Keeps references to `contact` and `work` (where what is done is counted). Throws InputError
+    /// for a bulk tension on the path `together`: the similarity holds without one only.
+    ShearTraction(const NormalContact& contact, ShearSpec spec, Work* work = nullptr);
 
     [[nodiscard]] const ShearSpec& spec() const noexcept { return spec_; }
     /// Throws DomainError for u outside (0, a + b), as NormalContact::pressure does.
@@ -50,6 +50,9 @@ public:
     [[nodiscard]] EstimatedTraction traction(Edge edge, const Real& u) const;
     /// The coefficients of u^(k-1/2) (normal_first) or u^(k+1/2) (together), k < terms.
     [[nodiscard]] std::vector<EstimatedTraction> expansion(Edge edge, std::size_t terms) const;
+    /// On the path `together`, from a pressure or coefficients of p that are known already.
+    [[nodiscard]] EstimatedTraction similar_to(const Estimated& pressure) const;
+    [[nodiscard]] std::vector<EstimatedTraction> similar_to(const std::vector<Real>& c) const;
     /// Twice the power of u that the expansion starts with: -1 or 1.
     [[nodiscard]] int leading_half_powers() const noexcept {
         return spec_.path == LoadingPath::together ? 1 : -1;
@@ -64,6 +67,7 @@ private:
 
     const NormalContact& contact_;
     ShearSpec spec_;
+    Work* work_;
     mutable std::map<unsigned, std::unique_ptr<NormalContact>> finer_;
 };
 

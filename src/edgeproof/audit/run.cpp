@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/run.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+Outcome check_one(const Claim& claim, const AuditContext& context) {
+    const CheckKind* kind = find_check_kind(claim.kind);
+    if (kind == nullptr) {
+        throw Error("no kind of check is called " + claim.kind);
+    }
+    try {
+        return kind->check(claim, context);
+    } catch (const InputError&) {
+        throw;
+    } catch (const BudgetError& e) {
+        Outcome o;
+        o.verdict = Verdict::undecided;
+        o.note = e.what();
+        return o;
+    }
+}
+
+std::string join(const std::vector<std::string>& parts, const std::string& between) {
+    std::string text;
+    for (const std::string& part : parts) {
+        text += (text.empty() ? "" : between) + part;
+    }
+    return text;
+}
+
+/// The outcome that follows from those under the readings; `undefined` names what print leaves out.
+Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Outcome>>& readings) {
+    Outcome all;
+    std::vector<Verdict> verdicts;
+    std::vector<std::string> holding;
+    std::vector<std::string> failing;
+    Evidence each;
+    for (const auto& [text, outcome] : readings) {
+        verdicts.push_back(outcome.verdict);
+        (holds(outcome.verdict) ? holding : failing).push_back(text);
+        Evidence one;
+        one.add("verdict", name_of(outcome.verdict));
+        if (!outcome.note.empty()) {
+            one.add("note", outcome.note);
+        }
+        if (outcome.computed) {
+            one.add("computed", *outcome.computed);
+        }
+        if (outcome.correct) {
+            one.add("correct", *outcome.correct);
+        }
+        for (const auto& [key, item] : outcome.evidence.entries()) {
+            one.add(key, item);
+        }
+        each.add(text, one);
+        if (!all.computed && outcome.computed) {
+            all.computed = outcome.computed;
+        }
+        if (!holds(outcome.verdict) && !all.correct && outcome.correct) {
+            all.correct = outcome.correct;
+        }
+    }
+    all.verdict = combine_readings(verdicts);
+    if (!claim.undefined.empty()) {
+        all.verdict = Verdict::underspecified;
+        all.note = "not defined in print: " + join(claim.undefined, ", ") + "; " +
+                   (holding.empty() ? "holds under none of the readings tried"
+                                    : "would hold for: " + join(holding, "; "));
+    } else if (all.verdict == Verdict::imprecise && !holding.empty()) {
+        all.note = "holds for: " + join(holding, "; ") + ". Not for: " + join(failing, "; ");
+    } else if (!readings.empty()) {
+        all.note = readings.front().second.note;
+    }
+    all.evidence.add("readings", each);
+    return all;
+}
+
+} // namespace
+
+Verdict combine_readings(const std::vector<Verdict>& verdicts) {
+    const auto count = [&](auto&& test) {
+        return std::count_if(verdicts.begin(), verdicts.end(), test);
+    };
+    const auto n = static_cast<std::ptrdiff_t>(verdicts.size());
+    const auto holding = count([](Verdict v) { return holds(v); });
+    const auto is = [&](Verdict which) { return count([&](Verdict v) { return v == which; }); };
+    if (n == 0) {
+        return Verdict::undecided;
+    }
+    if (holding == n) {
+        if (is(Verdict::definition) == n) {
+            return Verdict::definition;
+        }
+        return is(Verdict::proved) + is(Verdict::definition) == n ? Verdict::proved
+                                                                  : Verdict::confirmed;
+    }
+    if (is(Verdict::refuted) == n) {
+        return Verdict::refuted;
+    }
+    if (is(Verdict::underspecified) == n) {
+        return Verdict::underspecified;
+    }
+    // Something holds and something is known not to, or holds in part only.
+    const auto known_not =
+        is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
+    if ((holding > 0 && known_not > 0) || is(Verdict::imprecise) > 0) {
+        return Verdict::imprecise;
+    }
+    return Verdict::undecided;
+}
+
+bool matches(std::string_view pattern, std::string_view text) {
+    if (pattern.empty()) {
+        return text.empty();
+    }
+    if (pattern[0] == '*') {
+        return matches(pattern.substr(1), text) ||
+               (!text.empty() && matches(pattern, text.substr(1)));
+    }
+    return !text.empty() && (pattern[0] == '?' || pattern[0] == text[0]) &&
+           matches(pattern.substr(1), text.substr(1));
+}
+
+AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
+    std::vector<const Claim*> chosen;
+    for (const Claim& claim : ledger.claims) {
+        if (matches(options.only, claim.id)) {
+            chosen.push_back(&claim);
+        }
+    }
+    if (chosen.empty()) {
+        throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
+                         "give a pattern such as 'EQ2*' or 'S??'");
+    }
+    const AuditContext context(ledger, options.digits);
+    AuditResult result;
+    result.ledger = ledger.name;
+    result.source = ledger.source;
+    result.digits = options.digits;
+    result.claims.resize(chosen.size());
+    std::atomic<std::size_t> done{0};
+    std::atomic<bool> skipped{false};
+    const auto run_claim = [&](std::size_t i) {
+        if (options.stop != nullptr && options.stop->load()) {
+            skipped = true;
+            return;
+        }
+        const Claim& claim = *chosen[i];
+        ClaimResult& r = result.claims[i];
+        r.claim = claim;
+        if (claim.readings.empty() && claim.undefined.empty()) {
+            r.outcome = check_one(claim, context);
+        } else {
+            for (const Claim::Reading& reading : claim.readings) {
+                r.readings.emplace_back(reading.text,
+                                        check_one(under_reading(ledger, claim, reading), context));
+            }
+            r.outcome = combined(claim, r.readings);
+        }
+        const std::size_t now = ++done;
+        if (options.progress) {
+            options.progress(now, chosen.size());
+        }
+    };
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        // One claim a task: they differ a thousandfold in what they cost.
+        tbb::parallel_for(std::size_t{0}, chosen.size(), run_claim, tbb::simple_partitioner());
+    });
+    if (skipped) {
+        throw Interrupted("stopped before all claims were checked");
+    }
+    return result;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/check.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+
+/// What was found of one claim: the outcome under each reading, and what follows from all.
+struct ClaimResult {
+    Claim claim;
+    Outcome outcome;
+    std::vector<std::pair<std::string, Outcome>> readings;
+};
+
+/// An audit's results, in the order of the ledger.
+struct AuditResult {
+    std::string ledger;
+    std::string source;
+    unsigned digits = 0;
+    std::vector<ClaimResult> claims;
+};
+
+struct AuditOptions {
+    unsigned digits = 50;
+    int threads = 0;        ///< 0: as many as the machine has
+    std::string only = "*"; ///< a pattern of ids, * and ? as in a shell
+    std::function<void(std::size_t done, std::size_t total)> progress; ///< from any thread
+    const std::atomic<bool>* stop = nullptr; ///< set: no further claim is begun
+};
+
+/// Runs the claims of a ledger whose ids match. Results do not depend on the number of threads.
+/// Throws InputError where the pattern matches nothing, Interrupted when stopped.
+[[nodiscard]] AuditResult run_audit(const Ledger& ledger, const AuditOptions& options);
+
+class Interrupted : public Error {
+public:
+    using Error::Error;
+};
+
+/// What the outcomes under several readings of the same words come to: all hold: the claim holds;
+/// some: imprecise; none: refuted (or undecided, where the evidence did not decide).
+[[nodiscard]] Verdict combine_readings(const std::vector<Verdict>& verdicts);
+
+/// Whether an id matches a pattern with * and ?.
+[[nodiscard]] bool matches(std::string_view pattern, std::string_view text);
+
+} // namespace edgeproof

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// The program's subcommands, a file each. Every one adds itself to the command line and, when it
+/// is the one asked for, leaves its exit code in `code`: 0 good, 1 differs or fails the target, 2
+/// bad input.
+#include <CLI/CLI.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <string>
+
+namespace edgeproof::cli {
+
+void add_verify(CLI::App& app, int& code);
+
+/// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
+[[nodiscard]] const std::atomic<bool>& interrupted();
+
+/// A count of work done, on stderr, only where that is a terminal; wiped when it ends.
+class Progress {
+public:
+    explicit Progress(std::string what);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    /// From any thread.
+    void operator()(std::size_t done, std::size_t total);
+
+private:
+    std::string what_;
+    bool terminal_;
+    std::atomic<std::size_t> shown_{0};
+};
+
+/// Columns of the terminal on stdout, 100 where it is none.
+[[nodiscard]] std::size_t terminal_width();
+[[nodiscard]] bool stdout_is_terminal();
+
+} // namespace edgeproof::cli

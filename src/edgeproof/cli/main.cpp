@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace edgeproof::cli {
+namespace {
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+extern "C" void on_signal(int) { stop = true; }
+} // namespace
+const std::atomic<bool>& interrupted() { return stop; }
+} // namespace edgeproof::cli
+
+int main(int argc, char** argv) {
+    using namespace edgeproof;
+    std::signal(SIGINT, cli::on_signal);
+    std::signal(SIGTERM, cli::on_signal);
+    int code = 0;
+    CLI::App app{"Contact pressures near an edge, to any number of digits, and claims held to them",
+                 "edgeproof"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", std::string("edgeproof ") + EDGEPROOF_VERSION);
+    cli::add_verify(app, code);
+    try {
+        app.parse(argc, argv);
+        return code;
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) {
+            return app.exit(e); // --help and --version
+        }
+        std::fprintf(stderr, "edgeproof: %s; see edgeproof --help\n", e.what());
+        return 2;
+    } catch (const Error& e) {
+        std::fprintf(stderr, "%s\n", e.what());
+        return 2;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "edgeproof: out of memory; ask for fewer digits\n");
+        return 2;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "edgeproof: %s\n", e.what());
+        return 2;
+    }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/run.hpp"
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/report.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct Options {
+    std::string ledger;
+    long long digits = 50;
+    std::string out;
+    std::string only = "*";
+    int threads = 0;
+    bool record = false;
+};
+
+constexpr long long most_digits = 10000;
+
+int verify(const Options& o) {
+    if (o.digits < 10 || o.digits > most_digits) {
+        throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
+                         "give a number of digits from 10 to " + std::to_string(most_digits));
+    }
+    const Ledger ledger = read_ledger(o.ledger);
+    if (!o.out.empty()) {
+        make_folder(o.out); // before minutes of work, not after
+    }
+    AuditOptions options;
+    options.digits = static_cast<unsigned>(o.digits);
+    options.threads = o.threads;
+    options.only = o.only;
+    options.stop = &interrupted();
+    AuditResult result;
+    {
+        Progress progress("claims");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        result = run_audit(ledger, options);
+    }
+    if (!o.out.empty()) {
+        const std::filesystem::path out = o.out;
+        write_whole(out / "verdicts.json", verdicts_json(result));
+        write_whole(out / "verdicts.csv", verdicts_csv(result));
+        write_whole(out / "verdicts.md", verdicts_markdown(result));
+        write_whole(out / "verdicts.tex", verdicts_latex(result));
+    }
+    std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
+
+    const std::filesystem::path golden = golden_file(o.ledger);
+    if (o.record) {
+        if (o.only != "*") {
+            throw InputError("--record with --only would forget the other claims",
+                             "record all of them");
+        }
+        write_whole(golden, golden_text(result));
+        std::printf("recorded in %s\n", golden.string().c_str());
+        return 0;
+    }
+    if (!std::filesystem::exists(golden)) {
+        return 0;
+    }
+    const std::vector<std::string> differences = golden_differences(result, golden, o.only);
+    for (const std::string& line : differences) {
+        std::printf("differs from %s: %s\n", golden.filename().string().c_str(), line.c_str());
+    }
+    if (differences.empty()) {
+        std::printf("as recorded in %s\n", golden.filename().string().c_str());
+    }
+    return differences.empty() ? 0 : 1;
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, int& code) {
+    CLI::App* sub =
+        app.add_subcommand("verify", "hold a ledger of printed claims to the mechanics");
+    auto o = std::make_shared<Options>();
+    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
+    sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
+    sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md and .tex");
+    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
+    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
+        ->check(CLI::Range(0, 1024));
+    sub->add_flag("--record", o->record, "write the golden verdicts beside the ledger");
+    sub->callback([o, &code] { code = verify(*o); });
+}
+
+} // namespace edgeproof::cli

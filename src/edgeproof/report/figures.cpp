@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/figures.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::array okabe_ito{"#000000", "#E69F00", "#56B4E9", "#009E73",
+                               "#F0E442", "#0072B2", "#D55E00", "#CC79A7"};
+
+/// For a double-quoted string of gnuplot, with its markup (^, _, @, &, {, }) switched off where
+/// the string is set.
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            out += '\\';
+        }
+        out += c == '\n' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+std::size_t column_index(const Plot& plot, std::string_view name) {
+    const auto found = std::ranges::find(plot.columns, name);
+    if (found == plot.columns.end()) {
+        throw Error(fmt::format("figure {} has no column {}", plot.id, name));
+    }
+    return static_cast<std::size_t>(found - plot.columns.begin());
+}
+
+std::string row_text(const std::vector<std::optional<Real>>& row, std::string_view separator,
+                     std::string_view missing) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        line += i == 0 ? "" : separator;
+        line += row[i] ? to_decimal(*row[i], figure_digits) : std::string(missing);
+    }
+    return line + '\n';
+}
+
+void set_axis(std::string& script, char name, const Axis& axis) {
+    script += fmt::format("set {}label {} noenhanced\n", name, quoted(axis.label));
+    if (axis.logarithmic) {
+        script += fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name);
+    }
+    if (axis.range) {
+        script += fmt::format("set {}range [{}:{}]\n", name, axis.range->first, axis.range->second);
+    }
+}
+
+} // namespace
+
+std::string to_csv(const Plot& plot) {
+    std::string csv = "# " + plot.title + '\n';
+    csv += "# " + plot.description + '\n';
+    for (std::size_t i = 0; i < plot.columns.size(); ++i) {
+        csv += (i == 0 ? "" : ",") + plot.columns[i];
+    }
+    csv += '\n';
+    for (const auto& row : plot.rows) {
+        csv += row_text(row, ",", "");
+    }
+    return csv;
+}
+
+std::string gnuplot_script(const Plot& plot, std::string_view output) {
+    std::string script = "set encoding utf8\n";
+    script += fmt::format("set terminal svg size 560,400 dynamic font \"sans-serif,14\" name {}\n",
+                          quoted(plot.id));
+    script += fmt::format("set output {}\n", quoted(output));
+    script += fmt::format("set title {} noenhanced\n", quoted(plot.title));
+    script += "set key bottom right reverse Left samplen 3 noenhanced\n";
+    if (plot.y.logarithmic && !plot.x.logarithmic) {
+        script += "set key bottom right\n";
+    } else if (!plot.y.logarithmic) {
+        script += "set key outside below center horizontal\n";
+    }
+    script += "set grid back lc rgb \"#999999\" lw 0.5 dt 3\n";
+    set_axis(script, 'x', plot.x);
+    set_axis(script, 'y', plot.y);
+    script += "$data << END_OF_DATA\n";
+    for (const auto& row : plot.rows) {
+        script += row_text(row, " ", "NaN");
+    }
+    script += "END_OF_DATA\nplot ";
+    bool first = true;
+    for (const Curve& curve : plot.curves) {
+        const auto colour = okabe_ito[static_cast<std::size_t>(curve.pen.colour)];
+        script += fmt::format("{}$data using 1:{} with {} lw {} dt {} lc rgb \"{}\"",
+                              first ? "" : ", \\\n     ", column_index(plot, curve.column) + 1,
+                              curve.pen.point ? "linespoints" : "lines", curve.pen.width,
+                              curve.pen.dash, colour);
+        if (curve.pen.point) {
+            script += fmt::format(" pt {} ps 0.6", *curve.pen.point);
+        }
+        script += " title " + quoted(curve.title);
+        first = false;
+    }
+    if (plot.level) {
+        script += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb \"#000000\" title {}",
+                              plot.level->first, quoted(plot.level->second));
+    }
+    return script + '\n';
+}
+
+} // namespace edgeproof

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace edgeproof {
+
+/// Writes the text beside `file` and renames it: a reader sees the old file or the whole new one,
+/// whatever happens in between. Throws InputError where it cannot be written (the part written is
+/// removed).
+void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// Makes a folder (and those above it). Throws InputError where that cannot be done, or where
+/// nothing can be written into it.
+void make_folder(const std::filesystem::path& folder);
+
+} // namespace edgeproof

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// What people look at.
+///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
+///   golden.hpp           an audit held against the verdicts recorded before
+///   files.hpp            files written aside and renamed: whole or not at all
+#include "edgeproof/report/files.hpp"
+#include "edgeproof/report/golden.hpp"
+#include "edgeproof/report/verdict_writers.hpp"

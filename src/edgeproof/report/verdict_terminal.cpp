@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/verdict_writers.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+/// Code points, as columns: the texts are ASCII but for what a ledger's author puts in.
+std::size_t columns(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    const std::size_t n = columns(text);
+    return n < width ? text + std::string(width - n, ' ') : text;
+}
+
+/// Words laid out in lines of at most `width` columns; a longer word is cut.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+    std::vector<std::string> lines;
+    std::string line;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::size_t end = text.find(' ', at);
+        end = end == std::string::npos ? text.size() : end;
+        std::string word = text.substr(at, end - at);
+        at = end + 1;
+        while (word.size() > width) {
+            if (!line.empty()) {
+                lines.push_back(std::move(line));
+                line.clear();
+            }
+            lines.push_back(word.substr(0, width));
+            word.erase(0, width);
+        }
+        if (!line.empty() && columns(line) + 1 + columns(word) > width) {
+            lines.push_back(std::move(line));
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    if (!line.empty() || lines.empty()) {
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+const char* colour_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::proved:
+    case Verdict::confirmed:
+        return "\033[32m";
+    case Verdict::refuted:
+        return "\033[31m";
+    case Verdict::imprecise:
+    case Verdict::underspecified:
+    case Verdict::undecided:
+        return "\033[33m";
+    case Verdict::definition:
+        break;
+    }
+    return "\033[2m";
+}
+
+/// What a row says beside its verdict: the figure, then the remark.
+std::string remark(const ClaimResult& r) {
+    std::string text;
+    if (r.outcome.computed) {
+        text = (r.claim.has("quoted") ? r.claim.text("quoted") + " quoted, " : std::string()) +
+               *r.outcome.computed + " computed";
+    }
+    if (!r.outcome.note.empty()) {
+        text += (text.empty() ? "" : "; ") + r.outcome.note;
+    }
+    return text;
+}
+
+} // namespace
+
+std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool colour) {
+    std::size_t id_width = 2;
+    for (const ClaimResult& r : result.claims) {
+        id_width = std::max(id_width, columns(r.claim.id));
+    }
+    constexpr std::size_t verdict_width = 14;
+    const std::size_t left = id_width + 2 + verdict_width + 2;
+    const std::size_t rest = width > left + 30 ? width - left : 30;
+    const auto paint = [&](Verdict v, const std::string& text) {
+        return colour ? colour_of(v) + text + "\033[0m" : text;
+    };
+    std::string out = padded("id", id_width) + "  " + padded("verdict", verdict_width) +
+                      "  what was found\n" +
+                      std::string(left + std::min<std::size_t>(rest, 60), '-') + "\n";
+    for (const ClaimResult& r : result.claims) {
+        const std::vector<std::string> lines = wrapped(remark(r), rest);
+        std::string first = padded(r.claim.id, id_width) + "  " +
+                            paint(r.outcome.verdict,
+                                  padded(std::string(name_of(r.outcome.verdict)), verdict_width)) +
+                            (lines[0].empty() ? "" : "  " + lines[0]);
+        while (!first.empty() && first.back() == ' ') {
+            first.pop_back();
+        }
+        out += first + "\n";
+        for (std::size_t k = 1; k < lines.size(); ++k) {
+            out += std::string(left, ' ') + lines[k] + "\n";
+        }
+    }
+    bool any = false;
+    for (const ClaimResult& r : result.claims) {
+        if (r.outcome.verdict != Verdict::refuted) {
+            continue;
+        }
+        if (!any) {
+            out += "\nErrata\n" + std::string(6, '-') + "\n";
+            any = true;
+        }
+        out += paint(Verdict::refuted, r.claim.id) + " (lines " +
+               std::to_string(r.claim.lines.first) + "-" + std::to_string(r.claim.lines.second) +
+               ")\n";
+        if (r.claim.has("says")) {
+            out += "  printed  " + r.claim.text("says") + "\n";
+        }
+        if (r.outcome.correct) {
+            out += "  correct  " + *r.outcome.correct + "\n";
+        }
+        if (r.outcome.computed && r.claim.has("quoted")) {
+            out += "  quoted   " + r.claim.text("quoted") + "\n  computed " + *r.outcome.computed +
+                   "\n";
+        }
+    }
+    out += "\n" + std::to_string(result.claims.size()) + " claims at " +
+           std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
+    return out;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/verdict_writers.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const EvidenceItem& item);
+
+Json to_json(const Evidence& evidence) {
+    Json object = Json::object();
+    for (const auto& [key, item] : evidence.entries()) {
+        object[key] = to_json(item);
+    }
+    return object;
+}
+
+Json to_json(const EvidenceItem& item) {
+    return std::visit(
+        [](const auto& value) -> Json {
+            using V = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<V, Evidence>) {
+                return to_json(value);
+            } else if constexpr (std::is_same_v<V, std::vector<EvidenceItem>>) {
+                Json list = Json::array();
+                for (const EvidenceItem& part : value) {
+                    list.push_back(to_json(part));
+                }
+                return list;
+            } else {
+                return value;
+            }
+        },
+        item.value());
+}
+
+Json or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+
+std::optional<std::string> quoted(const Claim& claim) {
+    if (!claim.has("quoted")) {
+        return {};
+    }
+    return claim.text("quoted");
+}
+
+std::string lines_text(const Claim& claim) {
+    return claim.lines.first == claim.lines.second
+               ? std::to_string(claim.lines.first)
+               : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+        text.replace(at, from.size(), to);
+    }
+    return text;
+}
+
+std::string markdown_cell(const std::string& text) {
+    return replaced(replaced(text, "|", "\\|"), "\n", " ");
+}
+
+std::string latex_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '\\':
+            out += "\\textbackslash{}";
+            break;
+        case '~':
+            out += "\\textasciitilde{}";
+            break;
+        case '^':
+            out += "\\textasciicircum{}";
+            break;
+        case '_':
+        case '%':
+        case '&':
+        case '#':
+        case '$':
+        case '{':
+        case '}':
+            out += '\\';
+            out += c;
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::array<std::size_t, all_verdicts.size()> count_verdicts(const AuditResult& result) {
+    std::array<std::size_t, all_verdicts.size()> counts{};
+    for (const ClaimResult& r : result.claims) {
+        ++counts[static_cast<std::size_t>(
+            std::find(all_verdicts.begin(), all_verdicts.end(), r.outcome.verdict) -
+            all_verdicts.begin())];
+    }
+    return counts;
+}
+
+std::string counts_line(const AuditResult& result) {
+    const auto counts = count_verdicts(result);
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) {
+            text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " +
+                    std::string(name_of(all_verdicts[i]));
+        }
+    }
+    return text;
+}
+
+std::string verdicts_json(const AuditResult& result) {
+    Json root;
+    root["ledger"] = result.ledger;
+    root["digits"] = result.digits;
+    Json claims = Json::array();
+    for (const ClaimResult& r : result.claims) {
+        Json c;
+        c["id"] = r.claim.id;
+        c["verdict"] = std::string(name_of(r.outcome.verdict));
+        c["printed"] = r.claim.printed;
+        c["correct"] = or_null(r.outcome.correct);
+        c["quoted"] = or_null(quoted(r.claim));
+        c["computed"] = or_null(r.outcome.computed);
+        c["note"] = r.outcome.note;
+        Json evidence = Json::object();
+        evidence["lines"] = lines_text(r.claim);
+        evidence["kind"] = r.claim.kind;
+        if (r.claim.has("says")) {
+            evidence["says"] = r.claim.text("says");
+        }
+        for (const auto& [key, item] : r.outcome.evidence.entries()) {
+            evidence[key] = to_json(item);
+        }
+        c["evidence"] = std::move(evidence);
+        claims.push_back(std::move(c));
+    }
+    root["claims"] = std::move(claims);
+    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    return "\"" + replaced(replaced(text, "\"", "\"\""), "\n", " ") + "\"";
+}
+
+std::string verdicts_csv(const AuditResult& result) {
+    std::string out = "id,lines,verdict,quoted,computed,correct,note,printed\n";
+    for (const ClaimResult& r : result.claims) {
+        out += r.claim.id + "," + lines_text(r.claim) + "," +
+               std::string(name_of(r.outcome.verdict)) + "," +
+               csv_cell(quoted(r.claim).value_or("")) + "," +
+               csv_cell(r.outcome.computed.value_or("")) + "," +
+               csv_cell(r.outcome.correct.value_or("")) + "," + csv_cell(r.outcome.note) + "," +
+               csv_cell(r.claim.printed) + "\n";
+    }
+    return out;
+}
+
+std::string verdicts_markdown(const AuditResult& result) {
+    std::string out = "# " + result.ledger + "\n\n" + result.source + "\n\n" +
+                      std::to_string(result.claims.size()) + " claims at " +
+                      std::to_string(result.digits) + " digits: " + counts_line(result) + ".\n\n";
+    out += "| id | lines | verdict | quoted | computed | correct | note |\n"
+           "|---|---|---|---|---|---|---|\n";
+    for (const ClaimResult& r : result.claims) {
+        const auto code = [](const std::optional<std::string>& text) {
+            return text ? "`" + markdown_cell(*text) + "`" : std::string();
+        };
+        out += "| " + r.claim.id + " | " + lines_text(r.claim) + " | " +
+               std::string(name_of(r.outcome.verdict)) + " | " +
+               markdown_cell(quoted(r.claim).value_or("")) + " | " +
+               markdown_cell(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
+               " | " + markdown_cell(r.outcome.note) + " |\n";
+    }
+    return out;
+}
+
+std::string verdicts_latex(const AuditResult& result) {
+    std::string out = "% " + result.ledger + ": " + counts_line(result) + "\n" +
+                      "% needs the package longtable\n"
+                      "\\begin{longtable}{llllp{0.5\\textwidth}}\n"
+                      "claim & lines & verdict & computed & note \\\\ \\hline \\endhead\n";
+    for (const ClaimResult& r : result.claims) {
+        std::string note = latex_text(r.outcome.note);
+        if (r.outcome.correct) {
+            note += (note.empty() ? "" : "; ") + std::string("correct: \\texttt{") +
+                    latex_text(*r.outcome.correct) + "}";
+        }
+        out += latex_text(r.claim.id) + " & " + lines_text(r.claim) + " & " +
+               std::string(name_of(r.outcome.verdict)) + " & " +
+               latex_text(r.outcome.computed.value_or("")) + " & " + note + " \\\\\n";
+    }
+    return out + "\\end{longtable}\n";
+}
+
+} // namespace edgeproof

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/run.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace edgeproof {
+
+/// How many claims have each verdict, in the order of `all_verdicts`.
+[[nodiscard]] std::array<std::size_t, all_verdicts.size()>
+count_verdicts(const AuditResult& result);
+/// "61 proved, 30 confirmed, 12 refuted, ..." without those that are zero.
+[[nodiscard]] std::string counts_line(const AuditResult& result);
+
+/// The results as text; each is the same to the byte for the same results.
+[[nodiscard]] std::string verdicts_json(const AuditResult& result);
+[[nodiscard]] std::string verdicts_csv(const AuditResult& result);
+[[nodiscard]] std::string verdicts_markdown(const AuditResult& result);
+/// A longtable to be \input, with its own preamble notes as comments.
+[[nodiscard]] std::string verdicts_latex(const AuditResult& result);
+
+/// For a terminal `width` columns wide: the table, the errata, the counts. `colour` adds ANSI.
+[[nodiscard]] std::string verdicts_terminal(const AuditResult& result, std::size_t width,
+                                            bool colour);
+
+/// A cell of a CSV file, quoted where needed.
+[[nodiscard]] std::string csv_cell(const std::string& text);
+
+} // namespace edgeproof

@@ -138,7 +138,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     }
     if (chosen.empty()) {
         throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
-                         "give a pattern such as 'EQ2*' or 'S??'");
+                         "give a pattern such as 'EQ2*' or 'S1*'");
     }
     const AuditContext context(ledger, options.digits);
     AuditResult result;

@@ -86,6 +86,10 @@ std::optional<Real> SettingState::derived_symbol(std::string_view name) {
         value = contact.force_derivative(*k);
     } else if (const auto j = order_in(name, "b")) {
         value = contact.left_edge_derivative(*j);
+    } else if (const auto s = order_in(name, "right_s")) {
+        value = shear_coefficients(Edge::right, *s + 1).back();
+    } else if (const auto t = order_in(name, "left_s")) {
+        value = shear_coefficients(Edge::left, *t + 1).back();
     } else if (const auto right = order_in(name, "right_c")) {
         value = expansion(Edge::right, *right + 1)[*right];
     } else if (const auto left = order_in(name, "left_c")) {
@@ -95,6 +99,19 @@ std::optional<Real> SettingState::derived_symbol(std::string_view name) {
         derived.emplace(std::string(name), *value);
     }
     return value;
+}
+
+ShearLoad<Real> SettingState::shear_load() const {
+    const auto Q = parameters.find("Q");
+    const auto tension = parameters.find("sig0");
+    if (Q == parameters.end() || tension == parameters.end()) {
+        throw Error("a scene of family " + spec.family + " has no shear: give it Q and sig0");
+    }
+    return {Q->second, tension->second};
+}
+
+std::vector<Real> SettingState::shear_coefficients(Edge edge, std::size_t terms) const {
+    return full_stick_expansion(extent.length(), shear_load(), edge, terms);
 }
 
 Place SettingState::place_of_x(const Real& x) const {
@@ -129,6 +146,10 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
     if (name == "p") {
         const Place at = place != nullptr && place->x == s ? *place : place_of_x(s);
         return contact.pressure(at.edge, at.u).value;
+    }
+    if (name == "q") {
+        const Place at = place != nullptr && place->x == s ? *place : place_of_x(s);
+        return full_stick_traction(point_at(extent, at.edge, at.u), shear_load());
     }
     if (name == "right_local" || name == "left_local") {
         const Edge edge = name == "right_local" ? Edge::right : Edge::left;
@@ -222,10 +243,19 @@ Real Setting::local(Edge edge, std::size_t n, const Real& u) const {
     return sum * sqrt(u);
 }
 
-FormulaValue Setting::evaluate(const Expr& e, const Place* place,
-                               const Variables& variables) const {
+Variables Setting::values_of(const std::map<std::string, Exact, std::less<>>& variables) const {
     const PrecisionScope scope(state_->precision.integrand());
-    SettingEnvironment environment(*state_, place, variables);
+    Variables values;
+    for (const auto& [name, value] : variables) {
+        values.emplace(name, value.to<Real>());
+    }
+    return values;
+}
+
+FormulaValue Setting::evaluate(const Expr& e, const Place* place, const Variables& variables,
+                               IntegralCache* cache) const {
+    const PrecisionScope scope(state_->precision.integrand());
+    SettingEnvironment environment(*state_, place, variables, cache);
     FormulaValue result;
     result.value = edgeproof::evaluate<Real>(e, environment);
     result.estimate = environment.worst_estimate();

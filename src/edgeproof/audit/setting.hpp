@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace edgeproof {
@@ -36,13 +37,18 @@ struct FormulaValue {
     unsigned digits = 0;
 };
 
+/// Values of integrals that stand in many variants of one formula, at one place and for one set of
+/// variables.
+using IntegralCache = std::unordered_map<Expr, FormulaValue, ExprHash>;
+
 /// A scene in numbers, good for `digits` digits: what the formulas of a ledger are evaluated in.
 ///
 /// Symbols: every parameter of the scene (m, C, t, R, phi, alpha, Es, ...), a, b, P, M, L = a + b,
 /// P1, P2, ... (P'(a), P''(a), ...), b1, b2, ..., right_c0, ..., left_c0, ... (the expansions'
 /// coefficients: "right.c0" in a ledger), u and x of the place, `edge` (+1 right, -1 left).
 /// Functions: p(x), g1(x) the slope, Pof(s), P1of(s), bof(s), binv(y) along the family of
-/// contacts, and right_local(n, x), left_local(n, x), the n-term approximations.
+/// contacts, right_local(n, x), left_local(n, x), the n-term approximations, and q(x), the shear
+/// under full stick where the scene has Q and sig0; right_s0, left_s0, ... its coefficients.
 /// integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are evaluated naively, at a precision that loses
 /// nothing at their end points. One object belongs to one thread.
 class Setting {
@@ -75,7 +81,11 @@ public:
     /// The value of a formula (definitions put in). Throws DomainError where it is undefined, and
     /// Error for a name that the scene does not have.
     [[nodiscard]] FormulaValue evaluate(const Expr& e, const Place* place = nullptr,
-                                        const Variables& variables = {}) const;
+                                        const Variables& variables = {},
+                                        IntegralCache* cache = nullptr) const;
+    /// Exact values of variables, at the precision that formulas are worked at.
+    [[nodiscard]] Variables
+    values_of(const std::map<std::string, Exact, std::less<>>& variables) const;
     [[nodiscard]] bool holds(const std::vector<Relation>& condition, const Place* place = nullptr,
                              const Variables& variables = {}) const;
 

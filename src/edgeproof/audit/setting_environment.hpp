@@ -5,6 +5,7 @@
 #include "edgeproof/formula/evaluate.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <functional>
 
 namespace edgeproof {
@@ -13,8 +14,9 @@ namespace edgeproof {
 /// integrals evaluated as printed.
 class SettingEnvironment {
 public:
-    SettingEnvironment(SettingState& state, const Place* place, const Variables& variables)
-        : state_(state), place_(place), variables_(variables) {}
+    SettingEnvironment(SettingState& state, const Place* place, const Variables& variables,
+                       IntegralCache* cache)
+        : state_(state), place_(place), variables_(variables), cache_(cache) {}
 
     [[nodiscard]] Real number(const Rational& q) const { return number_of<Real>(q); }
     [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
@@ -25,6 +27,13 @@ public:
     template <class Scope> [[nodiscard]] Real binder(const Expr& node, const Scope& scope) const {
         if (node.kind() == Expr::Kind::sum) {
             return evaluate_sum<Real>(node, scope);
+        }
+        // An integral inside another depends on more than its own text.
+        constexpr bool outermost = std::same_as<Scope, SettingEnvironment>;
+        if (outermost && cache_ != nullptr) {
+            if (const auto it = cache_->find(node); it != cache_->end()) {
+                return take(it->second);
+            }
         }
         const std::string& name = node.arg(1).name();
         const Real lo = evaluate<Real>(node.arg(2), scope);
@@ -42,15 +51,23 @@ public:
                                           evaluate<Real>(node.arg(4), scope), std::move(cuts),
                                           state_.precision)
                 : integrate_naively(along(node.arg(0)), lo, hi, std::move(cuts), state_.precision);
-        worst_ = std::max(worst_, result.estimate);
-        converged_ = converged_ && result.converged;
-        return result.value;
+        const FormulaValue value{result.value, result.estimate, result.converged, 0};
+        if (outermost && cache_ != nullptr) {
+            cache_->emplace(node, value);
+        }
+        return take(value);
     }
 
     [[nodiscard]] const Real& worst_estimate() const noexcept { return worst_; }
     [[nodiscard]] bool converged() const noexcept { return converged_; }
 
 private:
+    Real take(const FormulaValue& integral) const {
+        worst_ = std::max(worst_, integral.estimate);
+        converged_ = converged_ && integral.converged;
+        return integral.value;
+    }
+
     using At = std::function<Real(const Expr&, const Real&)>;
     /// Places where printed integrands have their branch points; those inside an interval are no
     /// cuts, those outside tell an end what lies near.
@@ -64,6 +81,7 @@ private:
     SettingState& state_;
     const Place* place_;
     const Variables& variables_;
+    IntegralCache* cache_;
     mutable Real worst_{0};
     mutable bool converged_ = true;
 };

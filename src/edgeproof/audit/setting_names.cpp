@@ -13,6 +13,8 @@ const std::vector<std::string>& setting_symbols() {
         for (int k = 0; k <= 9; ++k) {
             all.push_back("right_c" + std::to_string(k));
             all.push_back("left_c" + std::to_string(k));
+            all.push_back("right_s" + std::to_string(k));
+            all.push_back("left_s" + std::to_string(k));
         }
         return all;
     }();

@@ -3,6 +3,7 @@
 #include "edgeproof/audit/naive_integral.hpp"
 #include "edgeproof/audit/setting.hpp"
 #include "edgeproof/contact/contact_law.hpp"
+#include "edgeproof/contact/shear.hpp"
 
 #include <array>
 
@@ -36,6 +37,8 @@ struct SettingState {
     Real call(const std::string& name, std::span<const Real> args, const Place* place);
     /// Values of the argument of a function at which it is not analytic.
     std::vector<Real> critical_arguments(const std::string& function);
+    [[nodiscard]] ShearLoad<Real> shear_load() const;
+    [[nodiscard]] std::vector<Real> shear_coefficients(Edge edge, std::size_t terms) const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
 };
 

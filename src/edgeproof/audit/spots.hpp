@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/check.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+/// One sample of a claim in numbers.
+struct Spot {
+    const Setting* setting;
+    std::optional<Place> place;
+    Variables variables;
+    std::string text;
+
+    [[nodiscard]] FormulaValue evaluate(const Expr& e, IntegralCache* cache = nullptr) const {
+        return setting->evaluate(e, place ? &*place : nullptr, variables, cache);
+    }
+};
+
+/// Two formulas at one spot.
+struct SpotAgreement {
+    Real printed;
+    Real exact;
+    double digits = 0;      ///< to which they agree
+    double good_digits = 0; ///< to which both are good
+    std::string problem;    ///< why there is no value, if there is none
+};
+
+/// Two formulas at all spots.
+struct Agreement {
+    std::vector<SpotAgreement> spots;
+    std::size_t worst = 0; ///< index of the spot with the fewest digits in common
+    [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
+    /// At every spot.
+    [[nodiscard]] bool to(double digits) const;
+    /// At some spot they differ by more than their errors allow for.
+    [[nodiscard]] bool differ(double digits_needed) const;
+};
+
+/// All samples of a claim at so many digits, those that its `where` admits.
+class Spots {
+public:
+    Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most = 0);
+
+    [[nodiscard]] const std::vector<Spot>& all() const noexcept { return spots_; }
+    /// Samples that `where` leaves out.
+    [[nodiscard]] std::size_t left_out() const noexcept { return left_out_; }
+    [[nodiscard]] std::size_t scenes() const noexcept { return settings_.size(); }
+    /// `scale`: what a difference is held against where the exact value is zero.
+    [[nodiscard]] Agreement compare(const Expr& printed, const Expr& exact,
+                                    const std::optional<Expr>& scale = std::nullopt) const;
+
+private:
+    std::vector<std::unique_ptr<Setting>> settings_;
+    std::vector<Spot> spots_;
+    std::size_t left_out_ = 0;
+    unsigned digits_;
+};
+
+/// "17.3": digits in evidence, capped at what is worth saying.
+[[nodiscard]] std::string digits_text(double digits);
+/// A value rounded for evidence.
+[[nodiscard]] std::string value_text(const Real& value, unsigned digits);
+
+} // namespace edgeproof

@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/arithmetic.hpp"
+// An outside project: the pressure of a Hertzian contact, by a route and as an enclosure. With
+// E* = 2, R = 1, a = 1 it is sqrt(1 - x^2) exactly: at x = 3/5, 0.8.
+#include "edgeproof/contact/contact.hpp"
+#include "edgeproof/precision/text.hpp"
 
 #include <iostream>
 
 int main() {
-    const edgeproof::PrecisionScope scope(50);
-    const auto third = edgeproof::from_rational<edgeproof::Real>(edgeproof::Rational(1, 3));
-    std::cout << third.str(50, std::ios_base::fmtflags{}) << '\n';
+    using namespace edgeproof;
+    const Profile hertz = Profile::power_law(Exact::parse("1"), Exact::parse("1"));
+    const Exact modulus = Exact::parse("2");
+    const Load load = Load::right_edge(Exact::parse("1"));
+    const Exact u = Exact::parse("2/5");
+
+    const NormalContact contact(hertz, modulus, load, 50);
+    const Estimated p = contact.pressure(Edge::right, u, Route::barber_mossakovskii);
+    std::cout << to_decimal(p.value, 50) << '\n';
+
+    const Ball enclosed = enclosed_pressure(hertz, modulus, load, Edge::right, u, 50);
+    std::cout << round_ball(enclosed, 50).text << '\n';
 }

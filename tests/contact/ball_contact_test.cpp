@@ -102,3 +102,27 @@ TEST_CASE("the tilted wedge in balls: gamma from 1e-25 to 1 - 1e-25") {
         CHECK(balls.b().relative_accuracy_bits() > 250);
     }
 }
+
+TEST_CASE("balls of the expansion hold the series in Real, at both edges, and are narrow") {
+    for (const Contact& c : all_closed()) {
+        CAPTURE(c.name);
+        const NormalContact contact(c.profile, c.modulus, c.load, 50);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const std::vector<Ball> balls =
+                enclosed_expansion(c.profile, c.modulus, c.load, edge, 12, 50);
+            const std::vector<Real> reals = contact.expansion(edge, 12);
+            const PrecisionScope scope(60);
+            REQUIRE(balls.size() == 12);
+            for (std::size_t k = 0; k < 12; ++k) {
+                CAPTURE(k);
+                const Real natural =
+                    abs(reals[0]) * pow(contact.a() + contact.b(), -static_cast<int>(k));
+                const Real slack = abs(reals[k]) * Real("1e-50") + natural * Real("1e-52");
+                CHECK(overlaps(balls[k], Ball::around(reals[k], slack, 400)));
+                const bool narrow = balls[k].relative_accuracy_bits() > 165 ||
+                                    balls[k].radius() < natural * Real("1e-50");
+                CHECK(narrow);
+            }
+        }
+    }
+}

@@ -103,10 +103,30 @@ Ball BallContact::constant(const Expr& e) const {
 
 BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
                          long bits)
-    : profile_(profile), bits_(bits), modulus_(constant(contact_modulus.expr())) {
+    : BallContact(profile, evaluate<Ball>(contact_modulus.expr(), ConstantEnvironment{bits}),
+                  bits) {
+    const Ball given = constant(load.value.expr());
+    a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
+    b_ = solve_left_edge(a_);
+}
+
+BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
+    : profile_(profile), bits_(bits), modulus_(modulus) {
     if (!has_closed_form(profile)) {
         throw DomainError("only a piecewise linear slope or a power law has a closed form");
     }
+    read_profile();
+}
+
+BallContact BallContact::mirrored() const {
+    BallContact m(profile_.reflected(), modulus_, bits_);
+    m.a_ = b_;
+    m.b_ = a_;
+    return m;
+}
+
+void BallContact::read_profile() {
+    const Profile& profile = profile_;
     for (const Exact& knot : profile.knots()) {
         knots_.push_back(constant(knot.expr()));
     }
@@ -127,9 +147,6 @@ BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, c
                                                    : Ball(0, bits_));
         }
     }
-    const Ball given = constant(load.value.expr());
-    a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
-    b_ = solve_left_edge(a_);
 }
 
 template <class AtKnot, class Between>

@@ -3,6 +3,7 @@
 #include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/ball_series.hpp"
 
 #include <vector>
 
@@ -34,8 +35,23 @@ public:
     /// p at the exact distance u from an edge. Not finite when the ball of x meets a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
+    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot, or may as far as
+    /// the bits tell, has no enclosed expansion: the coefficients are not finite.
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const;
+    /// The same contact seen in a mirror, edges and all.
+    [[nodiscard]] BallContact mirrored() const;
 
 private:
+    BallContact(const Profile& profile, const Ball& modulus, long bits);
+    void read_profile();
+    [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
+    /// The integral of a kernel over dg' as a power series in z, the edges being a + z and b(z).
+    template <class AtKnot, class Between>
+    [[nodiscard]] BallSeries over_measure(const BallSeries& a, const BallSeries& b,
+                                          const AtKnot& at_knot, const Between& between) const;
+    [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
+    [[nodiscard]] BallSeries force_rate_series(const BallSeries& a, const BallSeries& b,
+                                               Edge edge) const;
     struct Piece {
         Ball at_origin;
         Ball rate;
@@ -63,6 +79,12 @@ private:
     Ball a_;
     Ball b_;
 };
+
+/// c_0 ... c_{terms-1} to `digits` correct digits each (a coefficient that vanishes: to that many
+/// digits of its natural size |c_0|/length^k). Throws BudgetError as below.
+[[nodiscard]] std::vector<Ball> enclosed_expansion(const Profile& profile,
+                                                   const Exact& contact_modulus, const Load& load,
+                                                   Edge edge, std::size_t terms, unsigned digits);
 
 /// The pressure to `digits` correct digits: precision doubles until the enclosure's relative
 /// radius is below 10^-(digits + 2). Throws BudgetError when the budget of bits does not suffice.

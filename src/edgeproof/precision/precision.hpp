@@ -7,9 +7,11 @@
 ///   arithmetic.hpp  the same few words for double, long double, Float128 and Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
+///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/ball_series.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 #include "edgeproof/precision/rational.hpp"

@@ -23,8 +23,8 @@ const std::vector<std::string>& setting_symbols() {
 
 const std::vector<std::pair<std::string, unsigned>>& setting_functions() {
     static const std::vector<std::pair<std::string, unsigned>> functions{
-        {"p", 1},   {"g1", 1},   {"Pof", 1},         {"P1of", 1},
-        {"bof", 1}, {"binv", 1}, {"right_local", 2}, {"left_local", 2}};
+        {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
+        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1}};
     return functions;
 }
 

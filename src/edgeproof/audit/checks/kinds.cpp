@@ -6,6 +6,8 @@ namespace edgeproof {
 const std::vector<CheckKind>& check_kinds() {
     static const std::vector<CheckKind> kinds{
         definition_kind(),
+        value_kind(),
+        identity_kind(),
     };
     return kinds;
 }

@@ -8,5 +8,9 @@ namespace edgeproof {
 
 /// Nothing to check; with `of` the printed form is held against what the program takes it to be.
 [[nodiscard]] CheckKind definition_kind();
+/// A formula against a computed quantity, at every sample.
+[[nodiscard]] CheckKind value_kind();
+/// A formula against a derived quantity, in symbols, and at samples too.
+[[nodiscard]] CheckKind identity_kind();
 
 } // namespace edgeproof

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+bool symmetric_family(const Ledger& ledger, const Family& family) {
+    if (!family.union_of.empty()) {
+        return std::all_of(
+            family.union_of.begin(), family.union_of.end(),
+            [&](const std::string& f) { return symmetric_family(ledger, ledger.family(f)); });
+    }
+    return family.profile == "power-law" || family.profile == "flat-and-rounded" ||
+           family.profile == "piecewise-symmetric";
+}
+
+} // namespace
+
+SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
+    SymbolicCase under;
+    under.symmetric =
+        claim.has("over") &&
+        symmetric_family(context.ledger(), context.ledger().family(claim.text("over")));
+    if (claim.has("given")) {
+        for (const auto& [name, texts] : claim.table("given")) {
+            if ((name != "P" && name != "b") || texts.size() != 1) {
+                claim.reject("given", "given names " + name + ", which nothing follows from",
+                             "write given = { P = \"...\", b = \"...\" }, formulas in a");
+            }
+            try {
+                const Expr e = expand_definitions(parse_formula(texts.front(), claim.vocabulary),
+                                                  claim.vocabulary);
+                (name == "P" ? under.P : under.b) = e;
+            } catch (const InputError& error) {
+                claim.reject("given", error.problem(), error.instead());
+            }
+        }
+    }
+    return under;
+}
+
+void report_agreement(const Agreement& agreement, const Spots& spots, unsigned digits,
+                      Evidence& evidence) {
+    evidence.add("samples", spots.all().size()).add("scenes", spots.scenes());
+    if (spots.left_out() > 0) {
+        evidence.add("samples_left_out", spots.left_out());
+    }
+    if (agreement.spots.empty()) {
+        return;
+    }
+    const SpotAgreement& worst = agreement.spots[agreement.worst];
+    evidence.add("digits", digits_text(std::min(worst.digits, static_cast<double>(digits))));
+    evidence.add("worst_at", spots.all()[agreement.worst].text);
+    if (!worst.problem.empty()) {
+        evidence.add("problem", worst.problem);
+        return;
+    }
+    const unsigned shown = worst.digits > 12 ? digits : 20;
+    evidence.add("printed_there", value_text(worst.printed, shown));
+    evidence.add("exact_there", value_text(worst.exact, shown));
+}
+
+Verdict verdict_by_samples(const Agreement& agreement, const AuditContext& context) {
+    const double needed = context.digits_needed();
+    if (agreement.to(needed)) {
+        return Verdict::confirmed;
+    }
+    return agreement.differ(needed) ? Verdict::refuted : Verdict::undecided;
+}
+
+std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& spots,
+                                     Evidence& evidence) {
+    std::vector<RatioSample> samples;
+    const PrecisionScope scope(30);
+    for (std::size_t i = 0; i < agreement.spots.size(); ++i) {
+        const SpotAgreement& s = agreement.spots[i];
+        if (!s.problem.empty() || s.exact == 0) {
+            continue;
+        }
+        const Spot& spot = spots.all()[i];
+        Variables parameters = spot.variables;
+        for (const auto& [name, value] : spot.setting->spec().parameters) {
+            parameters.emplace(name, spot.setting->parameter(name));
+        }
+        samples.push_back({std::move(parameters), at_working_precision(s.printed / s.exact)});
+    }
+    if (samples.empty()) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(),
+        [](const RatioSample& x, const RatioSample& y) { return x.ratio < y.ratio; });
+    evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
+                                                         value_text(most->ratio, 12)});
+    auto ratio = recognise_ratio(samples, 20);
+    if (ratio) {
+        evidence.add("ratio", to_text(*ratio));
+        evidence.add("ratio_tex", to_tex(*ratio));
+    }
+    return ratio;
+}
+
+QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context, const Expr& exact)
+    : claim_(claim), spots_(claim, context, digits, most_spots) {
+    for (std::size_t i = 0; i < spots_.all().size(); ++i) {
+        try {
+            targets_.emplace_back(i, spots_.all()[i].evaluate(exact).value);
+        } catch (const DomainError&) {
+            continue;
+        }
+    }
+    caches_.resize(spots_.all().size());
+}
+
+bool QuickSamples::looks_right(const Expr& written) {
+    if (targets_.empty()) {
+        return false;
+    }
+    const Expr e = expand_definitions(written, claim_.vocabulary);
+    const PrecisionScope scope(digits + 10);
+    const Real tolerance = pow(Real(10), -static_cast<int>(digits - 2));
+    return std::all_of(targets_.begin(), targets_.end(), [&](const auto& target) {
+        const auto& [i, exact] = target;
+        const Real value = spots_.all()[i].evaluate(e, &caches_[i]).value;
+        return abs(value - exact) <= tolerance * abs(exact);
+    });
+}
+
+} // namespace edgeproof

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof {
+namespace {
+
+/// A test of candidates by numbers drawn for the symbols.
+class QuickSymbols {
+public:
+    QuickSymbols(const Claim& claim, const SymbolicCase& under, const Expr& derived,
+                 const std::vector<std::string>& alphabet)
+        : claim_(claim) {
+        std::set<std::string> names = free_symbols(derived);
+        for (const std::string& name : alphabet) {
+            names.merge(free_symbols(expand_definitions(Expr::symbol(name), claim.vocabulary)));
+        }
+        for (std::size_t draw = 0; draw < 40 && draws_.size() < 3; ++draw) {
+            try {
+                FormalValues values(names, under, draw);
+                const Real target = values.evaluate(derived);
+                draws_.emplace_back(std::move(values), target);
+            } catch (const DomainError&) {
+                continue; // a draw outside the domain of a root
+            }
+        }
+    }
+    [[nodiscard]] bool looks_right(const Expr& written) const {
+        const Expr e = expand_definitions(written, claim_.vocabulary);
+        const PrecisionScope scope(FormalValues::digits);
+        const Real tolerance = pow(Real(10), -30);
+        return !draws_.empty() && std::all_of(draws_.begin(), draws_.end(), [&](const auto& draw) {
+            return abs(draw.first.evaluate(e) - draw.second) <= tolerance * abs(draw.second);
+        });
+    }
+
+private:
+    const Claim& claim_;
+    std::vector<std::pair<FormalValues, Real>> draws_;
+};
+
+Outcome check_identity(const Claim& claim, const AuditContext& context) {
+    const Expr printed = claim.formula("says");
+    const Expr exact = claim.formula("of");
+    const SymbolicCase under = symbolic_case(claim, context);
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"));
+    std::optional<Expr> derived;
+    bool proved = false;
+    try {
+        derived = derive(exact, under);
+        proved = proved_equal(printed, exact, under);
+    } catch (const Error& error) {
+        outcome.evidence.add("not_symbolic", error.what());
+    }
+    if (derived) {
+        outcome.evidence.add("derived", to_text(*derived)).add("derived_tex", to_tex(*derived));
+    }
+    // The same at samples: there the exact value comes from the contact itself, not from symbols.
+    const Spots spots(claim, context, context.digits());
+    const Agreement agreement = spots.compare(printed, exact);
+    const Verdict sampled =
+        spots.all().empty() ? Verdict::undecided : verdict_by_samples(agreement, context);
+    report_agreement(agreement, spots, context.digits(), outcome.evidence);
+    if (proved) {
+        outcome.verdict = sampled == Verdict::confirmed ? Verdict::proved : Verdict::undecided;
+        outcome.note = sampled == Verdict::confirmed
+                           ? "identically equal to the derived form; agrees at " +
+                                 std::to_string(spots.all().size()) + " samples"
+                           : "equal in symbols but not at the samples";
+        return outcome;
+    }
+    outcome.verdict = sampled;
+    if (sampled != Verdict::refuted) {
+        outcome.note = sampled == Verdict::confirmed
+                           ? "agrees at the samples; not proved in symbols"
+                           : "the values are not good enough to decide";
+        return outcome;
+    }
+    Patient patient;
+    patient.printed = claim.written("says");
+    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"));
+    patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
+    if (derived && !patient.ratio) {
+        try {
+            const Expr ratio = derive(printed / *derived, under);
+            outcome.evidence.add("ratio", to_text(ratio)).add("ratio_tex", to_tex(ratio));
+        } catch (const Error&) {
+            outcome.evidence.add("ratio", "no closed form");
+        }
+    }
+    patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
+        const Expr full = expand_definitions(e, claim.vocabulary);
+        if (verdict_by_samples(spots.compare(full, exact), context) != Verdict::confirmed) {
+            return Verdict::refuted;
+        }
+        return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;
+    };
+    std::optional<QuickSymbols> quick;
+    std::optional<QuickSamples> sampled_quick;
+    if (derived) {
+        patient.derived = derived;
+        quick.emplace(claim, under, *derived, patient.alphabet.symbols);
+        patient.looks_right = [&](const Expr& e) { return quick->looks_right(e); };
+    } else {
+        sampled_quick.emplace(claim, context, exact);
+        patient.looks_right = [&](const Expr& e) { return sampled_quick->looks_right(e); };
+    }
+    diagnose(patient, outcome);
+    return outcome;
+}
+
+} // namespace
+
+CheckKind identity_kind() {
+    using Type = KeySpec::Type;
+    return {"identity",
+            {{.name = "says", .type = Type::formula, .required = true},
+             {.name = "of", .type = Type::formula, .required = true},
+             {.name = "given", .type = Type::table}},
+            check_identity};
+}
+
+} // namespace edgeproof

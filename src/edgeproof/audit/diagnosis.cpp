@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/diagnosis.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof {
+namespace {
+
+/// How many candidates that look right are checked in full.
+constexpr std::size_t most_full_checks = 4;
+
+bool numbered(const std::string& name, char letter) {
+    return name.size() == 2 && name[0] == letter && name[1] >= '1' && name[1] <= '9';
+}
+
+bool safe(const std::function<bool(const Expr&)>& test, const Expr& e) {
+    try {
+        return test(e);
+    } catch (const InputError&) {
+        return false; // an edit can make a formula that no one may write
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+std::optional<Verdict> safe_verdict(const Patient& patient, const Expr& e) {
+    try {
+        const auto verdict = patient.verdict_of(e);
+        return verdict && holds(*verdict) ? verdict : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+bool accept(const Patient& patient, const Expr& formula, Outcome& outcome) {
+    const auto verdict = safe_verdict(patient, formula);
+    if (!verdict) {
+        return false;
+    }
+    outcome.correct = to_text(formula);
+    outcome.evidence.add("correct_tex", to_tex(formula));
+    outcome.evidence.add("correct_verdict", name_of(*verdict));
+    return true;
+}
+
+} // namespace
+
+void diagnose(const Patient& patient, Outcome& outcome) {
+    std::size_t tried = 0;
+    std::size_t checked = 0;
+    for (const Edit& edit : single_edits(patient.printed, patient.alphabet)) {
+        ++tried;
+        if (!safe(patient.looks_right, edit.formula)) {
+            continue;
+        }
+        if (++checked > most_full_checks) {
+            break;
+        }
+        if (accept(patient, edit.formula, outcome)) {
+            Evidence e;
+            e.add("what", edit.what).add("printed", edit.before).add("correct", edit.after);
+            outcome.evidence.add("edit", std::move(e));
+            outcome.evidence.add("edits_tried", tried);
+            outcome.note = edit.what + ": " + edit.before + " should be " + edit.after;
+            return;
+        }
+    }
+    outcome.evidence.add("edits_tried", tried);
+    if (patient.ratio) {
+        const Expr& r = *patient.ratio;
+        const Expr corrected =
+            r.kind() == Expr::Kind::neg ? -(patient.printed / r.arg(0)) : patient.printed / r;
+        if (accept(patient, corrected, outcome)) {
+            outcome.note = "printed is " + to_text(r) + " times what is right";
+            return;
+        }
+    }
+    if (patient.derived && accept(patient, *patient.derived, outcome)) {
+        outcome.note = "no single edit makes it right; the derived form is given";
+        return;
+    }
+    outcome.note = "no correction was found";
+}
+
+EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact) {
+    std::set<std::string> names = free_symbols(printed);
+    names.merge(free_symbols(exact));
+    const auto any = [&](char letter) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& n) { return numbered(n, letter); });
+    };
+    if (any('P')) {
+        names.insert({"P1", "P2", "P3"});
+    }
+    if (any('b')) {
+        names.insert({"b", "b1", "b2", "b3"});
+    }
+    names.insert("a");
+    if (claim.has("vary")) {
+        for (const auto& [name, values] : claim.table("vary")) {
+            names.insert(name);
+        }
+    }
+    EditAlphabet alphabet;
+    for (const std::string& name : names) {
+        if (name.starts_with("right_c") || name.starts_with("left_c")) {
+            continue;
+        }
+        alphabet.symbols.push_back(name);
+        if (numbered(name, 'P') || name == "x" || name == "P" || name == "M") {
+            continue;
+        }
+        const Expr e = Expr::symbol(name);
+        alphabet.factors.push_back(e);
+        alphabet.factors.push_back(Expr::call("sqrt", {e}));
+        alphabet.factors.push_back(pow(e, Expr::number(2)));
+    }
+    alphabet.factors.push_back(Expr::pi());
+    alphabet.factors.push_back(Expr::call("sqrt", {Expr::number(2)}));
+    return alphabet;
+}
+
+} // namespace edgeproof

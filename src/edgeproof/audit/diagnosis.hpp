@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/edits.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace edgeproof {
+
+/// What is wrong with a refuted formula, and what would be right.
+struct Patient {
+    Expr printed; ///< as written, definitions not put in
+    EditAlphabet alphabet;
+    /// Whether a formula agrees with the exact one at a few points, to a few digits: cheap.
+    std::function<bool(const Expr&)> looks_right;
+    /// proved or confirmed, if that is what it comes out as: the whole check.
+    std::function<std::optional<Verdict>(const Expr&)> verdict_of;
+    std::optional<Expr> ratio;   ///< printed/exact, where it was recognised
+    std::optional<Expr> derived; ///< the exact formula, where there is a symbolic derivation
+};
+
+/// Adds the diagnosis to the outcome: the smallest single edit that makes the formula come out
+/// confirmed or proved; failing that the printed formula divided by the ratio, or the derived one.
+/// `correct` is set only to a formula that itself came out so.
+void diagnose(const Patient& patient, Outcome& outcome);
+
+/// The names that may stand for one another in a claim, and the factors that may have been lost.
+[[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact);
+
+} // namespace edgeproof

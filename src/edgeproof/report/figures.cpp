@@ -15,9 +15,9 @@ namespace {
 constexpr std::array okabe_ito{"#000000", "#E69F00", "#56B4E9", "#009E73",
                                "#F0E442", "#0072B2", "#D55E00", "#CC79A7"};
 
-/// For a double-quoted string of gnuplot, with its markup (^, _, @, &, {, }) switched off where
-/// the string is set.
-std::string quoted(std::string_view text) {
+/// A double-quoted string of gnuplot; its markup (^, _, @, &) is switched off by `noenhanced`
+/// where the string is set.
+std::string gnuplot_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') {
@@ -47,7 +47,7 @@ std::string row_text(const std::vector<std::optional<Real>>& row, std::string_vi
 }
 
 void set_axis(std::string& script, char name, const Axis& axis) {
-    script += fmt::format("set {}label {} noenhanced\n", name, quoted(axis.label));
+    script += fmt::format("set {}label {} noenhanced\n", name, gnuplot_text(axis.label));
     if (axis.logarithmic) {
         script += fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name);
     }
@@ -74,9 +74,9 @@ std::string to_csv(const Plot& plot) {
 std::string gnuplot_script(const Plot& plot, std::string_view output) {
     std::string script = "set encoding utf8\n";
     script += fmt::format("set terminal svg size 560,400 dynamic font \"sans-serif,14\" name {}\n",
-                          quoted(plot.id));
-    script += fmt::format("set output {}\n", quoted(output));
-    script += fmt::format("set title {} noenhanced\n", quoted(plot.title));
+                          gnuplot_text(plot.id));
+    script += fmt::format("set output {}\n", gnuplot_text(output));
+    script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
     if (plot.y.logarithmic && !plot.x.logarithmic) {
         script += "set key bottom right\n";
@@ -101,12 +101,12 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
         if (curve.pen.point) {
             script += fmt::format(" pt {} ps 0.6", *curve.pen.point);
         }
-        script += " title " + quoted(curve.title);
+        script += " title " + gnuplot_text(curve.title);
         first = false;
     }
     if (plot.level) {
         script += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb \"#000000\" title {}",
-                              plot.level->first, quoted(plot.level->second));
+                              plot.level->first, gnuplot_text(plot.level->second));
     }
     return script + '\n';
 }

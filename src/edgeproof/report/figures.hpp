@@ -63,8 +63,8 @@ inline constexpr unsigned figure_digits = 20;
 /// The table as CSV: notes behind #, a line of names, values at `figure_digits`.
 [[nodiscard]] std::string to_csv(const Plot& plot);
 
-/// A complete gnuplot script (data included) that writes the plot as SVG to `output`. Deterministic:
-/// no date, no path but `output`.
+/// A complete gnuplot script (data included) that writes the plot as SVG to `output`.
+/// Deterministic: no date, no path but `output`.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot, std::string_view output);
 
 } // namespace edgeproof

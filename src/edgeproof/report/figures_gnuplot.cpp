@@ -127,8 +127,7 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
     std::string out = svg.substr(svg.find("<svg"));
     const std::string title = plot.id + "-title";
     const std::string description = plot.id + "-desc";
-    out.replace(0, 4,
-                "<svg role=\"img\" aria-labelledby=\"" + title + ' ' + description + "\"");
+    out.replace(0, 4, "<svg role=\"img\" aria-labelledby=\"" + title + ' ' + description + "\"");
     replace_element(out, "<title>", "</title>",
                     "<title id=\"" + title + "\">" + escape_html(plot.title) + "</title>");
     replace_element(out, "<desc>", "</desc>",

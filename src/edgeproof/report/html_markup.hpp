@@ -12,8 +12,8 @@ namespace edgeproof {
 
 /// `{{name}}` in a template replaced by `values[name]`, once and not inside what was put in.
 /// Throws Error for a name without a value.
-[[nodiscard]] std::string fill_template(std::string_view text,
-                                        const std::map<std::string, std::string, std::less<>>& values);
+[[nodiscard]] std::string
+fill_template(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
 /// The files of share/edgeproof/report, as they were when the program was built.
 namespace report_template {

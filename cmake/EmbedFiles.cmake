@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# edgeproof_embed_files(<target> NAMESPACE <ns> HEADER <declares them> FILES <files>...)
+# Each file as a `const std::string_view <name>_<extension>` in edgeproof::<ns>, in a source that is
+# made when a file changes: the program needs no data folder beside it.
+function(edgeproof_embed_files target)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAMESPACE;HEADER" "FILES")
+    list(TRANSFORM arg_FILES PREPEND ${PROJECT_SOURCE_DIR}/)
+    set(output ${PROJECT_BINARY_DIR}/embedded/${arg_NAMESPACE}.cpp)
+    set(script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D NAMESPACE=${arg_NAMESPACE}
+            -D HEADER=${arg_HEADER} -D "FILES=${arg_FILES}" -P ${script}
+        DEPENDS ${arg_FILES} ${script} VERBATIM)
+    target_sources(${target} PRIVATE ${output})
+endfunction()

@@ -1,0 +1,96 @@
+"use strict";
+(() => {
+  const root = document.documentElement;
+  const byId = (id) => document.getElementById(id);
+
+  // The theme: the system's until the reader chooses; remembered where the browser allows it.
+  const button = byId("theme");
+  const system = window.matchMedia("(prefers-color-scheme: dark)");
+  const stored = (value) => {
+    try {
+      if (value === undefined) return localStorage.getItem("edgeproof-theme");
+      localStorage.setItem("edgeproof-theme", value);
+    } catch (_) { /* a page from a file may have no storage */ }
+    return null;
+  };
+  const isDark = () => (root.dataset.theme || (system.matches ? "dark" : "light")) === "dark";
+  const showTheme = () => {
+    button.setAttribute("aria-pressed", String(isDark()));
+  };
+  const remembered = stored();
+  if (remembered === "dark" || remembered === "light") root.dataset.theme = remembered;
+  button.addEventListener("click", () => {
+    root.dataset.theme = isDark() ? "light" : "dark";
+    stored(root.dataset.theme);
+    showTheme();
+  });
+  system.addEventListener("change", showTheme);
+  button.hidden = false;
+  showTheme();
+
+  // The filter. Its state is in the address: #verdict=refuted&section=s3&text=gamma.
+  const claims = Array.from(document.querySelectorAll("details.claim"));
+  const form = byId("filter");
+  const fields = { verdict: byId("filter-verdict"), section: byId("filter-section"), text: byId("filter-text") };
+  const count = byId("filter-count");
+  const openAll = byId("open-all");
+
+  const apply = () => {
+    const words = fields.text.value.toLowerCase().split(/\s+/).filter(Boolean);
+    let shown = 0;
+    for (const claim of claims) {
+      const all = claim.textContent.toLowerCase();
+      const fits = (!fields.verdict.value || claim.dataset.verdict === fields.verdict.value) &&
+        (!fields.section.value || claim.dataset.section === fields.section.value) &&
+        words.every((word) => all.includes(word));
+      claim.hidden = !fits;
+      if (fits) shown += 1;
+    }
+    count.textContent = shown + " of " + claims.length + " claims";
+  };
+  const remember = () => {
+    const state = new URLSearchParams();
+    for (const [name, field] of Object.entries(fields)) if (field.value) state.set(name, field.value);
+    const text = state.toString();
+    history.replaceState(null, "", text ? "#" + text : location.pathname + location.search);
+  };
+  const openClaim = (claim) => {
+    if (claim.hidden) { form.reset(); apply(); }
+    claim.open = true;
+    claim.scrollIntoView();
+    claim.querySelector("summary").focus({ preventScroll: true });
+  };
+  const follow = () => {
+    const hash = location.hash.slice(1);
+    if (hash.includes("=")) {
+      const state = new URLSearchParams(hash);
+      for (const [name, field] of Object.entries(fields)) field.value = state.get(name) || "";
+      apply();
+      byId("claims").scrollIntoView();
+      return;
+    }
+    let target = null;
+    try { target = hash && byId(decodeURIComponent(hash)); } catch (_) { /* no such name */ }
+    if (target && target.matches("details.claim")) openClaim(target);
+  };
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.addEventListener("input", () => { apply(); remember(); });
+  form.addEventListener("reset", () => setTimeout(() => { apply(); remember(); }));
+  openAll.addEventListener("click", () => {
+    const open = claims.some((claim) => !claim.hidden && !claim.open);
+    for (const claim of claims) if (!claim.hidden) claim.open = open;
+    openAll.textContent = open ? "Close all" : "Open all";
+  });
+  window.addEventListener("hashchange", follow);
+  form.hidden = false;
+  apply();
+  follow();
+
+  // On paper everything is open, and shut again afterwards.
+  let shut = [];
+  window.addEventListener("beforeprint", () => {
+    shut = claims.filter((claim) => !claim.open);
+    for (const claim of shut) claim.open = true;
+  });
+  window.addEventListener("afterprint", () => { for (const claim of shut) claim.open = false; });
+})();

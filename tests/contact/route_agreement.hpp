@@ -2,6 +2,8 @@
 #pragma once
 #include "scenes.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
+
 #include <future>
 #include <string>
 #include <vector>
@@ -61,7 +63,8 @@ inline Agreement compare_routes(const std::vector<Contact>& contacts,
                 for (const Real& u : points_of(contact, edge, count)) {
                     const Real first = contact.pressure(edge, u, routes[0]).value;
                     for (std::size_t r = 1; r < routes.size(); ++r) {
-                        if (routes[r] == Route::closed_form && !c.profile.piecewise_linear()) {
+                        if (routes[r] == Route::closed_form &&
+                            !BallContact::has_closed_form(c.profile)) {
                             continue;
                         }
                         const PrecisionScope scope(digits + 20);

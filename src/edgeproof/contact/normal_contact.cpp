@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/normal_contact.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/escalate.hpp"
 
 #include <algorithm>
 
@@ -134,11 +136,17 @@ NormalContact::Solved& NormalContact::at(unsigned working) const {
 Real NormalContact::a() const { return at(base_working_).extent.a; }
 Real NormalContact::b() const { return at(base_working_).extent.b; }
 Real NormalContact::force() const {
+    if (work_ != nullptr) {
+        ++work_->counts.resultants;
+    }
     const PrecisionScope scope(base_working_);
     const Solved& s = at(base_working_);
     return s.law.force(s.extent);
 }
 Real NormalContact::moment() const {
+    if (work_ != nullptr) {
+        ++work_->counts.resultants;
+    }
     const PrecisionScope scope(base_working_);
     const Solved& s = at(base_working_);
     return s.law.moment(s.extent);
@@ -217,6 +225,19 @@ Estimated NormalContact::pressure(Edge edge, const Real& u, Route route) const {
     return pressure_at(edge, u, route, look(u, edge, base_working_));
 }
 
+RoutedPressure<Real> NormalContact::hypergeometric(Edge edge, const Real& u,
+                                                   unsigned target) const {
+    const long wanted = static_cast<long>(3.3219281 * static_cast<double>(target)) + 4;
+    const Ball p = escalate(
+        [&](long bits) {
+            return BallContact(profile_, modulus_, load_, bits).pressure(edge, Ball(u, bits));
+        },
+        [&](const Ball& ball) { return ball.relative_accuracy_bits() >= wanted; },
+        {wanted + 64, 1L << 20});
+    const Real value = at_working_precision(p.midpoint());
+    return {value, Real(p.radius() / abs(value)), 0, true};
+}
+
 Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
                                      const Look& found) const {
     const unsigned working = found.working;
@@ -231,7 +252,8 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         point = {Real(s.extent.a - knot), Real(s.extent.b + knot), knot};
     }
     if (route == Route::automatic) {
-        route = profile_.piecewise_linear() ? Route::closed_form : Route::singular_integral;
+        route =
+            BallContact::has_closed_form(profile_) ? Route::closed_form : Route::singular_integral;
     }
     RoutedPressure<Real> p{};
     const unsigned target = digits_ + guard_digits / 2;
@@ -250,7 +272,8 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         p = singular_integral(s.law, s.extent, point, target);
         break;
     default:
-        p = logarithmic_closed_form(s.law, s.extent, point);
+        p = profile_.piecewise_linear() ? logarithmic_closed_form(s.law, s.extent, point)
+                                        : hypergeometric(edge, u, target);
         break;
     }
     if (!p.converged) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge.hpp"
+#include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"
 #include "edgeproof/contact/work.hpp"
 
@@ -26,7 +27,7 @@ struct Load {
 enum class Route {
     barber_mossakovskii, ///< flat punches laid over each other, tanh-sinh
     singular_integral,   ///< regularised principal value, tanh-sinh
-    closed_form,         ///< logarithms
+    closed_form,         ///< logarithms, or Gauss's 2F1 for a power law
     automatic            ///< the closed form where there is one, else the singular integral
 };
 [[nodiscard]] std::string route_name(Route route);
@@ -89,6 +90,8 @@ private:
         unsigned working;
         std::optional<std::size_t> on_knot;
     };
+    [[nodiscard]] RoutedPressure<Real> hypergeometric(Edge edge, const Real& u,
+                                                      unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
     [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working) const;
     [[nodiscard]] Estimated pressure_at(Edge edge, const Real& u, Route route,

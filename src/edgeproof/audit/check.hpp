@@ -7,6 +7,9 @@
 #include "edgeproof/audit/verdict.hpp"
 
 #include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,9 +50,32 @@ public:
     /// Scenes, places (from the claim's `edge`; in `points` per scene) and values of `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
+    /// What several claims need and is dear: made once a run, by whoever asks first; the others
+    /// wait. The key says all that the result depends on.
+    template <class T>
+    [[nodiscard]] std::shared_ptr<const T> once(const std::string& key,
+                                                const std::function<T()>& make) const {
+        Slot& slot = slot_of(key);
+        const std::lock_guard lock(slot.mutex);
+        if (!slot.value) {
+            slot.value = std::make_shared<const T>(make());
+        }
+        return std::static_pointer_cast<const T>(slot.value);
+    }
+
 private:
+    struct Slot {
+        std::mutex mutex;
+        std::shared_ptr<const void> value;
+    };
+    [[nodiscard]] Slot& slot_of(const std::string& key) const {
+        const std::lock_guard lock(slots_mutex_);
+        return slots_[key];
+    }
     const Ledger& ledger_;
     unsigned digits_;
+    mutable std::mutex slots_mutex_;
+    mutable std::map<std::string, Slot, std::less<>> slots_;
 };
 
 /// A key that claims of a kind have beside the common ones.

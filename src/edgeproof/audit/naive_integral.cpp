@@ -36,13 +36,20 @@ Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
     return split;
 }
 
-/// f at the working precision of the caller, evaluated at the integrand's.
+/// f at the working precision of the caller, evaluated at the integrand's. Nearer to an end, or a
+/// cut, than the precision of the nodes f may have no value (a logarithm at a corner): what is
+/// integrable adds nothing there that is kept.
 Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& base,
-               const Real& distance, bool upwards) {
+               const Real& distance, bool upwards, const Real& length) {
     Real value;
-    {
+    try {
         const PrecisionScope scope(precision.integrand());
         value = f(upwards ? Real(base + distance) : Real(base - distance));
+    } catch (const DomainError&) {
+        if (distance > length * pow(Real(10), -static_cast<int>(precision.nodes))) {
+            throw;
+        }
+        return Real(0);
     }
     return at_working_precision(value);
 }
@@ -55,8 +62,9 @@ NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision prec
     const PrecisionScope scope(precision.nodes);
     const auto result = integrate_pieces<Real>(
         [&](std::size_t i, const Real& from_lo, const Real& from_hi) {
-            return from_lo < from_hi ? evaluated(f, precision, split.marks[i], from_lo, true)
-                                     : evaluated(f, precision, split.marks[i + 1], from_hi, false);
+            return from_lo < from_hi
+                       ? evaluated(f, precision, split.marks[i], from_lo, true, lengths[i])
+                       : evaluated(f, precision, split.marks[i + 1], from_hi, false, lengths[i]);
         },
         lengths, split.beyond_lo, split.beyond_hi);
     return {result.value, result.estimate, result.converged};
@@ -99,10 +107,10 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
         const PrecisionScope nodes(precision.nodes);
         const auto fold = integrate_near<Real>(
             [&](const Real& r, const Real& rest) {
-                return r < rest ? Real(evaluated(f, precision, pole, r, true) +
-                                       evaluated(f, precision, pole, r, false))
-                                : Real(evaluated(f, precision, right, rest, false) +
-                                       evaluated(f, precision, left, rest, true));
+                return r < rest ? Real(evaluated(f, precision, pole, r, true, h) +
+                                       evaluated(f, precision, pole, r, false, h))
+                                : Real(evaluated(f, precision, right, rest, false, h) +
+                                       evaluated(f, precision, left, rest, true, h));
             },
             h, Real(0), Real(0));
         sum = {fold.value, fold.estimate, fold.converged};

@@ -47,6 +47,7 @@ int verify(const Options& o) {
         write_whole(out / "verdicts.csv", verdicts_csv(result));
         write_whole(out / "verdicts.md", verdicts_markdown(result));
         write_whole(out / "verdicts.tex", verdicts_latex(result));
+        write_html_report(result, ledger, out, o.threads);
     }
     std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
 
@@ -81,7 +82,7 @@ void add_verify(CLI::App& app, int& code) {
     auto o = std::make_shared<Options>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
-    sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md and .tex");
+    sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md, .tex and report.html");
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));

@@ -3,7 +3,11 @@
 /// What people look at.
 ///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
 ///   golden.hpp           an audit held against the verdicts recorded before
+///   html_report.hpp      an audit as a page, with the paper's figures made anew
+///   figures.hpp          a figure as data, drawn by gnuplot
 ///   files.hpp            files written aside and renamed: whole or not at all
+#include "edgeproof/report/figures.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/golden.hpp"
+#include "edgeproof/report/html_report.hpp"
 #include "edgeproof/report/verdict_writers.hpp"

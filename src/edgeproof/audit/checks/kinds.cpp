@@ -8,6 +8,8 @@ const std::vector<CheckKind>& check_kinds() {
         definition_kind(),
         value_kind(),
         identity_kind(),
+        expansion_kind(),
+        size_extent_kind(),
     };
     return kinds;
 }

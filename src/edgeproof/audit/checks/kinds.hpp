@@ -12,5 +12,9 @@ namespace edgeproof {
 [[nodiscard]] CheckKind value_kind();
 /// A formula against a derived quantity, in symbols, and at samples too.
 [[nodiscard]] CheckKind identity_kind();
+/// An expansion against a function, power by power; what is left, in real contacts.
+[[nodiscard]] CheckKind expansion_kind();
+/// A quoted extent of which the size of the contact is not given: the sizes for which it holds.
+[[nodiscard]] CheckKind size_extent_kind();
 
 } // namespace edgeproof

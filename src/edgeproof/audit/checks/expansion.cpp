@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t draws = 3;
+
+/// Numbers for all symbols of two formulas: what differs there differs, whatever the symbols say.
+std::vector<FormalValues> draw_values(const Expr& x, const Expr& y, const SymbolicCase& under) {
+    std::set<std::string> names = free_symbols(x);
+    names.merge(free_symbols(y));
+    for (unsigned k = 1; k <= 9; ++k) { // what the functions along the family expand into
+        names.insert("P" + std::to_string(k));
+        names.insert("b" + std::to_string(k));
+    }
+    std::vector<FormalValues> values;
+    for (std::size_t k = 0; k < draws; ++k) {
+        values.emplace_back(names, under, k);
+    }
+    return values;
+}
+
+bool close(const Real& x, const Real& y) {
+    const PrecisionScope scope(FormalValues::digits);
+    return abs(x - y) <= pow(Real(10), -30) * (abs(x) + abs(y));
+}
+
+/// The coefficients differ in numbers, at every draw where both have a value.
+bool differ(const ExpansionComparison::Term& term, const std::vector<FormalValues>& values) {
+    std::size_t compared = 0;
+    for (const FormalValues& v : values) {
+        try {
+            if (close(v.evaluate(term.printed), v.evaluate(term.derived))) {
+                return false;
+            }
+            ++compared;
+        } catch (const Error&) {
+            continue; // a draw outside the domain of a root
+        }
+    }
+    return compared > 0;
+}
+
+std::string power_text(const std::string& variable, const Rational& exponent) {
+    return variable + "^(" + exponent.str() + ")";
+}
+
+std::vector<EvidenceItem> terms_evidence(const ExpansionComparison& comparison,
+                                         const std::string& variable) {
+    std::vector<EvidenceItem> list;
+    for (const auto& term : comparison.terms) {
+        Evidence e;
+        e.add("power", power_text(variable, term.exponent)).add("equal", term.equal);
+        if (!term.equal) {
+            e.add("printed", to_text(term.printed)).add("derived", to_text(term.derived));
+        } else {
+            e.add("both", to_text(term.derived));
+        }
+        list.emplace_back(std::move(e));
+    }
+    return list;
+}
+
+/// What is left of the exact function after the printed terms, in real contacts: an order found
+/// with no series at all. The smallest order over the samples; nothing where nothing is left.
+struct Remainder {
+    std::optional<double> order;
+    std::string at;
+    std::size_t samples = 0;
+};
+
+Remainder measure_remainder(const Claim& claim, const AuditContext& context, const Expr& printed,
+                            const Expr& exact, const std::string& variable,
+                            const Rational& through) {
+    constexpr int step = 3; // decades between the two values of the variable
+    // Digits that cancel: `through` + 1 powers of about 1e-20.
+    const auto extra = static_cast<unsigned>((through.convert_to<double>() + 2) * 24);
+    const unsigned digits = context.digits() + extra;
+    const Spots spots(claim, context, digits);
+    Remainder remainder;
+    for (const Spot& spot : spots.all()) {
+        Spot near = spot;
+        const auto it = near.variables.find(variable);
+        if (it == near.variables.end()) {
+            claim.reject("vary", "vary does not say where " + variable + " runs",
+                         "write vary = { " + variable + " = [\"a*1e-14\"] }");
+        }
+        const PrecisionScope scope(digits + 20);
+        const auto left_over = [&](const Spot& at) {
+            const Real value = at.evaluate(exact).value;
+            const Real left = abs(value - at.evaluate(printed).value);
+            return left <= abs(value) * pow(Real(10), -static_cast<int>(digits) + 10) ? Real(0)
+                                                                                      : left;
+        };
+        const Real far = left_over(near);
+        it->second = it->second / pow(Real(10), step);
+        const Real close_by = left_over(near);
+        ++remainder.samples;
+        if (far == 0 || close_by == 0) {
+            continue;
+        }
+        const double order = Real(log10(Real(far / close_by)) / step).convert_to<double>();
+        if (!remainder.order || order < *remainder.order) {
+            remainder.order = order;
+            remainder.at = spot.text;
+        }
+    }
+    return remainder;
+}
+
+/// Candidates of the diagnosis: coefficients in numbers.
+class QuickExpansion {
+public:
+    QuickExpansion(const Claim& claim, const ExpansionIn& in, const ExpansionComparison& comparison,
+                   const std::vector<FormalValues>& values)
+        : claim_(claim), in_(in), values_(values) {
+        for (const auto& term : comparison.terms) {
+            terms_.push_back({term.exponent, term.derived});
+        }
+    }
+    [[nodiscard]] bool looks_right(const Expr& written) const {
+        if (terms_.empty()) {
+            return false;
+        }
+        const Expr e = expand_definitions(written, claim_.vocabulary);
+        const auto half = [](const Rational& q) { return Rational(2 * q).convert_to<long>(); };
+        const long first = half(terms_.front().exponent);
+        for (const FormalValues& v : values_) {
+            const std::vector<Real> c = v.coefficients(e, in_, first, half(in_.through));
+            for (std::size_t k = 0; k < c.size(); ++k) {
+                const auto exponent = Rational(first + static_cast<long>(k)) / 2;
+                const auto term = std::find_if(terms_.begin(), terms_.end(), [&](const auto& t) {
+                    return t.exponent == exponent;
+                });
+                if (!close(c[k], term == terms_.end() ? Real(0) : v.evaluate(term->coefficient))) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+private:
+    const Claim& claim_;
+    const ExpansionIn& in_;
+    const std::vector<FormalValues>& values_;
+    std::vector<ExpansionTerm> terms_;
+};
+
+Outcome check_expansion(const Claim& claim, const AuditContext& context) {
+    const Expr printed = claim.formula("says");
+    const Expr exact = claim.formula("of");
+    const std::string variable = claim.text("variable");
+    const SymbolicCase under = symbolic_case(claim, context);
+    const ExpansionIn in{variable,
+                         claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left,
+                         Exact::parse(claim.text("through")).rational()};
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"));
+    const ExpansionComparison comparison = compare_expansions(printed, exact, in, under);
+    outcome.evidence.add("terms", terms_evidence(comparison, variable));
+
+    const Remainder remainder =
+        measure_remainder(claim, context, printed, exact, variable, in.through);
+    outcome.evidence.add("samples", remainder.samples);
+    outcome.evidence.add("order_of_the_rest",
+                         remainder.order ? fmt::format("{:.6f}", *remainder.order) : "no rest");
+    const double needed = in.through.convert_to<double>() + 0.5 - 1e-3;
+    const bool rest_is_small = !remainder.order || *remainder.order >= needed;
+
+    if (comparison.equal()) {
+        outcome.verdict = rest_is_small ? Verdict::proved : Verdict::undecided;
+        outcome.note = rest_is_small ? "equal power by power; what is left has the order claimed"
+                                     : "equal in symbols, but more is left at " + remainder.at;
+        return outcome;
+    }
+    const std::vector<FormalValues> values = draw_values(printed, exact, under);
+    const auto* wrong = comparison.first_wrong();
+    if (!differ(*wrong, values)) {
+        outcome.verdict = rest_is_small ? Verdict::confirmed : Verdict::undecided;
+        outcome.note = "not proved in symbols";
+        return outcome;
+    }
+    outcome.verdict = Verdict::refuted;
+    const std::string first = "departs at " + power_text(variable, wrong->exponent);
+    outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));
+    if (!remainder.at.empty()) {
+        outcome.evidence.add("worst_at", remainder.at);
+    }
+    if (claim.has("as_if")) {
+        Evidence hypotheses;
+        for (const auto& [text, formulas] : claim.table("as_if")) {
+            const Expr other = expand_definitions(parse_formula(formulas.front(), claim.vocabulary),
+                                                  claim.vocabulary);
+            hypotheses.add(text, compare_expansions(printed, other, in, under).equal()
+                                     ? "gives the printed line"
+                                     : "does not give the printed line");
+        }
+        outcome.evidence.add("as_if", std::move(hypotheses));
+    }
+    Patient patient;
+    patient.printed = claim.written("says");
+    patient.alphabet = alphabet_for(claim, patient.printed, exact);
+    std::erase(patient.alphabet.symbols, variable);
+    std::vector<ExpansionTerm> derived;
+    for (const auto& term : comparison.terms) {
+        derived.push_back({term.exponent, term.derived});
+    }
+    patient.derived = sum_of(derived, variable);
+    const QuickExpansion quick(claim, in, comparison, values);
+    patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
+    patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
+        return compare_expansions(expand_definitions(e, claim.vocabulary), exact, in, under).equal()
+                   ? Verdict::proved
+                   : Verdict::refuted;
+    };
+    diagnose(patient, outcome);
+    outcome.note = first + "; " + outcome.note;
+    return outcome;
+}
+
+} // namespace
+
+CheckKind expansion_kind() {
+    using Type = KeySpec::Type;
+    return {"expansion",
+            {{.name = "says", .type = Type::formula, .required = true},
+             {.name = "of", .type = Type::formula, .required = true},
+             {.name = "variable", .required = true},
+             {.name = "through", .type = Type::number, .required = true},
+             {.name = "as_if", .type = Type::table},
+             {.name = "given", .type = Type::table}},
+            check_expansion};
+}
+
+} // namespace edgeproof

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/size_extents.hpp"
+#include "edgeproof/audit/size_scan.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::string_view kind_name = "size-extent";
+
+/// A quoted extent: the figure, and what it is a figure of.
+struct Quoted {
+    std::string id;
+    ExtentOf of;
+    std::optional<ExtentOf> over; ///< what it is divided by, if anything
+    Float128 lower;               ///< what rounds to the figure lies from here ...
+    Float128 upper;               ///< ... to below here
+};
+
+Quoted read_quoted(const Claim& claim) {
+    const auto number = [&](std::string_view key) {
+        return Exact::parse(claim.text(key)).to<Float128>();
+    };
+    const auto terms = [&](std::string_view key) {
+        const long n = claim.integer(key);
+        if (n < 1 || n > 4) {
+            claim.reject(key, "an approximation of " + std::to_string(n) + " terms",
+                         "write 1 to 4");
+        }
+        return static_cast<std::size_t>(n);
+    };
+    Quoted q;
+    q.id = claim.id;
+    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    q.of = {edge, terms("terms"), number("tolerance")};
+    if (claim.has("over_terms")) {
+        q.over = ExtentOf{edge, terms("over_terms"), q.of.tolerance};
+    }
+    const Float128 half = number("unit") / 2;
+    q.lower = number("figure") - half;
+    q.upper = number("figure") + half;
+    if (!(half > 0) || !(q.of.tolerance > 0)) {
+        claim.reject("unit", "a unit or a tolerance that is not positive",
+                     "give both as positive numbers, such as 1/100");
+    }
+    return q;
+}
+
+using Fractions = ContactsBySize::Fractions;
+
+Fractions quotient(Fractions x, const Fractions& y) {
+    for (std::size_t r = 0; r < x.size(); ++r) {
+        x[r] /= y[r];
+    }
+    return x;
+}
+
+Fractions values_of(const Quoted& q, ContactsBySize::At& contact) {
+    const Fractions x = contact.fractions(q.of);
+    return q.over ? quotient(x, contact.fractions(*q.over)) : x;
+}
+Fractions rough_values_of(const Quoted& q, ContactsBySize::At& contact) {
+    const Fractions x = contact.rough_fractions(q.of);
+    return q.over ? quotient(x, contact.rough_fractions(*q.over)) : x;
+}
+
+std::vector<Quoted> companions(const Claim& claim, const AuditContext& context) {
+    std::vector<Quoted> all;
+    if (!claim.has("together")) {
+        return all;
+    }
+    for (const std::string& id : claim.list("together")) {
+        const auto& claims = context.ledger().claims;
+        const auto it = std::find_if(claims.begin(), claims.end(), [&](const Claim& c) {
+            return c.id == id && c.kind == kind_name && c.text("over") == claim.text("over");
+        });
+        if (it == claims.end()) {
+            claim.reject(
+                "together", "there is no claim " + id + " of this kind over the same scene",
+                "name claims of kind " + std::string(kind_name) + " over " + claim.text("over"));
+        }
+        all.push_back(read_quoted(*it));
+    }
+    return all;
+}
+
+std::string decimal(const Float128& x, unsigned digits) {
+    const PrecisionScope scope(40);
+    return to_decimal(Real(x), digits);
+}
+
+constexpr std::size_t readings = extent_readings.size();
+
+/// What a figure is at all sizes, and for which it holds, under each reading.
+struct Found {
+    std::array<SizeSet, readings> holds;
+    std::array<Float128, readings> least;
+    std::array<Float128, readings> most;
+    std::vector<Float128> breaks;
+    std::size_t looked_at = 0;
+};
+
+Found find_sizes(const Quoted& q, const Profile& profile, const Exact& from, const Exact& to) {
+    const SizeScan scan(profile, from, to);
+    const ContactsBySize contacts(profile);
+    std::array<std::vector<Float128>, readings> table;
+    for (const Float128& a : scan.sizes()) {
+        ContactsBySize::At contact = contacts.at(a);
+        const Fractions values = rough_values_of(q, contact);
+        for (std::size_t r = 0; r < readings; ++r) {
+            table[r].push_back(values[r]);
+        }
+    }
+    Found found;
+    for (std::size_t r = 0; r < readings; ++r) {
+        const auto f = [&](const Float128& a) {
+            ContactsBySize::At contact = contacts.at(a);
+            return values_of(q, contact)[r];
+        };
+        found.holds[r] = scan.between(f, table[r], q.lower, q.upper);
+        found.least[r] = *std::min_element(table[r].begin(), table[r].end());
+        found.most[r] = *std::max_element(table[r].begin(), table[r].end());
+    }
+    found.breaks = scan.breaks();
+    found.looked_at = scan.sizes().size();
+    return found;
+}
+
+/// Sizes for which a group of figures holds and no larger group does: "a = 1 ... 2: S39, S40".
+struct Group {
+    std::vector<std::string> ids;
+    SizeSet sizes;
+};
+
+std::vector<Group> largest_groups(const std::vector<Quoted>& figures,
+                                  const std::vector<SizeSet>& holds) {
+    std::vector<Float128> ends;
+    for (const SizeSet& set : holds) {
+        for (const SizeInterval& i : set) {
+            ends.push_back(i.from);
+            ends.push_back(i.to);
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    std::map<std::vector<std::size_t>, SizeSet> at;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+        const SizeSet cell{{ends[k], ends[k + 1], false, false}};
+        std::vector<std::size_t> group;
+        for (std::size_t i = 0; i < holds.size(); ++i) {
+            if (!intersection(cell, holds[i]).empty()) {
+                group.push_back(i);
+            }
+        }
+        if (group.size() > 1) {
+            SizeSet& sizes = at[group];
+            sizes.push_back(cell.front());
+        }
+    }
+    std::vector<Group> largest;
+    for (const auto& [group, sizes] : at) {
+        const bool within_another = std::any_of(at.begin(), at.end(), [&](const auto& other) {
+            return other.first.size() > group.size() &&
+                   std::includes(other.first.begin(), other.first.end(), group.begin(),
+                                 group.end());
+        });
+        if (!within_another) {
+            Group g{{}, sizes};
+            for (const std::size_t i : group) {
+                g.ids.push_back(figures[i].id);
+            }
+            largest.push_back(std::move(g));
+        }
+    }
+    return largest;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) {
+        text += (text.empty() ? "" : ", ") + part;
+    }
+    return text;
+}
+
+Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
+    const std::vector<SceneSpec> scenes = context.scenes(claim);
+    if (scenes.size() != 1) {
+        claim.reject("over",
+                     "a size is sought for one scene, not for " + std::to_string(scenes.size()),
+                     "name a family with count = 1");
+    }
+    const auto range = claim.list("sizes");
+    if (range.size() != 2) {
+        claim.reject("sizes", "sizes are not two numbers", "write sizes = [\"FROM\", \"TO\"]");
+    }
+    const Profile profile = scenes.front().make_profile();
+    const auto sizes_of = [&](const Quoted& q) {
+        return context.once<Found>(
+            "size-extent/" + scenes.front().family + "/" + range[0] + "/" + range[1] + "/" + q.id,
+            [&] { return find_sizes(q, profile, Exact::parse(range[0]), Exact::parse(range[1])); });
+    };
+    const auto found = sizes_of(read_quoted(claim));
+    const std::vector<Quoted> figures = companions(claim, context);
+    std::vector<std::shared_ptr<const Found>> of_figures;
+    for (const Quoted& q : figures) {
+        of_figures.push_back(sizes_of(q));
+    }
+
+    Outcome outcome;
+    outcome.evidence.add("size", "the right edge a; all else is given")
+        .add("searched", range[0] + " ... " + range[1])
+        .add("sizes_looked_at", found->looked_at);
+    std::vector<std::string> breaks;
+    for (const Float128& a : found->breaks) {
+        breaks.push_back(decimal(a, 12));
+    }
+    outcome.evidence.add("edge_on_a_knot_at", breaks);
+    const bool of_side = claim.text("base") == "side";
+    std::size_t looked = 0;
+    std::size_t some = 0;
+    std::size_t everything = 0;
+    bool jointly = false;
+    std::string fitting;
+    for (std::size_t r = 0; r < readings; ++r) {
+        const SizeSet& holds = found->holds[r];
+        Evidence one;
+        one.add("least", decimal(found->least[r], 6)).add("most", decimal(found->most[r], 6));
+        one.add("holds_for_a", to_text(holds));
+        SizeSet all;
+        std::vector<SizeSet> sets;
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            sets.push_back(of_figures[i]->holds[r]);
+            all = i == 0 ? sets.back() : intersection(all, sets.back());
+        }
+        if (!figures.empty()) {
+            one.add("all_hold_for_a", to_text(all));
+            std::vector<std::string> groups;
+            for (const Group& group : largest_groups(figures, sets)) {
+                groups.push_back("a = " + to_text(group.sizes, 8) + ": " + joined(group.ids));
+            }
+            one.add("together", groups);
+        }
+        outcome.evidence.add(text_of(extent_readings[r]), one);
+        if (is_of_side(extent_readings[r]) != of_side) {
+            continue;
+        }
+        ++looked;
+        some += holds.empty() ? 0 : 1;
+        everything += is_everything(holds) ? 1 : 0;
+        jointly = jointly || !all.empty();
+        if (fitting.empty() && !holds.empty()) {
+            fitting = "a = " + to_text(holds, 4);
+        }
+    }
+    if (some == 0) {
+        outcome.verdict = Verdict::refuted;
+        outcome.note = "for no size of the contact does it round to this";
+    } else if (everything == looked) {
+        outcome.verdict = Verdict::confirmed;
+        outcome.note = "the size is not given, and for every size it rounds to this";
+    } else {
+        outcome.verdict = everything > 0 ? Verdict::imprecise : Verdict::underspecified;
+        outcome.note = "the size is not given; it would hold for " + fitting;
+    }
+    if (!figures.empty()) {
+        outcome.note += jointly ? "; there are sizes for which all figures hold together"
+                                : "; for no size do all figures hold together";
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind size_extent_kind() {
+    using Type = KeySpec::Type;
+    return {std::string_view(kind_name),
+            {{.name = "figure", .type = Type::number, .required = true},
+             {.name = "unit", .type = Type::number, .required = true},
+             {.name = "tolerance", .type = Type::number, .required = true},
+             {.name = "terms", .type = Type::integer, .required = true},
+             {.name = "over_terms", .type = Type::integer},
+             {.name = "base", .type = Type::choice, .required = true, .choices = {"side", "whole"}},
+             {.name = "sizes", .type = Type::list, .required = true},
+             {.name = "together", .type = Type::list}},
+            check_size_extent};
+}
+
+} // namespace edgeproof

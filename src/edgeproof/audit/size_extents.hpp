@@ -53,6 +53,9 @@ public:
         [[nodiscard]] Fractions fractions(const ExtentOf& of);
         /// To about 12, several times faster.
         [[nodiscard]] Fractions rough_fractions(const ExtentOf& of);
+        [[nodiscard]] const Extent<Float128>& extent();
+        /// c_0 ... c_3, to about 28 digits.
+        [[nodiscard]] const std::vector<Float128>& coefficients(Edge edge);
 
     private:
         /// p at places from an edge to the other, and p_local/p - 1 there.
@@ -66,9 +69,7 @@ public:
             std::array<std::vector<T>, 2> c;
         };
         [[nodiscard]] const Extent<long double>& rough_extent();
-        [[nodiscard]] const Extent<Float128>& extent();
         [[nodiscard]] const std::vector<long double>& rough_coefficients(Edge edge);
-        [[nodiscard]] const std::vector<Float128>& coefficients(Edge edge);
         [[nodiscard]] const std::vector<Node>& pressures(Edge edge);
         [[nodiscard]] std::vector<long double> places(Edge edge);
         [[nodiscard]] Float128 error(const ExtentOf& of, const Float128& u);

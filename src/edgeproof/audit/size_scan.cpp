@@ -18,11 +18,6 @@ const Float128 isolation("1e-16");
 /// An interval no wider than this is where a jump crosses both bounds.
 const Float128 width_of_a_jump("1e-13");
 
-std::string size_text(const Float128& a, unsigned digits) {
-    const PrecisionScope scope(40);
-    return to_decimal(Real(a), digits);
-}
-
 /// A value at a size.
 struct Value {
     Float128 a;
@@ -94,12 +89,17 @@ SizeSet intersection(const SizeSet& x, const SizeSet& y) {
     return both;
 }
 
+std::string to_text(const Float128& a, unsigned digits) {
+    const PrecisionScope scope(40);
+    return to_decimal(Real(a), digits);
+}
+
 std::string to_text(const SizeSet& set, unsigned digits) {
     std::string text;
     for (const SizeInterval& i : set) {
         text += text.empty() ? "" : "; ";
-        text += size_text(i.from, digits) + (i.open_below ? " (start of the search)" : "") +
-                " ... " + size_text(i.to, digits) + (i.open_above ? " (end of the search)" : "");
+        text += to_text(i.from, digits) + (i.open_below ? " (start of the search)" : "") + " ... " +
+                to_text(i.to, digits) + (i.open_above ? " (end of the search)" : "");
     }
     return text.empty() ? "none" : text;
 }

@@ -25,6 +25,8 @@ using SizeSet = std::vector<SizeInterval>;
 [[nodiscard]] SizeSet intersection(const SizeSet& x, const SizeSet& y);
 /// "1.23456789012 ... 2.5; 7.5 ... end of the search": each end to so many digits.
 [[nodiscard]] std::string to_text(const SizeSet& set, unsigned digits = 12);
+/// One size.
+[[nodiscard]] std::string to_text(const Float128& a, unsigned digits = 12);
 /// One interval from one end of the search to the other.
 [[nodiscard]] bool is_everything(const SizeSet& set);
 

@@ -10,6 +10,7 @@ const std::vector<CheckKind>& check_kinds() {
         identity_kind(),
         expansion_kind(),
         size_extent_kind(),
+        size_condition_kind(),
     };
     return kinds;
 }

@@ -16,5 +16,7 @@ namespace edgeproof {
 [[nodiscard]] CheckKind expansion_kind();
 /// A quoted extent of which the size of the contact is not given: the sizes for which it holds.
 [[nodiscard]] CheckKind size_extent_kind();
+/// A condition on the coefficients at both edges: the sizes for which it holds.
+[[nodiscard]] CheckKind size_condition_kind();
 
 } // namespace edgeproof

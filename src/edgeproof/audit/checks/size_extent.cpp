@@ -3,7 +3,6 @@
 #include "edgeproof/audit/size_extents.hpp"
 #include "edgeproof/audit/size_scan.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -16,6 +15,7 @@ constexpr std::string_view kind_name = "size-extent";
 /// A quoted extent: the figure, and what it is a figure of.
 struct Quoted {
     std::string id;
+    std::string key; ///< all that the figure and its meaning depend on, but the scene
     ExtentOf of;
     std::optional<ExtentOf> over; ///< what it is divided by, if anything
     Float128 lower;               ///< what rounds to the figure lies from here ...
@@ -36,6 +36,9 @@ Quoted read_quoted(const Claim& claim) {
     };
     Quoted q;
     q.id = claim.id;
+    for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
+        q.key += "/" + claim.text_or(name, "");
+    }
     const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
     q.of = {edge, terms("terms"), number("tolerance")};
     if (claim.has("over_terms")) {
@@ -87,11 +90,6 @@ std::vector<Quoted> companions(const Claim& claim, const AuditContext& context) 
         all.push_back(read_quoted(*it));
     }
     return all;
-}
-
-std::string decimal(const Float128& x, unsigned digits) {
-    const PrecisionScope scope(40);
-    return to_decimal(Real(x), digits);
 }
 
 constexpr std::size_t readings = extent_readings.size();
@@ -198,11 +196,20 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     if (range.size() != 2) {
         claim.reject("sizes", "sizes are not two numbers", "write sizes = [\"FROM\", \"TO\"]");
     }
+    const auto size = [&](const std::string& text) {
+        try {
+            return Exact::parse(text);
+        } catch (const InputError& error) {
+            claim.reject("sizes", error.problem(), error.instead());
+        }
+    };
     const Profile profile = scenes.front().make_profile();
+    const Exact from = size(range[0]);
+    const Exact to = size(range[1]);
     const auto sizes_of = [&](const Quoted& q) {
         return context.once<Found>(
-            "size-extent/" + scenes.front().family + "/" + range[0] + "/" + range[1] + "/" + q.id,
-            [&] { return find_sizes(q, profile, Exact::parse(range[0]), Exact::parse(range[1])); });
+            "size-extent/" + scenes.front().family + "/" + range[0] + "/" + range[1] + q.key,
+            [&] { return find_sizes(q, profile, from, to); });
     };
     const auto found = sizes_of(read_quoted(claim));
     const std::vector<Quoted> figures = companions(claim, context);
@@ -217,7 +224,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         .add("sizes_looked_at", found->looked_at);
     std::vector<std::string> breaks;
     for (const Float128& a : found->breaks) {
-        breaks.push_back(decimal(a, 12));
+        breaks.push_back(to_text(a, 12));
     }
     outcome.evidence.add("edge_on_a_knot_at", breaks);
     const bool of_side = claim.text("base") == "side";
@@ -229,7 +236,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     for (std::size_t r = 0; r < readings; ++r) {
         const SizeSet& holds = found->holds[r];
         Evidence one;
-        one.add("least", decimal(found->least[r], 6)).add("most", decimal(found->most[r], 6));
+        one.add("least", to_text(found->least[r], 6)).add("most", to_text(found->most[r], 6));
         one.add("holds_for_a", to_text(holds));
         SizeSet all;
         std::vector<SizeSet> sets;

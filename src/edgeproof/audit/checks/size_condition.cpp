@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/size_extents.hpp"
+#include "edgeproof/audit/size_scan.hpp"
+#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+/// a, b, L and the coefficients at both edges, in binary128.
+class SizeEnvironment {
+public:
+    explicit SizeEnvironment(ContactsBySize::At& contact) : contact_(contact) {}
+    [[nodiscard]] Float128 number(const Rational& q) const { return from_rational<Float128>(q); }
+    [[nodiscard]] Float128 pi() const { return edgeproof::pi<Float128>(); }
+    [[nodiscard]] Float128 symbol(std::string_view name) const {
+        const auto& e = contact_.extent();
+        if (name == "a" || name == "b" || name == "L") {
+            return name == "a" ? e.a : name == "b" ? e.b : e.length();
+        }
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const std::string_view prefix = edge == Edge::right ? "right_c" : "left_c";
+            if (name.starts_with(prefix) && name.size() == prefix.size() + 1) {
+                const auto k = static_cast<std::size_t>(name.back() - '0');
+                const auto& c = contact_.coefficients(edge);
+                if (k < c.size()) {
+                    return c[k];
+                }
+            }
+        }
+        throw Error("'" + std::string(name) + "' is not known where the size varies");
+    }
+
+private:
+    ContactsBySize::At& contact_;
+};
+
+bool holds(const Relation& r, const SizeEnvironment& at) {
+    const auto lhs = evaluate<Float128>(r.lhs, at);
+    const auto rhs = evaluate<Float128>(r.rhs, at);
+    switch (r.op) {
+    case Relation::Op::less:
+        return lhs < rhs;
+    case Relation::Op::less_equal:
+        return lhs <= rhs;
+    case Relation::Op::greater:
+        return lhs > rhs;
+    case Relation::Op::greater_equal:
+        return lhs >= rhs;
+    case Relation::Op::equal:
+        break;
+    }
+    return lhs == rhs;
+}
+
+std::string relation_text(const Relation& r) {
+    constexpr std::array signs{"<", "<=", ">", ">=", "="};
+    return to_text(r.lhs) + " " + signs.at(static_cast<std::size_t>(r.op)) + " " + to_text(r.rhs);
+}
+
+Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
+    const std::vector<SceneSpec> scenes = context.scenes(claim);
+    const auto range = claim.list("sizes");
+    if (scenes.size() != 1 || range.size() != 2) {
+        claim.reject(scenes.size() != 1 ? "over" : "sizes",
+                     "a size is sought for one scene and between two sizes",
+                     "name a family with count = 1 and write sizes = [\"FROM\", \"TO\"]");
+    }
+    const Condition condition = claim.condition("says");
+    const Profile profile = scenes.front().make_profile();
+    const ContactsBySize contacts(profile);
+    const SizeScan scan(profile, Exact::parse(range[0]), Exact::parse(range[1]), 4);
+    const auto where = [&](const Condition& all) {
+        return scan.where([&](const Float128& a) {
+            ContactsBySize::At contact = contacts.at(a);
+            const SizeEnvironment at(contact);
+            return std::all_of(all.begin(), all.end(),
+                               [&](const Relation& r) { return holds(r, at); });
+        });
+    };
+    const SizeSet set = where(condition);
+    Outcome outcome;
+    outcome.evidence.add("size", "the right edge a; all else is given")
+        .add("searched", range[0] + " ... " + range[1])
+        .add("sizes_looked_at", scan.sizes().size());
+    std::vector<std::string> breaks;
+    for (const Float128& a : scan.breaks()) {
+        breaks.push_back(to_text(a));
+    }
+    outcome.evidence.add("edge_on_a_knot_at", breaks).add("holds_for_a", to_text(set));
+    if (set.empty()) {
+        outcome.verdict = Verdict::refuted;
+        outcome.note = "for no size of the contact does it hold";
+    } else if (is_everything(set)) {
+        outcome.verdict = Verdict::confirmed;
+        outcome.note = "the size is not given, and for every size it holds";
+    } else {
+        outcome.verdict = Verdict::underspecified;
+        outcome.note = "the size is not given; it would hold for a = " + to_text(set, 4);
+        Evidence each;
+        for (const Relation& r : condition) {
+            each.add(relation_text(r), to_text(where({r})));
+        }
+        outcome.evidence.add("each_holds_for_a", each);
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind size_condition_kind() {
+    using Type = KeySpec::Type;
+    return {"size-condition",
+            {{.name = "says", .type = Type::condition, .required = true},
+             {.name = "sizes", .type = Type::list, .required = true}},
+            check_size_condition};
+}
+
+} // namespace edgeproof

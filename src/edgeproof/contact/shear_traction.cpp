@@ -41,6 +41,13 @@ ShearTraction::ShearTraction(const NormalContact& contact, ShearSpec spec, Work*
     }
 }
 
+const Real& ShearTraction::force() const {
+    if (!force_) {
+        force_ = contact_.force();
+    }
+    return *force_;
+}
+
 const NormalContact& ShearTraction::finer(unsigned extra) const {
     if (extra == 0) {
         return contact_;
@@ -82,7 +89,7 @@ EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
         ++work_->counts.shear_points;
     }
     const PrecisionScope scope(pressure.working_digits);
-    const Real q = spec_.Q.to<Real>() / contact_.force() * pressure.value;
+    const Real q = spec_.Q.to<Real>() / force() * pressure.value;
     return {q, Real(abs(q) * pressure.estimate), pressure.working_digits};
 }
 
@@ -92,7 +99,7 @@ std::vector<EstimatedTraction> ShearTraction::similar_to(const std::vector<Real>
     }
     const unsigned working = contact_.a().precision();
     const PrecisionScope scope(working);
-    const Real factor = spec_.Q.to<Real>() / contact_.force();
+    const Real factor = spec_.Q.to<Real>() / force();
     const Real relative = pow(Real(10), -static_cast<int>(contact_.digits() + spare_digits));
     std::vector<EstimatedTraction> s;
     for (const Real& x : c) {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeproof {
@@ -61,6 +62,7 @@ public:
     [[nodiscard]] Real tension_ratio() const;
 
 private:
+    [[nodiscard]] const Real& force() const;
     /// The contact with so many digits more.
     [[nodiscard]] const NormalContact& finer(unsigned extra) const;
     template <class At> [[nodiscard]] EstimatedTraction escalated(const At& at) const;
@@ -68,6 +70,7 @@ private:
     const NormalContact& contact_;
     ShearSpec spec_;
     Work* work_;
+    mutable std::optional<Real> force_;
     mutable std::map<unsigned, std::unique_ptr<NormalContact>> finer_;
 };
 

@@ -15,6 +15,7 @@ struct Counts {
     std::size_t quadratures = 0;      ///< pressures by quadrature
     std::size_t shear_points = 0;     ///< shear tractions
     std::size_t shear_expansions = 0; ///< edges at which q was expanded
+    std::size_t resultants = 0;       ///< forces and moments
     std::size_t extents = 0;          ///< edges and numbers of terms whose extent was sought
 
     friend bool operator==(const Counts&, const Counts&) = default;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/plan.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+constexpr unsigned guard_digits = 20;
+
+[[noreturn]] void reject(const Scene& scene, const std::string& problem,
+                         const std::string& instead) {
+    throw InputError(problem, instead)
+        .at(scene.file, scene.ask_line != 0 ? scene.ask_line : scene.profile_line);
+}
+
+std::string count_of(std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// What is asked must come with the means for it.
+void check(const Scene& scene) {
+    const Ask& ask = scene.ask;
+    if ((ask.wants(Quantity::pressure) || ask.wants(Quantity::shear)) && ask.u.empty()) {
+        reject(scene, "the scene asks for no points",
+               "add u = [\"1e-3\", \"0.1\"] (distances from the edge) to [ask]");
+    }
+    if (ask.wants(Quantity::shear) && !scene.shear) {
+        reject(scene, "shear is asked for and there is no [shear]",
+               "add [shear] with Q or bulk_tension");
+    }
+    if (ask.wants(Quantity::coefficients) && ask.terms.empty()) {
+        reject(scene, "coefficients are asked for and no number of terms",
+               "add terms = 3 to [ask]");
+    }
+    if (ask.wants(Quantity::extent) && (ask.terms.empty() || !ask.tolerance)) {
+        reject(scene, "an extent needs a number of terms and a tolerance",
+               "add terms = 1 and tolerance = \"1%\" to [ask]");
+    }
+}
+
+class Planner {
+public:
+    explicit Planner(const Scene& scene) : scene_(scene), ask_(scene.ask) {}
+
+    Plan make() {
+        plan_.digits = ask_.digits;
+        plan_.working_digits = ask_.digits + guard_digits;
+        plan_.edges = ask_.edges;
+        plan_.mirrored = scene_.symmetric() && ask_.edges.size() == 2;
+        plan_.print_pressure = ask_.wants(Quantity::pressure);
+        plan_.shear = ask_.wants(Quantity::shear);
+        plan_.extents = ask_.wants(Quantity::extent);
+        plan_.resultants = ask_.wants(Quantity::contact);
+        const bool similar = scene_.shear && scene_.shear->path == LoadingPath::together;
+        plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
+        plan_.points = plan_.pressure || plan_.shear ? ask_.u.size() : 0;
+        const bool coefficients = ask_.wants(Quantity::coefficients);
+        const bool approximations = plan_.points > 0 && !ask_.terms.empty();
+        plan_.terms = coefficients || approximations ? ask_.most_terms() : 0;
+        plan_.expand_shear = scene_.shear && (coefficients || (approximations && plan_.shear));
+        plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
+                                (plan_.expand_shear && similar);
+        plan_.route = ask_.route != Route::automatic ? ask_.route
+                      : !scene_.profile || scene_.profile->piecewise_linear()
+                          ? Route::closed_form
+                          : Route::singular_integral;
+        contact();
+        pressure();
+        expansions(coefficients);
+        shear(similar);
+        extents();
+        resultants(similar);
+        return std::move(plan_);
+    }
+
+private:
+    void add(const char* name, bool on, std::string why, std::size_t Counts::*counter = nullptr,
+             std::size_t count = 0) {
+        if (on && counter != nullptr) {
+            plan_.counts.*counter += count;
+        }
+        plan_.effects.push_back({name, on, std::move(why), counter});
+    }
+    /// Edges at which p is computed, or q.
+    [[nodiscard]] std::size_t edges_of_p() const { return plan_.mirrored ? 1 : ask_.edges.size(); }
+    [[nodiscard]] std::size_t edges_of_q(bool similar) const {
+        return similar ? edges_of_p() : ask_.edges.size();
+    }
+
+    void contact() {
+        const bool tilt = scene_.punch.has_value();
+        add("tilt", tilt,
+            tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
+            &Counts::tilts, 1);
+        const bool force = scene_.load.kind == Load::Kind::force;
+        add("size from force", force, force ? "P is given" : "a is given", &Counts::load_inversions,
+            1);
+        const bool consistency = !scene_.symmetric();
+        add("consistency", consistency,
+            consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",
+            &Counts::consistency, 1);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const bool asked =
+                std::find(ask_.edges.begin(), ask_.edges.end(), edge) != ask_.edges.end();
+            add(edge == Edge::right ? "right edge" : "left edge", asked,
+                !asked                       ? "not asked"
+                : !plan_.mirrored            ? "asked"
+                : edge == ask_.edges.front() ? "asked; the other one is its mirror image"
+                                             : "asked; the mirror image of the other one");
+        }
+    }
+    void pressure() {
+        const bool closed = plan_.route == Route::closed_form;
+        const std::size_t n = ask_.u.size() * edges_of_p();
+        const std::string points =
+            count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p(), "edge");
+        const std::string why = !plan_.pressure        ? "no pressure is asked for"
+                                : plan_.print_pressure ? points
+                                                       : points + ": q = (Q/P) p";
+        add("pressure, closed form", plan_.pressure && closed,
+            plan_.pressure && !closed ? "the route is " + route_name(plan_.route) : why,
+            &Counts::closed_forms, n);
+        add("pressure, quadrature", plan_.pressure && !closed,
+            plan_.pressure && closed ? "g' is piecewise linear: logarithms"
+            : plan_.pressure         ? why + ", " + route_name(plan_.route)
+                                     : why,
+            &Counts::quadratures, n);
+    }
+    void expansions(bool coefficients) {
+        const std::string terms = count_of(plan_.terms, "term");
+        add("expansion of p", plan_.expand_pressure,
+            plan_.expand_pressure ? (coefficients ? terms : terms + " for the approximations")
+            : plan_.terms == 0    ? "no terms are asked for"
+                                  : "only shear is asked for",
+            &Counts::expansions, edges_of_p());
+    }
+    void shear(bool similar) {
+        const std::string none = scene_.shear ? "not asked for" : "there is no [shear]";
+        const std::string how =
+            similar ? "similar to p: P and Q grow together" : "full stick, P held";
+        add("shear", plan_.shear, plan_.shear ? how : none, &Counts::shear_points,
+            ask_.u.size() * edges_of_q(similar));
+        add("expansion of q", plan_.expand_shear,
+            plan_.expand_shear ? count_of(plan_.terms, "term") : none, &Counts::shear_expansions,
+            edges_of_q(similar));
+    }
+    void resultants(bool similar) {
+        // The tilt solver, and a load given as P, need P on the way; that is not counted here.
+        const bool for_shear = similar && (plan_.shear || plan_.expand_shear);
+        const bool on = plan_.resultants || for_shear;
+        add("force and moment", on,
+            plan_.resultants ? "P and M"
+            : for_shear      ? "P, since q = (Q/P) p"
+                             : "not asked for",
+            &Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
+    }
+    void extents() {
+        add("extent", plan_.extents,
+            plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
+            &Counts::extents, ask_.terms.size() * edges_of_p());
+    }
+
+    const Scene& scene_;
+    const Ask& ask_;
+    Plan plan_;
+};
+
+} // namespace
+
+Plan make_plan(const Scene& scene) {
+    check(scene);
+    return Planner(scene).make();
+}
+
+} // namespace edgeproof

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/read_profile.hpp"
+
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::string_view kinds =
+    "power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded or piecewise";
+
+/// Runs a maker; what it refuses is told with the line of the parameter that it names.
+template <class Make>
+auto located(const TomlSection& section, const std::vector<std::string_view>& parameters,
+             const Make& make) {
+    try {
+        return make();
+    } catch (const InputError& error) {
+        if (!error.file().empty()) {
+            throw;
+        }
+        std::size_t line = section.line();
+        for (const std::string_view key : parameters) {
+            if (section.has(key) &&
+                error.problem().find(std::string(key) + " = ") != std::string::npos) {
+                line = section.line(key);
+                break;
+            }
+        }
+        throw error.at(section.file(), line);
+    }
+}
+
+Profile read_piecewise(const TomlSection& section) {
+    section.allow({"kind", "knots", "slopes", "symmetric"});
+    const bool symmetric = section.has("symmetric") && section.flag("symmetric");
+    std::vector<Exact> knots;
+    if (section.has("knots")) {
+        for (const auto& item : section.exacts("knots")) {
+            knots.push_back(item.value);
+        }
+    }
+    std::vector<Expr> slopes;
+    for (const std::string& text : section.texts("slopes")) {
+        try {
+            slopes.push_back(parse(text, Symbols{"x"}));
+        } catch (const InputError& error) {
+            throw InputError("slope \"" + text + "\": " + error.problem(), error.instead())
+                .at(section.file(), section.line("slopes"));
+        }
+    }
+    return located(section, {}, [&] {
+        return symmetric ? Profile::piecewise_symmetric(knots, slopes)
+                         : Profile::piecewise(knots, slopes);
+    });
+}
+
+} // namespace
+
+void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
+    scene.profile_line = section.line();
+    const std::string kind = section.text("kind");
+    const auto get = [&](std::string_view key) { return section.exact(key); };
+    const auto make = [&](const std::vector<std::string_view>& parameters, const auto& maker) {
+        std::vector<std::string_view> keys{"kind"};
+        keys.insert(keys.end(), parameters.begin(), parameters.end());
+        section.allow(keys);
+        return located(section, parameters, maker);
+    };
+    const bool tilted = kind == "tilted-wedge" || kind == "tilted-flat-and-rounded";
+    if (tilted && tilt_unknown && section.has("alpha")) {
+        section.reject("alpha", "both the tilt alpha and the moment M are given",
+                       "give alpha with a or P, or P and M without alpha");
+    }
+    if (tilted && !tilt_unknown && !section.has("alpha")) {
+        section.reject(section.line(), "there is no tilt alpha",
+                       "add alpha = \"...\", or give P and M in [load] so that it is solved for");
+    }
+    if (!tilted && tilt_unknown) {
+        section.reject("kind", "a moment M is given, and a " + kind + " profile has no tilt",
+                       "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
+    }
+    if (kind == "power-law") {
+        scene.profile = make({"m", "C"}, [&] { return Profile::power_law(get("C"), get("m")); });
+    } else if (kind == "flat-and-rounded") {
+        scene.profile =
+            make({"t", "R"}, [&] { return Profile::flat_and_rounded(get("t"), get("R")); });
+    } else if (kind == "tilted-wedge" && tilt_unknown) {
+        scene.punch = make({"phi", "alpha"}, [&] {
+            const TiltedPunch punch = TiltedPunch::wedge(get("phi"));
+            (void)punch.at(Exact());
+            return punch;
+        });
+    } else if (kind == "tilted-wedge") {
+        scene.profile =
+            make({"phi", "alpha"}, [&] { return Profile::tilted_wedge(get("phi"), get("alpha")); });
+    } else if (kind == "tilted-flat-and-rounded" && tilt_unknown) {
+        scene.punch = make({"alpha", "t", "R"}, [&] {
+            const TiltedPunch punch = TiltedPunch::flat_and_rounded(get("t"), get("R"));
+            (void)punch.at(Exact());
+            return punch;
+        });
+    } else if (kind == "tilted-flat-and-rounded") {
+        scene.profile = make({"alpha", "t", "R"}, [&] {
+            return Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
+        });
+    } else if (kind == "piecewise") {
+        scene.profile = read_piecewise(section);
+    } else {
+        section.reject("kind", "unknown kind of profile '" + kind + "'",
+                       "write " + std::string(kinds));
+    }
+}
+
+} // namespace edgeproof

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/scene/scene_file.hpp"
+#include "edgeproof/scene/toml_section.hpp"
+
+namespace edgeproof {
+
+/// Fills in profile or punch of a scene from [profile]; with `tilt_unknown`, alpha must be absent.
+void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene);
+
+} // namespace edgeproof

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/enclosure.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/value_route.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+/// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
+constexpr unsigned kept_digits = 8;
+/// Digits of a relative error, at most: it says how wrong something is.
+constexpr unsigned error_digits = 20;
+constexpr unsigned most_extra = 4000;
+
+long bits_for(unsigned digits) { return static_cast<long>(digits) * 10 / 3 + 16; }
+
+Ball ball_of(const Exact& x, long bits) {
+    if (x.is_rational()) {
+        return Ball(x.rational(), bits);
+    }
+    const auto e = enclose(x.expr(), bits);
+    if (!e) {
+        throw BudgetError("'" + x.text() + "' cannot be enclosed");
+    }
+    return Ball::from_interval(e->lower, e->upper, bits);
+}
+
+/// Everything at one number of digits: the scene's own, or more where a difference is small.
+class Level {
+public:
+    Level(const Profile& profile, const Scene& scene, const Plan& plan, unsigned digits, Work* work)
+        : scene_(scene), plan_(plan), digits_(digits),
+          contact_(profile, scene.contact_modulus, scene.load, digits, work) {
+        if (scene.shear) {
+            shear_.emplace(contact_, *scene.shear, work);
+        }
+    }
+    Level(const Level&) = delete; // shear_ refers to contact_
+    Level& operator=(const Level&) = delete;
+
+    [[nodiscard]] const NormalContact& contact() const { return contact_; }
+    [[nodiscard]] unsigned digits() const { return digits_; }
+    [[nodiscard]] long bits() const { return bits_for(contact_.a().precision()); }
+
+    /// A value that has lost nothing beyond the guard.
+    [[nodiscard]] Vouched sound(const Real& x, const char* route) const {
+        const PrecisionScope scope(x.precision());
+        return estimated(x, Real(abs(x) * unit()), route);
+    }
+    [[nodiscard]] const std::vector<Vouched>& c(Edge edge) {
+        auto& c = c_[edge];
+        if (c.empty()) {
+            raw_c_[edge] = contact_.expansion(edge, plan_.terms);
+            const auto& raw = raw_c_[edge];
+            const PrecisionScope scope(raw.front().precision());
+            // A coefficient that cancels is good on the scale of its neighbours.
+            const Real radius = contact_.convergence_radius(edge);
+            Real scale = abs(raw.front());
+            for (const Real& x : raw) {
+                c.push_back(estimated(x, Real(std::max(Real(abs(x)), scale) * unit()), "series"));
+                scale /= radius;
+            }
+        }
+        return c;
+    }
+    [[nodiscard]] const std::vector<Vouched>& s(Edge edge) {
+        auto& s = s_[edge];
+        if (s.empty()) {
+            const bool together = scene_.shear->path == LoadingPath::together;
+            if (together) {
+                (void)c(edge);
+            }
+            for (const auto& x : together ? shear_->similar_to(raw_c_[edge])
+                                          : shear_->expansion(edge, plan_.terms)) {
+                s.push_back(estimated(x.value, x.error, together ? "similar" : "series"));
+            }
+        }
+        return s;
+    }
+    [[nodiscard]] int shear_half_powers() const {
+        return shear_ ? shear_->leading_half_powers() : -1;
+    }
+
+    struct Values {
+        std::optional<Vouched> p;
+        std::optional<Vouched> q;
+    };
+    [[nodiscard]] Values at(Edge edge, const Exact& u, bool p, bool q) {
+        Values values;
+        std::optional<Estimated> pressure;
+        const bool together = q && scene_.shear->path == LoadingPath::together;
+        if (p || together) {
+            pressure = contact_.pressure(edge, u, plan_.route);
+            const PrecisionScope scope(pressure->working_digits);
+            values.p = estimated(pressure->value, Real(abs(pressure->value) * pressure->estimate),
+                                 route_name(pressure->route));
+        }
+        if (q) {
+            const EstimatedTraction t =
+                together ? shear_->similar_to(*pressure) : shear_->traction(edge, u);
+            values.q = estimated(t.value, t.error, together ? "similar" : "full-stick");
+        }
+        return values;
+    }
+
+private:
+    [[nodiscard]] Real unit() const {
+        return pow(Real(10), -static_cast<int>(digits_ + kept_digits));
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    unsigned digits_;
+    NormalContact contact_;
+    std::optional<ShearTraction> shear_;
+    std::map<Edge, std::vector<Real>> raw_c_;
+    std::map<Edge, std::vector<Vouched>> c_;
+    std::map<Edge, std::vector<Vouched>> s_;
+};
+
+class RealRoute : public ValueRoute {
+public:
+    RealRoute(const Scene& scene, const Plan& plan, Work& work)
+        : scene_(scene), plan_(plan), work_(work) {
+        if (scene.punch) {
+            const SolvedTilt tilt = solve_tilt(*scene.punch, scene.contact_modulus,
+                                               scene.load.value, *scene.moment, plan.digits + 20);
+            ++work.counts.tilts;
+            alpha_ = tilt.alpha;
+            profile_ = tilt.profile;
+        } else {
+            profile_ = *scene.profile;
+        }
+        levels_[0] = std::make_unique<Level>(*profile_, scene, plan, plan.digits, &work);
+    }
+
+    ContactValues contact() override {
+        const Level& level = *levels_[0];
+        const char* solved = scene_.symmetric() ? "given" : "consistency";
+        ContactValues values{length_of(Edge::right), length_of(Edge::left), alpha_, {}, {}};
+        values.a.route = scene_.load.kind == Load::Kind::force ? "force" : "given";
+        values.b.route = scene_.symmetric() ? values.a.route : solved;
+        if (plan_.resultants) {
+            values.force = level.sound(level.contact().force(), "contact-law");
+            values.moment = level.sound(level.contact().moment(), "contact-law");
+        }
+        return values;
+    }
+
+    PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
+        Level& base = *levels_[0];
+        if (!certainly_less(ball_of(u, base.bits()),
+                            Ball(length_of(Edge::right).value + length_of(Edge::left).value))) {
+            throw DomainError("the point lies outside the contact");
+        }
+        PointValues values;
+        values.x = place(edge, u);
+        const Level::Values found = base.at(edge, u, p, q);
+        if (p) {
+            values.p = found.p;
+        }
+        values.q = found.q;
+        for (const std::size_t n :
+             plan_.terms > 0 ? scene_.ask.terms : std::vector<std::size_t>{}) {
+            if (p) {
+                values.p_local.push_back(approximation(edge, u, n, found, false));
+            }
+            if (q) {
+                values.q_local.push_back(approximation(edge, u, n, found, true));
+            }
+        }
+        return values;
+    }
+
+    EdgeValues expansion(Edge edge, bool p, bool q) override {
+        EdgeValues values;
+        values.edge = edge;
+        values.s_half_powers = levels_[0]->shear_half_powers();
+        if (p) {
+            values.c = levels_[0]->c(edge);
+        }
+        if (q) {
+            values.s = levels_[0]->s(edge);
+        }
+        return values;
+    }
+
+    ExtentValues extent(Edge edge, std::size_t n) override {
+        ++work_.counts.extents;
+        const Extents e = within_tolerance(levels_[0]->contact(), edge, n, *scene_.ask.tolerance,
+                                           scene_.ask.part);
+        const PrecisionScope scope(e.length.precision());
+        ExtentValues values;
+        values.edge = edge;
+        values.n = n;
+        values.leaves = e.leaves;
+        // Each crossing carries the error of the worst; the measure adds them up.
+        const Real error = e.estimate * e.length +
+                           e.length * pow(Real(10), -static_cast<int>(plan_.digits + kept_digits));
+        const auto near = [&](const Real& x, const Real& by) { return estimated(x, by, "scan"); };
+        const Real all = error * static_cast<unsigned>(e.crossings.size() + 1);
+        values.first_exit =
+            near(e.first_exit, Real(e.first_exit * (e.estimate + error / e.length)));
+        values.measure = near(e.measure, all);
+        values.first_exit_fraction =
+            near(Real(e.first_exit / e.length),
+                 Real(e.first_exit / e.length * (e.estimate + error / e.length)));
+        values.measure_fraction = near(Real(e.measure / e.length), Real(all / e.length));
+        for (const Real& u : e.crossings) {
+            values.crossings.push_back(near(u, Real(u * (e.estimate + error / e.length))));
+        }
+        if (scene_.ask.process_zone) {
+            values.covers_zone = !e.leaves || e.first_exit >= scene_.ask.process_zone->to<Real>();
+        }
+        return values;
+    }
+
+private:
+    [[nodiscard]] Vouched length_of(Edge edge) const {
+        const Level& level = *levels_.at(0);
+        return level.sound(edge == Edge::right ? level.contact().a() : level.contact().b(), "");
+    }
+    /// x, exact where the edge is given.
+    [[nodiscard]] Vouched place(Edge edge, const Exact& u) const {
+        const long bits = levels_.at(0)->bits();
+        const bool given = scene_.load.kind == Load::Kind::right_edge &&
+                           (edge == Edge::right || scene_.symmetric());
+        if (given) {
+            const Expr& a = scene_.load.value.expr();
+            const Exact x(edge == Edge::right ? a - u.expr() : u.expr() - a);
+            return {ball_of(x, bits), true, "given"};
+        }
+        const Ball from_edge = ball_of(u, bits);
+        Vouched length = length_of(edge);
+        length.value = edge == Edge::right ? length.value - from_edge : from_edge - length.value;
+        return length;
+    }
+    /// The sum of n terms; its relative error is worked out with more digits where it cancels.
+    [[nodiscard]] Approximation approximation(Edge edge, const Exact& u, std::size_t n,
+                                              const Level::Values& at_base, bool shear) {
+        const unsigned wanted = std::min(plan_.digits, error_digits);
+        Approximation result{n, {}, {}};
+        for (unsigned extra = 0;;) {
+            Level& level = at_level(extra);
+            const Level::Values found = extra == 0 ? at_base : level.at(edge, u, !shear, shear);
+            const Ball& value = shear ? found.q->value : found.p->value;
+            const Ball local = sum(level, edge, u, n, shear);
+            const Ball error = abs(Ball(1 - local / value));
+            if (extra == 0) {
+                result.local = {local, false, "series"};
+            }
+            result.relative_error = {error, false, "series"};
+            if (round_ball(error, wanted).complete || contains_zero(value)) {
+                return result;
+            }
+            const Real lost = -log10(error.upper());
+            const unsigned needed = lost > 0 ? static_cast<unsigned>(ceil(lost)) + wanted : wanted;
+            const unsigned next = needed > plan_.digits ? needed - plan_.digits : 0;
+            // In steps, so that neighbouring points share one solved contact.
+            extra = (std::max(next, extra + 1) + 15) / 16 * 16;
+            if (extra > most_extra) {
+                return result;
+            }
+        }
+    }
+    [[nodiscard]] Ball sum(Level& level, Edge edge, const Exact& u, std::size_t n, bool shear) {
+        const std::vector<Vouched>& c = shear ? level.s(edge) : level.c(edge);
+        const Ball at = ball_of(u, level.bits());
+        Ball total = c[n - 1].value;
+        for (std::size_t k = n - 1; k-- > 0;) {
+            total = total * at + c[k].value;
+        }
+        return shear && level.shear_half_powers() < 0 ? Ball(total / sqrt(at))
+                                                      : Ball(total * sqrt(at));
+    }
+    [[nodiscard]] Level& at_level(unsigned extra) {
+        auto& slot = levels_[extra];
+        if (!slot) {
+            ++work_.raised;
+            slot = std::make_unique<Level>(*profile_, scene_, plan_, plan_.digits + extra, nullptr);
+        }
+        return *slot;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    Work& work_;
+    std::optional<Exact> alpha_;
+    std::optional<Profile> profile_;
+    std::map<unsigned, std::unique_ptr<Level>> levels_;
+};
+
+} // namespace
+
+std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan, Work& work) {
+    try {
+        return std::make_unique<RealRoute>(scene, plan, work);
+    } catch (const InputError& error) {
+        if (error.file().empty()) {
+            throw error.at(scene.file, scene.load_line);
+        }
+        throw;
+    } catch (const DomainError& error) {
+        throw InputError(error.what(), "give a load that a contact of this profile can carry")
+            .at(scene.file, scene.load_line);
+    }
+}
+
+} // namespace edgeproof

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/run_scene.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+std::string edge_text(Edge edge) { return edge == Edge::right ? "right" : "left"; }
+
+/// What a mirror leaves as it is (x apart).
+void copy_pressure(const PointValues& from, PointValues& to, bool shear_too) {
+    to.p = from.p;
+    to.p_local = from.p_local;
+    if (shear_too) {
+        to.q = from.q;
+        to.q_local = from.q_local;
+    }
+}
+
+class Run {
+public:
+    Run(const Scene& scene, SceneResult& result)
+        : scene_(scene), plan_(result.plan), result_(result),
+          route_(make_real_route(scene, result.plan, result.work)),
+          similar_(scene.shear && scene.shear->path == LoadingPath::together) {}
+
+    void all() {
+        result_.contact = route_->contact();
+        for (const Edge edge : plan_.edges) {
+            if (plan_.points > 0) {
+                points(edge);
+            }
+        }
+        if (scene_.ask.wants(Quantity::coefficients)) {
+            for (const Edge edge : plan_.edges) {
+                coefficients(edge);
+            }
+        }
+        if (plan_.extents) {
+            for (const Edge edge : plan_.edges) {
+                extents(edge);
+            }
+        }
+    }
+
+private:
+    void points(Edge edge) {
+        const bool computes_p = plan_.computes(edge);
+        const bool computes_q = plan_.shear && (computes_p || !similar_);
+        for (std::size_t i = 0; i < plan_.points; ++i) {
+            const AskedPoint& asked = scene_.ask.u[i];
+            try {
+                PointRow row{
+                    edge, asked.u,
+                    route_->at(edge, asked.u, plan_.print_pressure && computes_p, computes_q)};
+                if (!computes_p) {
+                    copy_pressure(result_.points[i].values, row.values, similar_);
+                }
+                result_.points.push_back(std::move(row));
+            } catch (const DomainError& error) {
+                throw InputError("u = " + asked.u.text() + " from the " + edge_text(edge) +
+                                     " edge: " + error.what(),
+                                 "give distances from the edge, 0 < u < a + b, off every corner")
+                    .at(scene_.file, asked.line != 0 ? asked.line : scene_.ask_line);
+            }
+        }
+    }
+    void coefficients(Edge edge) {
+        const bool computes_p = plan_.computes(edge);
+        EdgeValues values = route_->expansion(edge, plan_.expand_pressure && computes_p,
+                                              plan_.expand_shear && (computes_p || !similar_));
+        if (!computes_p) {
+            values.c = result_.coefficients.front().c;
+            if (similar_) {
+                values.s = result_.coefficients.front().s;
+            }
+        }
+        result_.coefficients.push_back(std::move(values));
+    }
+    void extents(Edge edge) {
+        if (!plan_.computes(edge)) {
+            const auto computed = result_.extents;
+            for (ExtentValues values : computed) {
+                values.edge = edge;
+                result_.extents.push_back(std::move(values));
+            }
+            return;
+        }
+        for (const std::size_t n : scene_.ask.terms) {
+            result_.extents.push_back(route_->extent(edge, n));
+        }
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    SceneResult& result_;
+    std::unique_ptr<ValueRoute> route_;
+    bool similar_;
+};
+
+} // namespace
+
+SceneResult run_scene(const Scene& scene) {
+    SceneResult result;
+    result.plan = make_plan(scene);
+    Run(scene, result).all();
+    return result;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/scene/value_route.hpp"
+
+#include <vector>
+
+namespace edgeproof {
+
+struct PointRow {
+    Edge edge = Edge::right;
+    Exact u;
+    PointValues values;
+};
+
+/// What a scene asked for, in the order asked, edge by edge.
+struct SceneResult {
+    Plan plan;
+    Work work; ///< what was really done
+    ContactValues contact;
+    std::vector<PointRow> points;
+    std::vector<EdgeValues> coefficients;
+    std::vector<ExtentValues> extents;
+};
+
+/// Does what the plan of a scene foretells. Throws InputError (with the line of the scene) for a
+/// load that no contact carries and for a point beyond the contact or on a corner, BudgetError
+/// where a quadrature does not reach its digits.
+[[nodiscard]] SceneResult run_scene(const Scene& scene);
+
+} // namespace edgeproof

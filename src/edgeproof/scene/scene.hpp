@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+/// What is asked, and what it takes: a TOML file becomes a Scene, a Plan, a SceneResult.
+///   scene_file.hpp   Scene, read_scene: everything in it exact, errors with file and line
+///   points.hpp       ladders of points, exact
+///   plan.hpp         Plan: the effects that a scene calls for, and nothing else; their counts
+///   value_route.hpp  ValueRoute: where values come from, one interface for all ways
+///   vouched.hpp      Vouched: a value, how far it may be off, the route; and as it is printed
+///   run_scene.hpp    run_scene: the plan carried out, with what was really done
+///   toml_section.hpp strict TOML
+#include "edgeproof/scene/plan.hpp"
+#include "edgeproof/scene/points.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+#include "edgeproof/scene/scene_file.hpp"
+#include "edgeproof/scene/toml_section.hpp"
+#include "edgeproof/scene/value_route.hpp"
+#include "edgeproof/scene/vouched.hpp"

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/scene_file.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/points.hpp"
+#include "edgeproof/scene/read_profile.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace edgeproof {
+namespace {
+
+constexpr long most_terms_allowed = 400;
+constexpr long most_digits = 100'000;
+constexpr std::size_t most_scene_bytes = 10'000'000;
+
+Expr number(long k) { return Expr::number(Rational(k)); }
+
+/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2; `alike`: both bodies are of one material.
+Exact composite_modulus(const TomlSection& load, bool& alike) {
+    const auto body = [&](const char* E_key, const char* nu_key) {
+        const Exact E = load.exact(E_key);
+        const Exact nu = load.exact(nu_key);
+        if (E.sign() <= 0) {
+            load.reject(E_key, std::string(E_key) + " = " + E.text() + " is not positive",
+                        "give Young's modulus > 0");
+        }
+        if (Exact(nu.expr() + number(1)).sign() <= 0 ||
+            Exact(number(1) - number(2) * nu.expr()).sign() < 0) {
+            load.reject(nu_key, std::string(nu_key) + " = " + nu.text() + " is no Poisson's ratio",
+                        "give -1 < nu <= 1/2");
+        }
+        return std::pair{E, nu};
+    };
+    const auto [E1, nu1] = body("E1", "nu1");
+    const auto [E2, nu2] = body("E2", "nu2");
+    alike = Exact(E1.expr() - E2.expr()).sign() == 0 && Exact(nu1.expr() - nu2.expr()).sign() == 0;
+    const auto compliance = [](const Exact& E, const Exact& nu) {
+        return (number(1) - nu.expr() * nu.expr()) / E.expr();
+    };
+    return Exact(number(1) / (compliance(E1, nu1) + compliance(E2, nu2)));
+}
+
+Exact read_modulus(const TomlSection& load, bool& alike) {
+    alike = true;
+    const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
+    if (load.has("contact_modulus")) {
+        if (by_bodies) {
+            load.reject("contact_modulus", "the contact modulus is given twice",
+                        "give contact_modulus, or E1, nu1, E2 and nu2");
+        }
+        Exact modulus = load.exact("contact_modulus");
+        if (modulus.sign() <= 0) {
+            load.reject("contact_modulus",
+                        "contact_modulus = " + modulus.text() + " is not positive", "give E* > 0");
+        }
+        return modulus;
+    }
+    if (!by_bodies) {
+        load.reject(load.line(), "there is no contact_modulus",
+                    "add contact_modulus = \"...\" (E*), or E1, nu1, E2 and nu2");
+    }
+    return composite_modulus(load, alike);
+}
+
+void read_load(const TomlSection& load, Scene& scene, bool& alike) {
+    load.allow({"a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2"});
+    scene.load_line = load.line();
+    scene.contact_modulus = read_modulus(load, alike);
+    if (load.has("a") == load.has("P")) {
+        load.reject(load.has("a") ? load.line("P") : load.line(),
+                    load.has("a") ? "both a and P are given" : "neither a nor P is given",
+                    "give one of a = \"...\" and P = \"...\"");
+    }
+    const char* key = load.has("a") ? "a" : "P";
+    const Exact value = load.exact(key);
+    if (value.sign() <= 0) {
+        load.reject(key, std::string(key) + " = " + value.text() + " is not positive",
+                    std::string("give ") + key + " > 0");
+    }
+    scene.load = load.has("a") ? Load::right_edge(value) : Load::force(value);
+    scene.load_line = load.line(key);
+    if (load.has("M")) {
+        if (load.has("a")) {
+            load.reject("M", "a moment M is given with a",
+                        "give P and M, or a and the tilt alpha in [profile]");
+        }
+        scene.moment = load.exact("M");
+    }
+}
+
+/// A contact that ends on the flat carries no load.
+void check_reach(const TomlSection& load, const Scene& scene) {
+    if (scene.load.kind != Load::Kind::right_edge || !scene.profile ||
+        scene.profile->kind() != Profile::Kind::flat_and_rounded) {
+        return;
+    }
+    const Exact& t = scene.profile->parameters().at("t");
+    if (Exact(scene.load.value.expr() - t.expr()).sign() <= 0) {
+        load.reject("a",
+                    "the half-width a = " + scene.load.value.text() +
+                        " does not reach beyond the flat, t = " + t.text(),
+                    "give a > t: any load at all takes in the whole flat");
+    }
+}
+
+void read_shear(const TomlSection& shear, bool alike, Scene& scene) {
+    shear.allow({"Q", "bulk_tension", "path"});
+    if (!shear.has("Q") && !shear.has("bulk_tension")) {
+        shear.reject(shear.line(), "the shear section has no load",
+                     "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
+    }
+    ShearSpec spec;
+    spec.Q = shear.has("Q") ? shear.exact("Q") : Exact();
+    spec.bulk_tension = shear.has("bulk_tension") ? shear.exact("bulk_tension") : Exact();
+    if (spec.Q.sign() == 0 && spec.bulk_tension.sign() == 0) {
+        shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
+                     "give one that is not, or leave [shear] out");
+    }
+    if (shear.has("path")) {
+        const std::string path = shear.text("path");
+        if (path == "together") {
+            spec.path = LoadingPath::together;
+        } else if (path != "normal-first") {
+            shear.reject("path", "unknown path '" + path + "'",
+                         "write normal-first (P held, then Q) or together (P and Q in proportion)");
+        }
+    }
+    if (spec.path == LoadingPath::together && spec.bulk_tension.sign() != 0) {
+        shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
+                     "give bulk_tension = \"0\": only then is q = (Q/P) p");
+    }
+    if (!alike) {
+        shear.reject(shear.line(), "bodies of different materials couple the shear to the pressure",
+                     "give both bodies the same E and nu, or leave [shear] out");
+    }
+    scene.shear = spec;
+}
+
+Quantity quantity_of(const TomlSection& ask, const std::string& name) {
+    for (const Quantity q :
+         {Quantity::pressure, Quantity::coefficients, Quantity::shear, Quantity::extent}) {
+        if (name == quantity_name(q)) {
+            return q;
+        }
+    }
+    ask.reject("quantities", "unknown quantity '" + name + "'",
+               "write pressure, coefficients, shear, extent or contact");
+}
+
+/// What f refuses, told with the line of a key.
+template <class F> auto at_key(const TomlSection& ask, std::string_view key, const F& f) {
+    try {
+        return f();
+    } catch (const InputError& error) {
+        if (error.file().empty()) {
+            throw error.at(ask.file(), ask.line(key));
+        }
+        throw;
+    }
+}
+
+std::vector<AskedPoint> read_points(const TomlSection& ask) {
+    std::vector<AskedPoint> points;
+    if (!ask.is_table("u")) {
+        for (const auto& item : ask.exacts("u")) {
+            if (item.value.sign() <= 0) {
+                ask.reject(item.line, "u = " + item.value.text() + " is not inside the contact",
+                           "give distances from the edge, 0 < u < a + b");
+            }
+            points.push_back({item.value, item.line});
+        }
+        return points;
+    }
+    const TomlSection range = ask.section("u");
+    range.allow({"from", "to", "per_decade", "points"});
+    const std::size_t line = ask.line("u");
+    if (range.has("per_decade") == range.has("points")) {
+        ask.reject(line, "a range of u needs one of per_decade and points",
+                   "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
+    }
+    at_key(ask, "u", [&] {
+        const Exact from = range.exact("from");
+        const Exact to = range.exact("to");
+        if (from.sign() <= 0) {
+            ask.reject(line, "u = " + from.text() + " is not inside the contact",
+                       "give distances from the edge, 0 < u < a + b");
+        }
+        const auto list = range.has("per_decade")
+                              ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
+                              : even_points(from, to, range.count("points", 2, 100'000));
+        for (const Exact& u : list) {
+            points.push_back({u, line});
+        }
+    });
+    return points;
+}
+
+void read_edges(const TomlSection& ask, Ask& result) {
+    result.edges.clear();
+    for (const std::string& name : ask.texts("edges")) {
+        if (name != "right" && name != "left") {
+            ask.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
+        }
+        const Edge edge = name == "right" ? Edge::right : Edge::left;
+        if (std::find(result.edges.begin(), result.edges.end(), edge) != result.edges.end()) {
+            ask.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
+        }
+        result.edges.push_back(edge);
+    }
+    if (result.edges.empty()) {
+        ask.reject("edges", "no edge is asked for", "write \"right\" or \"left\"");
+    }
+}
+
+Route route_of(const TomlSection& ask) {
+    const std::string name = ask.text("route");
+    for (const Route route : {Route::automatic, Route::closed_form, Route::singular_integral,
+                              Route::barber_mossakovskii}) {
+        if (name == route_name(route)) {
+            return route;
+        }
+    }
+    ask.reject("route", "unknown route '" + name + "'",
+               "write automatic, closed-form, singular-integral or barber-mossakovskii");
+}
+
+void read_ask(const TomlSection& ask, Scene& scene) {
+    ask.allow({"edges", "terms", "u", "quantities", "tolerance", "process_zone", "part", "route",
+               "digits"});
+    Ask& result = scene.ask;
+    scene.ask_line = ask.line();
+    if (ask.has("edges")) {
+        read_edges(ask, result);
+    }
+    if (ask.has("terms")) {
+        result.terms = ask.counts("terms", 1, most_terms_allowed);
+    }
+    if (ask.has("digits")) {
+        result.digits = static_cast<unsigned>(ask.count("digits", 2, most_digits));
+    }
+    if (ask.has("u")) {
+        result.u = read_points(ask);
+    }
+    if (ask.has("tolerance")) {
+        result.tolerance =
+            at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
+    }
+    if (ask.has("process_zone")) {
+        const Exact zone = ask.exact("process_zone");
+        if (zone.sign() <= 0) {
+            ask.reject("process_zone", "process_zone = " + zone.text() + " is not positive",
+                       "give the length of the process zone, or leave it out");
+        }
+        result.process_zone = zone;
+    }
+    if (ask.has("part")) {
+        const auto part = ask.exacts("part");
+        if (part.size() != 2 || part[0].value.sign() < 0 ||
+            Exact(part[1].value.expr() - part[0].value.expr()).sign() <= 0 ||
+            Exact(number(1) - part[1].value.expr()).sign() < 0) {
+            ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
+                       "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
+        }
+        result.part = {part[0].value, part[1].value};
+    }
+    if (ask.has("route")) {
+        result.route = route_of(ask);
+        if (result.route == Route::closed_form && scene.profile &&
+            !scene.profile->piecewise_linear()) {
+            ask.reject("route", "only a piecewise linear g' has its pressure in closed form",
+                       "write route = \"automatic\"");
+        }
+    }
+    if (ask.has("quantities")) {
+        for (const std::string& name : ask.texts("quantities")) {
+            const Quantity quantity = quantity_of(ask, name);
+            if (quantity == Quantity::shear && !scene.shear) {
+                ask.reject("quantities", "shear is asked for and there is no [shear]",
+                           "add [shear] with Q or bulk_tension");
+            }
+            result.quantities.insert(quantity);
+        }
+    }
+}
+
+/// What a scene that does not name its quantities asks for: whatever it gives the means for.
+void default_quantities(Ask& ask, bool shear) {
+    if (!ask.quantities.empty()) {
+        return;
+    }
+    if (!ask.u.empty()) {
+        ask.quantities.insert(Quantity::pressure);
+        if (shear) {
+            ask.quantities.insert(Quantity::shear);
+        }
+    }
+    if (ask.tolerance) {
+        ask.quantities.insert(Quantity::extent);
+    }
+    if (ask.quantities.empty()) {
+        ask.quantities.insert(Quantity::coefficients);
+    }
+}
+
+} // namespace
+
+std::string quantity_name(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::pressure:
+        return "pressure";
+    case Quantity::coefficients:
+        return "coefficients";
+    case Quantity::shear:
+        return "shear";
+    case Quantity::extent:
+        return "extent";
+    case Quantity::contact:
+        break;
+    }
+    return "contact";
+}
+
+std::size_t Ask::most_terms() const {
+    return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
+}
+
+Exact parse_tolerance(std::string_view text) {
+    const bool percent = !text.empty() && text.back() == '%';
+    const Exact given = [&] {
+        try {
+            return Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
+        } catch (const InputError& error) {
+            throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
+                             "write it as 1%, 0.01 or 1/100");
+        }
+    }();
+    if (given.sign() <= 0) {
+        throw InputError("a tolerance of " + std::string(text) + " is not positive",
+                         "give a tolerance > 0, such as 1%");
+    }
+    return percent ? Exact(given.expr() / number(100)) : given;
+}
+
+Scene parse_scene(std::string_view text, const std::string& file) {
+    const TomlSection top = TomlSection::parse(text, file);
+    top.allow({"title", "profile", "load", "shear", "ask"});
+    Scene scene;
+    scene.file = file;
+    if (top.has("title")) {
+        scene.title = top.text("title");
+    }
+    bool alike = true;
+    const TomlSection load = top.section("load");
+    read_load(load, scene, alike);
+    read_profile(top.section("profile"), scene.moment.has_value(), scene);
+    check_reach(load, scene);
+    if (top.has("shear")) {
+        read_shear(top.section("shear"), alike, scene);
+    }
+    if (top.has("ask")) {
+        read_ask(top.section("ask"), scene);
+    }
+    default_quantities(scene.ask, scene.shear.has_value());
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        throw InputError("there is no such scene file", "give the path of a scene (TOML)")
+            .at(file.string(), 0);
+    }
+    if (std::filesystem::file_size(file, error) > most_scene_bytes || error) {
+        throw InputError("a scene of more than 10 MB", "give the path of a scene (TOML)")
+            .at(file.string(), 0);
+    }
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) {
+        throw InputError("the scene cannot be read", "check its permissions").at(file.string(), 0);
+    }
+    return parse_scene(text.str(), file.string());
+}
+
+} // namespace edgeproof

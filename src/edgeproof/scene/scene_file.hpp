@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/contact/shear_traction.hpp"
+#include "edgeproof/contact/tilt_solver.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof {
+
+/// What may be asked of a scene.
+enum class Quantity {
+    pressure,     ///< p at points, and its n-term approximations
+    coefficients, ///< c_0, c_1, ... at edges (with shear: those of q too)
+    shear,        ///< q at points
+    extent,       ///< how far n terms stay within a tolerance
+    contact       ///< P and M, where they are not given
+};
+[[nodiscard]] std::string quantity_name(Quantity quantity);
+
+/// u, and the line of the file that it was asked on.
+struct AskedPoint {
+    Exact u;
+    std::size_t line = 0;
+};
+
+struct Ask {
+    std::vector<Edge> edges{Edge::right};
+    std::vector<std::size_t> terms; ///< numbers of terms, in the order asked
+    std::vector<AskedPoint> u;      ///< in the order asked
+    std::set<Quantity> quantities;
+    std::optional<Exact> tolerance;
+    std::optional<Exact> process_zone; ///< a length from the edge
+    ExtentRange part;                  ///< that extents are measured over
+    Route route = Route::automatic;
+    unsigned digits = 50;
+
+    [[nodiscard]] bool wants(Quantity quantity) const { return quantities.contains(quantity); }
+    /// The longest expansion asked for; 0: none.
+    [[nodiscard]] std::size_t most_terms() const;
+};
+
+/// A scene as its file gives it: exact, complete, and checked as far as that goes without solving
+/// anything.
+struct Scene {
+    std::string file;
+    std::string title;
+    /// The profile, or (with a load of P and M) the punch whose tilt is to be found.
+    std::optional<Profile> profile;
+    std::optional<TiltedPunch> punch;
+    Exact contact_modulus;
+    Load load;                   ///< a or P
+    std::optional<Exact> moment; ///< M, with `punch`
+    std::optional<ShearSpec> shear;
+    Ask ask;
+    std::size_t profile_line = 0;
+    std::size_t load_line = 0;
+    std::size_t ask_line = 0;
+
+    /// b = a, and nothing is solved for it.
+    [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
+};
+
+/// Reads a scene (README: "A scene"). Throws InputError with file and line for whatever is
+/// malformed: unknown keys and kinds, a load given twice or not at all, numbers that are none.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file);
+/// The same from text; `file` is what errors name.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);
+
+/// "1%", "0.01", "1/100": a tolerance, exactly. Throws InputError unless it is positive.
+[[nodiscard]] Exact parse_tolerance(std::string_view text);
+
+} // namespace edgeproof

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/toml_section.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace edgeproof {
+
+struct TomlSection::Source {
+    toml::table root;
+    std::vector<std::string> lines;
+    std::string file;
+};
+
+namespace {
+
+constexpr std::size_t most_float_digits = 15;
+
+std::vector<std::string> split_lines(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+    }
+    return lines;
+}
+
+std::size_t significant_digits(std::string_view number) {
+    std::size_t digits = 0;
+    for (const char c : number.substr(0, number.find_first_of("eE"))) {
+        digits += c >= '0' && c <= '9' && (digits > 0 || c != '0') ? 1 : 0;
+    }
+    return digits;
+}
+
+bool is_number_character(char c) {
+    return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E' ||
+           c == '_';
+}
+
+} // namespace
+
+/// What needs toml++ types.
+struct TomlSection::Access {
+    const TomlSection& self;
+
+    [[nodiscard]] const toml::table& table() const {
+        return *static_cast<const toml::table*>(self.table_);
+    }
+    [[nodiscard]] const toml::node& node(std::string_view key) const {
+        const toml::node* found = table().get(key);
+        if (found == nullptr) {
+            self.reject(self.line(), "there is no " + std::string(key),
+                        "add " + std::string(key) + " = \"...\"");
+        }
+        return *found;
+    }
+    static std::size_t line_of(const toml::node& n) { return n.source().begin.line; }
+
+    /// The number as it stands in the file. (toml++ counts columns in characters, not bytes.)
+    [[nodiscard]] std::string written(const toml::node& n, std::string_view key) const {
+        const std::string& line = self.source_->lines.at(line_of(n) - 1);
+        std::size_t from = 0;
+        for (std::size_t column = 1; column < n.source().begin.column && from < line.size();) {
+            ++from;
+            while (from < line.size() &&
+                   (static_cast<unsigned char>(line[from]) & 0xC0U) == 0x80U) {
+                ++from;
+            }
+            ++column;
+        }
+        std::size_t to = from;
+        while (to < line.size() && is_number_character(line[to])) {
+            ++to;
+        }
+        std::string text = line.substr(from, to - from);
+        std::erase(text, '_');
+        if (!text.empty() && text.front() == '+') {
+            text.erase(0, 1);
+        }
+        if (text.empty() || text.find_first_of("0123456789") == std::string::npos) {
+            self.reject(line_of(n), std::string(key) + " is not a finite number",
+                        "write a finite number, or a quoted expression");
+        }
+        return text;
+    }
+    [[nodiscard]] std::string scalar(const toml::node& n, std::string_view key) const {
+        if (const auto* s = n.as_string()) {
+            return s->get();
+        }
+        if (const auto* i = n.as_integer()) {
+            return std::to_string(i->get());
+        }
+        if (!n.is_floating_point()) {
+            self.reject(line_of(n), std::string(key) + " is not a number",
+                        "write a number or a quoted expression such as \"3/2\"");
+        }
+        std::string text = written(n, key);
+        if (significant_digits(text) > most_float_digits) {
+            self.reject(line_of(n),
+                        std::string(key) + " = " + text +
+                            " has more than 15 significant digits as a float",
+                        "quote it: \"" + text + "\"");
+        }
+        return text;
+    }
+    [[nodiscard]] Exact exact(const toml::node& n, std::string_view key) const {
+        const std::string text = scalar(n, key);
+        try {
+            return Exact::parse(text);
+        } catch (const InputError& error) {
+            throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
+                             error.instead())
+                .at(self.source_->file, line_of(n));
+        }
+    }
+    [[nodiscard]] std::string text(const toml::node& n, std::string_view key) const {
+        const auto* s = n.as_string();
+        if (s == nullptr) {
+            self.reject(line_of(n), std::string(key) + " is not a quoted text",
+                        "write " + std::string(key) + " = \"...\"");
+        }
+        return s->get();
+    }
+    [[nodiscard]] std::size_t count(const toml::node& n, std::string_view key, long least,
+                                    long most) const {
+        const std::string range =
+            "write a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+        std::string text;
+        if (const auto* i = n.as_integer()) {
+            text = std::to_string(i->get());
+        } else if (const auto* s = n.as_string()) {
+            text = s->get();
+        } else {
+            self.reject(line_of(n), std::string(key) + " is not a whole number", range);
+        }
+        long value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc{} || end != text.data() + text.size() || value < least ||
+            value > most) {
+            self.reject(line_of(n), std::string(key) + " = " + text + " is out of range", range);
+        }
+        return static_cast<std::size_t>(value);
+    }
+    /// The elements of a list, or the one that stands alone.
+    template <class F> void for_each(std::string_view key, const F& f) const {
+        const toml::node& n = node(key);
+        if (const auto* array = n.as_array()) {
+            for (const toml::node& element : *array) {
+                f(element);
+            }
+        } else {
+            f(n);
+        }
+    }
+};
+
+TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
+    auto source = std::make_shared<Source>();
+    source->file = file;
+    source->lines = split_lines(text);
+    try {
+        source->root = toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        throw InputError("not TOML: " + std::string(error.description()),
+                         "write key = \"value\" lines under [section] headers")
+            .at(file, error.source().begin.line);
+    }
+    const void* top = &source->root;
+    return {std::move(source), top};
+}
+
+void TomlSection::allow(const std::vector<std::string_view>& keys) const {
+    // The first in the file, not in the alphabet.
+    const toml::key* unknown = nullptr;
+    for (const auto& [key, node] : Access{*this}.table()) {
+        const bool known = std::find(keys.begin(), keys.end(), key.str()) != keys.end();
+        if (!known &&
+            (unknown == nullptr || key.source().begin.line < unknown->source().begin.line)) {
+            unknown = &key;
+        }
+    }
+    if (unknown != nullptr) {
+        std::string list;
+        for (const std::string_view k : keys) {
+            list += (list.empty() ? "" : ", ") + std::string(k);
+        }
+        reject(unknown->source().begin.line, "unknown key '" + std::string(unknown->str()) + "'",
+               "write one of " + list);
+    }
+}
+
+bool TomlSection::has(std::string_view key) const { return Access{*this}.table().contains(key); }
+bool TomlSection::is_table(std::string_view key) const {
+    return has(key) && Access{*this}.node(key).is_table();
+}
+bool TomlSection::is_list(std::string_view key) const {
+    return has(key) && Access{*this}.node(key).is_array();
+}
+std::size_t TomlSection::line() const { return Access{*this}.table().source().begin.line; }
+std::size_t TomlSection::line(std::string_view key) const {
+    for (const auto& [name, node] : Access{*this}.table()) {
+        if (name.str() == key) {
+            return name.source().begin.line;
+        }
+    }
+    return line();
+}
+const std::string& TomlSection::file() const { return source_->file; }
+
+TomlSection TomlSection::section(std::string_view key) const {
+    const Access access{*this};
+    const toml::node* found = access.table().get(key);
+    if (found == nullptr) {
+        reject(line(), "there is no section [" + std::string(key) + "]",
+               "add [" + std::string(key) + "]");
+    }
+    if (!found->is_table()) {
+        reject(key, std::string(key) + " is not a section", "write [" + std::string(key) + "]");
+    }
+    return {source_, found->as_table()};
+}
+std::string TomlSection::text(std::string_view key) const {
+    const Access access{*this};
+    return access.text(access.node(key), key);
+}
+std::vector<std::string> TomlSection::texts(std::string_view key) const {
+    const Access access{*this};
+    std::vector<std::string> list;
+    access.for_each(key, [&](const toml::node& n) { list.push_back(access.text(n, key)); });
+    return list;
+}
+std::string TomlSection::written(std::string_view key) const {
+    const Access access{*this};
+    return access.scalar(access.node(key), key);
+}
+Exact TomlSection::exact(std::string_view key) const {
+    const Access access{*this};
+    return access.exact(access.node(key), key);
+}
+std::vector<TomlSection::Item> TomlSection::exacts(std::string_view key) const {
+    const Access access{*this};
+    std::vector<Item> list;
+    access.for_each(key, [&](const toml::node& n) {
+        list.push_back({access.exact(n, key), Access::line_of(n)});
+    });
+    return list;
+}
+std::vector<std::size_t> TomlSection::counts(std::string_view key, long least, long most) const {
+    const Access access{*this};
+    std::vector<std::size_t> list;
+    access.for_each(
+        key, [&](const toml::node& n) { list.push_back(access.count(n, key, least, most)); });
+    return list;
+}
+std::size_t TomlSection::count(std::string_view key, long least, long most) const {
+    const Access access{*this};
+    return access.count(access.node(key), key, least, most);
+}
+bool TomlSection::flag(std::string_view key) const {
+    const Access access{*this};
+    const toml::node& n = access.node(key);
+    const auto* b = n.as_boolean();
+    if (b == nullptr) {
+        reject(key, std::string(key) + " is neither true nor false",
+               "write " + std::string(key) + " = true");
+    }
+    return b->get();
+}
+
+void TomlSection::reject(std::size_t at, const std::string& problem,
+                         const std::string& instead) const {
+    throw InputError(problem, instead).at(source_->file, at);
+}
+void TomlSection::reject(std::string_view key, const std::string& problem,
+                         const std::string& instead) const {
+    reject(line(key), problem, instead);
+}
+
+} // namespace edgeproof

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/exact.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof {
+
+/// A table of a TOML file, read strictly. Whatever is not as it should be throws InputError with
+/// the file, the line, what is wrong and what to write instead.
+///
+/// A number means exactly what is written: integers and floats are taken from the text of the
+/// file, never from a double. A float of more than 15 significant digits is refused with the hint
+/// to quote it, since other readers of the file would cut it off.
+class TomlSection {
+public:
+    /// The top of a file. `file` is what errors name.
+    [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
+
+    /// Refuses any other key.
+    void allow(const std::vector<std::string_view>& keys) const;
+    [[nodiscard]] bool has(std::string_view key) const;
+    [[nodiscard]] bool is_table(std::string_view key) const;
+    [[nodiscard]] bool is_list(std::string_view key) const;
+    /// Of the table's own header.
+    [[nodiscard]] std::size_t line() const;
+    /// Of the key, or of the table where there is no such key.
+    [[nodiscard]] std::size_t line(std::string_view key) const;
+    [[nodiscard]] const std::string& file() const;
+
+    [[nodiscard]] TomlSection section(std::string_view key) const;
+    /// A quoted text.
+    [[nodiscard]] std::string text(std::string_view key) const;
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+    /// A quoted text, or a number as it stands in the file.
+    [[nodiscard]] std::string written(std::string_view key) const;
+    /// An exact constant: quoted ("pi/16") or a number.
+    [[nodiscard]] Exact exact(std::string_view key) const;
+    /// One of a list, with the line that it stands on.
+    struct Item {
+        Exact value;
+        std::size_t line;
+    };
+    /// A list of exact constants; one alone is a list of one.
+    [[nodiscard]] std::vector<Item> exacts(std::string_view key) const;
+    /// Whole numbers in least ... most; one alone is a list of one.
+    [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, long least,
+                                                  long most) const;
+    [[nodiscard]] std::size_t count(std::string_view key, long least, long most) const;
+    [[nodiscard]] bool flag(std::string_view key) const;
+
+    [[noreturn]] void reject(std::size_t line, const std::string& problem,
+                             const std::string& instead) const;
+    [[noreturn]] void reject(std::string_view key, const std::string& problem,
+                             const std::string& instead) const;
+
+private:
+    struct Source;
+    struct Access;
+    TomlSection(std::shared_ptr<const Source> source, const void* table)
+        : source_(std::move(source)), table_(table) {}
+    std::shared_ptr<const Source> source_;
+    const void* table_; ///< toml::table; toml++ stays out of this header
+};
+
+} // namespace edgeproof

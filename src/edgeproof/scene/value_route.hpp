@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/work.hpp"
+#include "edgeproof/scene/plan.hpp"
+#include "edgeproof/scene/vouched.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgeproof {
+
+/// The sum of the first n terms at a point, and |1 - sum/value|.
+struct Approximation {
+    std::size_t n = 0;
+    Vouched local;
+    Vouched relative_error;
+};
+
+struct PointValues {
+    Vouched x;
+    std::optional<Vouched> p;
+    std::vector<Approximation> p_local;
+    std::optional<Vouched> q;
+    std::vector<Approximation> q_local;
+};
+
+struct EdgeValues {
+    Edge edge = Edge::right;
+    std::vector<Vouched> c; ///< of u^(1/2), u^(3/2), ... in p
+    std::vector<Vouched> s; ///< of q, from u^(s_half_powers/2) on
+    int s_half_powers = -1;
+};
+
+struct ExtentValues {
+    Edge edge = Edge::right;
+    std::size_t n = 0;
+    Vouched first_exit;
+    Vouched measure;
+    Vouched first_exit_fraction; ///< of a + b
+    Vouched measure_fraction;
+    std::vector<Vouched> crossings;
+    bool leaves = true;
+    /// The first exit lies beyond the process zone, where there is one.
+    std::optional<bool> covers_zone;
+};
+
+struct ContactValues {
+    Vouched a;
+    Vouched b;
+    std::optional<Exact> alpha; ///< the tilt, where it was solved for
+    std::optional<Vouched> force;
+    std::optional<Vouched> moment;
+};
+
+/// Where a scene's values come from: each with how far it is to be trusted, and by which name the
+/// way goes. What is done is counted. One object belongs to one thread.
+class ValueRoute {
+public:
+    virtual ~ValueRoute() = default;
+
+    [[nodiscard]] virtual ContactValues contact() = 0;
+    /// `p`, `q`: which of them to compute, with their approximations where terms are asked for.
+    /// Throws DomainError where there is no value (outside the contact, on a corner).
+    [[nodiscard]] virtual PointValues at(Edge edge, const Exact& u, bool p, bool q) = 0;
+    [[nodiscard]] virtual EdgeValues expansion(Edge edge, bool p, bool q) = 0;
+    [[nodiscard]] virtual ExtentValues extent(Edge edge, std::size_t n) = 0;
+};
+
+/// Values in Real with estimated errors (NormalContact, ShearTraction). Keeps references to all
+/// three. Throws InputError, told with the line of the load, where no contact carries it.
+[[nodiscard]] std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
+                                                          Work& work);
+
+} // namespace edgeproof

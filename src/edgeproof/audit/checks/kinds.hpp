@@ -18,5 +18,27 @@ namespace edgeproof {
 [[nodiscard]] CheckKind size_extent_kind();
 /// A condition on the coefficients at both edges: the sizes for which it holds.
 [[nodiscard]] CheckKind size_condition_kind();
+/// The ratio of two loads at which a coefficient vanishes.
+[[nodiscard]] CheckKind vanishing_kind();
+/// Whether what two loads make of a quantity adds or subtracts.
+[[nodiscard]] CheckKind superposition_kind();
+/// A formula that is the same in all scenes of a family.
+[[nodiscard]] CheckKind independence_kind();
+/// A condition, looked at all over the contact, or near the edge only.
+[[nodiscard]] CheckKind relation_kind();
+/// The order of a quantity at the edge, and the factor that goes with it.
+[[nodiscard]] CheckKind order_kind();
+/// The orders of what is left of the pressure after each term of an expansion.
+[[nodiscard]] CheckKind series_kind();
+/// A quoted number against a computed one.
+[[nodiscard]] CheckKind figure_kind();
+/// A quoted extent against the distance to which an approximation is within a tolerance.
+[[nodiscard]] CheckKind extent_kind();
+/// A quantity that grows, or falls, with a parameter.
+[[nodiscard]] CheckKind monotone_kind();
+/// The limit of a quantity as a parameter runs.
+[[nodiscard]] CheckKind limit_kind();
+/// The value of a parameter at which an approximation reaches farthest.
+[[nodiscard]] CheckKind optimum_kind();
 
 } // namespace edgeproof

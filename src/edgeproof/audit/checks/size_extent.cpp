@@ -207,9 +207,9 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const Exact from = size(range[0]);
     const Exact to = size(range[1]);
     const auto sizes_of = [&](const Quoted& q) {
-        return context.once<Found>(
-            "size-extent/" + scenes.front().family + "/" + range[0] + "/" + range[1] + q.key,
-            [&] { return find_sizes(q, profile, from, to); });
+        return context.once<Found>("size-extent/" + scenes.front().family + "/" + range[0] + "/" +
+                                       range[1] + q.key,
+                                   [&] { return find_sizes(q, profile, from, to); });
     };
     const auto found = sizes_of(read_quoted(claim));
     const std::vector<Quoted> figures = companions(claim, context);

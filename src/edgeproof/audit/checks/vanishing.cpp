@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/linear_loads.hpp"
+#include "edgeproof/audit/ratio.hpp"
+#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+/// Where a coefficient vanishes: the printed ratio of the loads against the one that makes it so,
+/// over all scenes.
+struct Zero {
+    bool agrees = true;
+    double digits = 1e6; ///< to which they agree, at worst
+    std::vector<RatioSample> quotients;
+    std::string value; ///< of the ratio, in the first scene
+};
+
+Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variables>& parameters,
+               const Expr& coefficient, const Expr& ratio, const Expr& printed, unsigned needed) {
+    Zero zero;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const LinearLoads& loads = scenes[i];
+        const Real second = loads.second_for_zero(coefficient);
+        const Real at_zero = loads.evaluate(ratio, second);
+        const Real as_printed = loads.evaluate(printed, second);
+        const PrecisionScope scope(loads.digits() + 20);
+        const Real off = abs(Real(as_printed / at_zero - 1));
+        const double digits = off == 0 ? 1e6 : (-log10(off)).convert_to<double>();
+        zero.digits = std::min(zero.digits, digits);
+        zero.agrees = zero.agrees && digits >= needed;
+        zero.quotients.push_back({parameters[i], Real(as_printed / at_zero)});
+        if (i == 0) {
+            zero.value = value_text(at_zero, 20);
+        }
+    }
+    return zero;
+}
+
+Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
+    std::vector<LinearLoads> scenes;
+    std::vector<Variables> parameters;
+    const auto& loads = claim.list("loads");
+    if (loads.size() != 2) {
+        claim.reject("loads", "loads are not two", "write loads = [\"Q\", \"sig0\"]");
+    }
+    for (const SceneSpec& scene : context.scenes(claim)) {
+        scenes.emplace_back(scene, context.digits(), loads[0], loads[1]);
+        const Setting setting(scene, context.digits());
+        Variables values;
+        for (const auto& [name, value] : scene.parameters) {
+            values.emplace(name, setting.parameter(name));
+        }
+        parameters.push_back(std::move(values));
+    }
+    const Expr ratio = claim.formula("ratio");
+    const Expr printed = claim.formula("says");
+    const auto zero_of = [&](const Expr& coefficient) {
+        return find_zero(scenes, parameters, coefficient, ratio, printed, context.digits_needed());
+    };
+    const Zero zero = zero_of(claim.formula("of"));
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"))
+        .add("scenes", scenes.size())
+        .add("ratio", claim.text("ratio"))
+        .add("vanishes_at", zero.value)
+        .add("digits", digits_text(std::min(zero.digits, 1.0 * context.digits())));
+    outcome.verdict = zero.agrees ? Verdict::confirmed : Verdict::refuted;
+    outcome.computed = claim.text("ratio") + " = " + zero.value;
+    outcome.note = zero.agrees ? claim.text("of") + " vanishes there" : "";
+    if (!zero.agrees) {
+        const auto quotient = recognise_ratio(zero.quotients, 20);
+        outcome.evidence.add("printed_over_exact",
+                             quotient ? to_text(*quotient) : "no closed form");
+        std::string value = "another value";
+        if (quotient) {
+            const Expr printed_value = claim.written("says");
+            const Rational* q = quotient->rational();
+            value = to_text(q != nullptr && *q == -1 ? -printed_value : printed_value / *quotient);
+            outcome.correct = claim.text("ratio") + " = " + value + " for " + claim.text("of");
+        }
+        outcome.note = claim.text("of") + " vanishes at " + value;
+    }
+    if (claim.has("elsewhere")) {
+        std::vector<std::string> at;
+        Evidence others;
+        for (const std::string& text : claim.list("elsewhere")) {
+            const Zero other = zero_of(
+                expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary));
+            others.add(text, other.agrees ? "vanishes at the printed value"
+                                          : "vanishes at " + other.value);
+            if (other.agrees) {
+                at.push_back(text);
+            }
+        }
+        outcome.evidence.add("elsewhere", others);
+        for (const std::string& text : at) {
+            outcome.note += "; it is " + text + " that vanishes at the printed value";
+        }
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind vanishing_kind() {
+    using Type = KeySpec::Type;
+    return {"vanishing",
+            {{.name = "says", .type = Type::formula, .required = true},
+             {.name = "of", .type = Type::formula, .required = true},
+             {.name = "ratio", .type = Type::formula, .required = true},
+             {.name = "loads", .type = Type::list, .required = true},
+             {.name = "elsewhere", .type = Type::formulas}},
+            check_vanishing};
+}
+
+} // namespace edgeproof

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/formal_values.hpp"
 
-#include "edgeproof/audit/expansion_environment.hpp"
 #include "edgeproof/formula/environment.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -38,31 +37,12 @@ Values<Real> as_environment(const Variables& values) {
     return environment;
 }
 
-/// The field of numbers that an expansion is made over.
-class NumberField {
-public:
-    explicit NumberField(const Variables& values) : values_(values) {}
-    [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
-    [[nodiscard]] Real symbol(std::string_view name) const {
-        const auto it = values_.find(name);
-        if (it == values_.end()) {
-            throw Error("'" + std::string(name) + "' has no value here");
-        }
-        return it->second;
-    }
-    [[nodiscard]] Real integral(const Real&, std::string_view, const Real&) const {
-        throw Error("an integral is not expanded over numbers");
-    }
-
-private:
-    const Variables& values_;
-};
-
 } // namespace
 
 FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCase& under,
-                           std::size_t draw) {
-    const PrecisionScope scope(digits);
+                           std::size_t draw, unsigned working_digits)
+    : working_digits_(working_digits) {
+    const PrecisionScope scope(working_digits_);
     std::set<std::string> dependent;
     std::set<std::string> wanted = names;
     wanted.insert({"a", "b"});
@@ -85,25 +65,8 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
 }
 
 Real FormalValues::evaluate(const Expr& e) const {
-    const PrecisionScope scope(digits);
+    const PrecisionScope scope(working_digits_);
     return edgeproof::evaluate<Real>(e, as_environment(values_));
-}
-
-std::vector<Real> FormalValues::coefficients(const Expr& e, const ExpansionIn& in, long first,
-                                             long last) const {
-    const PrecisionScope scope(digits);
-    const NumberField field(values_);
-    const ExpansionEnvironment<Real, NumberField> environment(
-        field, in.variable, in.edge, static_cast<std::size_t>(last - std::min(first, 0L)) + 6);
-    const auto expansion = edgeproof::evaluate<Laurent<Real>>(e, environment);
-    std::vector<Real> c;
-    for (long k = std::min(first, expansion.lowest()); k <= last; ++k) {
-        if (k < first) {
-            throw DomainError("an expansion begins earlier than expected");
-        }
-        c.push_back(expansion[k]);
-    }
-    return c;
 }
 
 } // namespace edgeproof

@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 namespace edgeproof {
 
@@ -17,20 +16,20 @@ namespace edgeproof {
 class FormalValues {
 public:
     /// Draw number `draw` for these names and all that they depend on under the case.
-    FormalValues(const std::set<std::string>& names, const SymbolicCase& under, std::size_t draw);
+    FormalValues(const std::set<std::string>& names, const SymbolicCase& under, std::size_t draw,
+                 unsigned working_digits = digits);
 
     [[nodiscard]] const Variables& values() const noexcept { return values_; }
+    /// One more name, or another value.
+    void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const Expr& e) const;
-    /// The coefficients of an expansion by powers of variable^(1/2), from `first` to `last`; those
-    /// of e times variable^(first/2) where e begins there. Throws what its evaluation throws.
-    [[nodiscard]] std::vector<Real> coefficients(const Expr& e, const ExpansionIn& in, long first,
-                                                 long last) const;
 
     static constexpr unsigned digits = 40;
 
 private:
     Variables values_;
+    unsigned working_digits_;
 };
 
 } // namespace edgeproof

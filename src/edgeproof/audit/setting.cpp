@@ -55,7 +55,11 @@ Real SettingState::right_edge_of(const Real& y) {
     if (y == extent.b) {
         return extent.a;
     }
-    return law.right_edge(y);
+    // Formulas ask for the same one at every node of an integral.
+    if (!last_right_edge || last_right_edge->first != y) {
+        last_right_edge.emplace(y, law.right_edge(y));
+    }
+    return last_right_edge->second;
 }
 
 const std::vector<Real>& SettingState::expansion(Edge edge, std::size_t terms) {

@@ -23,9 +23,10 @@ struct SettingState {
     ContactLaw<Real> law;
     Extent<Real> extent;
     std::map<std::string, Real, std::less<>> parameters;
-    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ... as they are asked for
-    std::array<std::vector<Real>, 2> expansions;      ///< right, left
-    std::optional<Extent<Real>> last_extent;          ///< of the contact with right edge at .a
+    std::map<std::string, Real, std::less<>> derived;     ///< P, P1, ... as they are asked for
+    std::array<std::vector<Real>, 2> expansions;          ///< right, left
+    std::optional<Extent<Real>> last_extent;              ///< of the contact with right edge at .a
+    std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
 
     /// The contact of the family whose right edge is at s.
     const Extent<Real>& extent_at(const Real& s);

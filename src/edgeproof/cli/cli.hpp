@@ -12,6 +12,10 @@
 namespace edgeproof::cli {
 
 void add_verify(CLI::App& app, int& code);
+void add_pressure(CLI::App& app, int& code);
+void add_expand(CLI::App& app, int& code);
+void add_extent(CLI::App& app, int& code);
+void add_explain(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();

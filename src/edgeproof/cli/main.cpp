@@ -25,6 +25,10 @@ int main(int argc, char** argv) {
                  "edgeproof"};
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("edgeproof ") + EDGEPROOF_VERSION);
+    cli::add_pressure(app, code);
+    cli::add_expand(app, code);
+    cli::add_extent(app, code);
+    cli::add_explain(app, code);
     cli::add_verify(app, code);
     try {
         app.parse(argc, argv);

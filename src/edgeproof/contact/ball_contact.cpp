@@ -106,6 +106,9 @@ BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, c
     : BallContact(profile, evaluate<Ball>(contact_modulus.expr(), ConstantEnvironment{bits}),
                   bits) {
     const Ball given = constant(load.value.expr());
+    if (load.kind == Load::Kind::right_edge) {
+        find_knots_on_edges(load.value);
+    }
     a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
     b_ = solve_left_edge(a_);
 }
@@ -118,10 +121,42 @@ BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
     read_profile();
 }
 
+void BallContact::find_knots_on_edges(const Exact& a) {
+    const auto is_zero = [](const Expr& e) {
+        try {
+            return Exact(e).sign() == 0;
+        } catch (const BudgetError&) {
+            return false;
+        }
+    };
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const Expr knot = profile_.knots()[i].expr();
+        if (overlaps(knots_[i], constant(a.expr())) && is_zero(a.expr() - knot)) {
+            on_edge_[i] = Edge::right;
+        } else if (profile_.symmetric() && overlaps(-knots_[i], constant(a.expr())) &&
+                   is_zero(a.expr() + knot)) {
+            on_edge_[i] = Edge::left;
+        }
+    }
+}
+
+BallMark BallContact::mark(const Ball& a, const Ball& b, std::size_t knot) const {
+    if (on_edge_[knot]) {
+        return *on_edge_[knot] == Edge::right ? BallMark::right_end(a, b)
+                                              : BallMark::left_end(a, b);
+    }
+    return BallMark::at(a, b, knots_[knot]);
+}
+
 BallContact BallContact::mirrored() const {
     BallContact m(profile_.reflected(), modulus_, bits_);
     m.a_ = b_;
     m.b_ = a_;
+    for (std::size_t i = 0; i < on_edge_.size(); ++i) {
+        if (on_edge_[i]) {
+            m.on_edge_[on_edge_.size() - 1 - i] = opposite(*on_edge_[i]);
+        }
+    }
     return m;
 }
 
@@ -130,6 +165,7 @@ void BallContact::read_profile() {
     for (const Exact& knot : profile.knots()) {
         knots_.push_back(constant(knot.expr()));
     }
+    on_edge_.assign(knots_.size(), std::nullopt);
     power_law_ = !profile.piecewise_linear();
     if (power_law_) {
         exponent_ = constant(profile.parameters().at("m").expr());
@@ -157,8 +193,7 @@ Ball BallContact::over_measure(const Ball& a, const Ball& b, const AtKnot& at_kn
     Ball sum(0, bits_);
     BallMark previous = BallMark::left_end(a, b);
     for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const BallMark next =
-            i < knots_.size() ? BallMark::at(a, b, knots_[i]) : BallMark::right_end(a, b);
+        const BallMark next = i < knots_.size() ? mark(a, b, i) : BallMark::right_end(a, b);
         sum += pieces_[i].rate * between(i, previous, next);
         if (i < knots_.size() && profile_.has_corner(i)) {
             sum += at_knot(i, next);
@@ -293,8 +328,7 @@ Ball BallContact::pressure(Edge edge, const Ball& u) const {
     Ball previous_moment(0, bits_);
     for (std::size_t i = 0; i <= knots_.size(); ++i) {
         const bool edge_here = i == knots_.size();
-        const BallMark next =
-            edge_here ? BallMark::right_end(a_, b_) : BallMark::at(a_, b_, knots_[i]);
+        const BallMark next = edge_here ? BallMark::right_end(a_, b_) : mark(a_, b_, i);
         Ball moment(0, bits_); // (v - x) G(x, v)
         if (!edge_here && !next.outside) {
             const Ball offset = edge == Edge::right ? u - (a_ - knots_[i]) : b_ + knots_[i] - u;

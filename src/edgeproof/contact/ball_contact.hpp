@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/ball_series.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace edgeproof {
@@ -35,8 +37,9 @@ public:
     /// p at the exact distance u from an edge. Not finite when the ball of x meets a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
-    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot, or may as far as
-    /// the bits tell, has no enclosed expansion: the coefficients are not finite.
+    /// c_0 ... c_{terms-1} at an edge, each enclosed. A given edge that lies on a knot exactly is
+    /// expanded from inside the contact. One that may lie on a knot, as far as the bits tell, has
+    /// no enclosed expansion: the coefficients are not finite.
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const;
     /// The same contact seen in a mirror, edges and all.
     [[nodiscard]] BallContact mirrored() const;
@@ -57,6 +60,8 @@ private:
         Ball rate;
     };
     [[nodiscard]] Ball constant(const Expr& e) const;
+    void find_knots_on_edges(const Exact& a);
+    [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
     [[nodiscard]] Ball solve_left_edge(const Ball& a) const;
     [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P) const;
     [[nodiscard]] Ball imbalance(const Ball& a, const Ball& b) const;
@@ -73,6 +78,8 @@ private:
     std::vector<Ball> knots_;
     std::vector<Piece> pieces_;
     std::vector<Ball> jumps_;
+    /// Knots that are known to lie on an edge exactly, which no ball tells.
+    std::vector<std::optional<Edge>> on_edge_;
     bool power_law_ = false;
     Ball exponent_;
     Ball power_factor_; ///< P = power_factor a^(m+1)

@@ -57,8 +57,9 @@ BallSeries BallContact::over_measure(const BallSeries& a, const BallSeries& b,
     BallSeries sum(Ball(0, bits_), std::min(a.order(), b.order()));
     SeriesMark previous = end_mark(a, b, Edge::left);
     for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        SeriesMark next =
-            i < knots_.size() ? mark_at(a, b, knots_[i]) : end_mark(a, b, Edge::right);
+        SeriesMark next = i == knots_.size() ? end_mark(a, b, Edge::right)
+                          : on_edge_[i]      ? end_mark(a, b, *on_edge_[i])
+                                             : mark_at(a, b, knots_[i]);
         if (!(previous.outside && next.outside && contains_zero((next.y - previous.y)[0]))) {
             sum = sum + between(i, previous, next) * pieces_[i].rate;
         }

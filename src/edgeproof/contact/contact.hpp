@@ -9,10 +9,12 @@
 ///   ball_contact.hpp     the same contact in balls: enclosures that are proved
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
+///   ball_shear.hpp       the same q in balls
 ///   forward.hpp          back from a traction to its resultant and its principal value
 ///   tilt_solver.hpp      the tilt that carries a given force and moment
 ///   extent.hpp           how far from an edge n terms stay within a tolerance
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_shear.hpp"
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/extent.hpp"

@@ -177,6 +177,48 @@ Rational parse_decimal(std::string_view text) {
 
 std::string to_decimal(const Real& x, unsigned digits) { return decimal(x, digits, MPFR_RNDN); }
 
+std::string to_decimal(const Rational& q, unsigned digits, Rounding mode) {
+    if (mode == Rounding::enclosure) {
+        return "[" + to_decimal(q, digits, Rounding::down) + ", " +
+               to_decimal(q, digits, Rounding::up) + "]";
+    }
+    if (digits == 0) {
+        throw DomainError("a number cannot be written to no digits at all");
+    }
+    if (q == 0) {
+        return "0";
+    }
+    const bool negative = q < 0;
+    const Rational size = negative ? Rational(-q) : q;
+    const auto ten_to = [](long k) { return Integer(pow(Integer(10), static_cast<unsigned>(k))); };
+    // size = n/10^shift, and n has `digits` digits before its point.
+    long shift = static_cast<long>(digits) -
+                 static_cast<long>(boost::multiprecision::numerator(size).str().size()) +
+                 static_cast<long>(boost::multiprecision::denominator(size).str().size());
+    Integer whole;
+    Rational rest;
+    for (;;) {
+        const Rational n =
+            shift >= 0 ? Rational(size * ten_to(shift)) : Rational(size / ten_to(-shift));
+        whole = boost::multiprecision::numerator(n) / boost::multiprecision::denominator(n);
+        rest = n - whole;
+        if (whole < ten_to(static_cast<long>(digits))) {
+            break; // the guess of the shift is right or one too large
+        }
+        --shift;
+    }
+    const Rational half(1, 2);
+    const bool away = mode == Rounding::nearest ? rest > half || (rest == half && whole % 2 != 0)
+                                                : rest != 0 && (mode == Rounding::up) != negative;
+    if (away) {
+        ++whole;
+    }
+    Digits d{negative, whole.str(), 0};
+    d.exponent = static_cast<long>(d.digits.size()) - shift;
+    d.digits.resize(digits, '0'); // 999 -> 1000
+    return layout(d, digits);
+}
+
 std::string bound_text(const Real& x) { return decimal(x, 2, MPFR_RNDU); }
 
 std::string exact_text(const Rational& q) {

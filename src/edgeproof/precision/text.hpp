@@ -32,6 +32,10 @@ enum class Rounding {
     enclosure
 };
 
+/// An exact number to `digits` significant digits, rounded as asked and laid out like the above;
+/// "[lower, upper]" for an enclosure.
+[[nodiscard]] std::string to_decimal(const Rational& q, unsigned digits, Rounding mode);
+
 /// A ball in decimal.
 struct Rounded {
     std::string text;      ///< what every number in the ball rounds to

@@ -2,6 +2,7 @@
 #pragma once
 /// What people look at.
 ///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
+///   table.hpp            any table as CSV, JSON, Markdown, LaTeX
 ///   golden.hpp           an audit held against the verdicts recorded before
 ///   html_report.hpp      an audit as a page, with the paper's figures made anew
 ///   figures.hpp          a figure as data, drawn by gnuplot
@@ -10,4 +11,5 @@
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/golden.hpp"
 #include "edgeproof/report/html_report.hpp"
+#include "edgeproof/report/table.hpp"
 #include "edgeproof/report/verdict_writers.hpp"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/plan.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -48,7 +50,7 @@ public:
 
     Plan make() {
         plan_.digits = ask_.digits;
-        plan_.working_digits = ask_.digits + guard_digits;
+        plan_.working_digits = ask_.digits.count + guard_digits;
         plan_.edges = ask_.edges;
         plan_.mirrored = scene_.symmetric() && ask_.edges.size() == 2;
         plan_.print_pressure = ask_.wants(Quantity::pressure);
@@ -64,10 +66,12 @@ public:
         plan_.expand_shear = scene_.shear && (coefficients || (approximations && plan_.shear));
         plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
                                 (plan_.expand_shear && similar);
+        const bool closed = !scene_.profile || BallContact::has_closed_form(*scene_.profile);
         plan_.route = ask_.route != Route::automatic ? ask_.route
-                      : !scene_.profile || scene_.profile->piecewise_linear()
-                          ? Route::closed_form
-                          : Route::singular_integral;
+                      : closed                       ? Route::closed_form
+                                                     : Route::singular_integral;
+        plan_.bits = bits_for(ask_.digits.count) + 64 + 4 * static_cast<long>(plan_.terms);
+        proof();
         contact();
         pressure();
         expansions(coefficients);
@@ -91,6 +95,14 @@ private:
         return similar ? edges_of_p() : ask_.edges.size();
     }
 
+    void proof() {
+        plan_.proved = scene_.profile && plan_.route == Route::closed_form;
+        plan_.proved_why = plan_.proved ? "closed forms in ball arithmetic: every value is enclosed"
+                           : scene_.punch ? "the tilt is solved for, and known by an estimate"
+                           : ask_.route != Route::automatic
+                               ? "the route " + route_name(plan_.route) + " is asked for"
+                               : "g' is neither a power law nor piecewise linear: quadrature";
+    }
     void contact() {
         const bool tilt = scene_.punch.has_value();
         add("tilt", tilt,
@@ -121,11 +133,15 @@ private:
         const std::string why = !plan_.pressure        ? "no pressure is asked for"
                                 : plan_.print_pressure ? points
                                                        : points + ": q = (Q/P) p";
+        const bool power_law = scene_.profile && !scene_.profile->piecewise_linear();
+        const char* const form = power_law ? "; Gauss's 2F1" : "; logarithms";
         add("pressure, closed form", plan_.pressure && closed,
-            plan_.pressure && !closed ? "the route is " + route_name(plan_.route) : why,
+            plan_.pressure && !closed ? "the route is " + route_name(plan_.route)
+            : plan_.pressure          ? why + form
+                                      : why,
             &Counts::closed_forms, n);
         add("pressure, quadrature", plan_.pressure && !closed,
-            plan_.pressure && closed ? "g' is piecewise linear: logarithms"
+            plan_.pressure && closed ? "there is a closed form"
             : plan_.pressure         ? why + ", " + route_name(plan_.route)
                                      : why,
             &Counts::quadratures, n);

@@ -22,8 +22,11 @@ struct Effect {
 /// expansion is no longer than asked, and no pressure is computed where only coefficients are
 /// wanted. At two edges of a symmetric scene the second is the first in a mirror.
 struct Plan {
-    unsigned digits = 50;
-    unsigned working_digits = 70; ///< at first; raised where edges, knots and points lie close
+    Digits digits;
+    bool proved = false;          ///< values are enclosures; else they come with estimated errors
+    std::string proved_why;       ///< or why not
+    long bits = 256;              ///< of the balls, at first
+    unsigned working_digits = 70; ///< of the routes in Real, at first; both are raised on the way
     Route route = Route::closed_form;
     std::vector<Edge> edges; ///< as asked
     bool mirrored = false;   ///< the second edge's p is the first's
@@ -41,6 +44,10 @@ struct Plan {
 
     /// p at this edge is computed, not copied.
     [[nodiscard]] bool computes(Edge edge) const { return !mirrored || edge == edges.front(); }
+    /// Of a relative error, which says how wrong something is: 20 digits, or as many as asked.
+    [[nodiscard]] Digits error_digits() const {
+        return {digits.count < 20 ? digits.count : 20, digits.rounding, false};
+    }
 };
 
 /// Throws InputError where the scene gives no means for what it asks: pressures without points,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/enclosure.hpp"
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
 #include <algorithm>
@@ -12,22 +13,7 @@ namespace {
 
 /// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
 constexpr unsigned kept_digits = 8;
-/// Digits of a relative error, at most: it says how wrong something is.
-constexpr unsigned error_digits = 20;
 constexpr unsigned most_extra = 4000;
-
-long bits_for(unsigned digits) { return static_cast<long>(digits) * 10 / 3 + 16; }
-
-Ball ball_of(const Exact& x, long bits) {
-    if (x.is_rational()) {
-        return Ball(x.rational(), bits);
-    }
-    const auto e = enclose(x.expr(), bits);
-    if (!e) {
-        throw BudgetError("'" + x.text() + "' cannot be enclosed");
-    }
-    return Ball::from_interval(e->lower, e->upper, bits);
-}
 
 /// Everything at one number of digits: the scene's own, or more where a difference is small.
 class Level {
@@ -94,7 +80,7 @@ public:
         std::optional<Estimated> pressure;
         const bool together = q && scene_.shear->path == LoadingPath::together;
         if (p || together) {
-            pressure = contact_.pressure(edge, u, plan_.route);
+            pressure = contact_.pressure(edge, u, route());
             const PrecisionScope scope(pressure->working_digits);
             values.p = estimated(pressure->value, Real(abs(pressure->value) * pressure->estimate),
                                  route_name(pressure->route));
@@ -108,6 +94,11 @@ public:
     }
 
 private:
+    /// Where balls give a power law's closed form no value, they give the one in Real none either.
+    [[nodiscard]] Route route() const {
+        return plan_.proved && !contact_.profile().piecewise_linear() ? Route::singular_integral
+                                                                      : plan_.route;
+    }
     [[nodiscard]] Real unit() const {
         return pow(Real(10), -static_cast<int>(digits_ + kept_digits));
     }
@@ -127,15 +118,16 @@ public:
     RealRoute(const Scene& scene, const Plan& plan, Work& work)
         : scene_(scene), plan_(plan), work_(work) {
         if (scene.punch) {
-            const SolvedTilt tilt = solve_tilt(*scene.punch, scene.contact_modulus,
-                                               scene.load.value, *scene.moment, plan.digits + 20);
+            const SolvedTilt tilt =
+                solve_tilt(*scene.punch, scene.contact_modulus, scene.load.value, *scene.moment,
+                           plan.digits.count + 20);
             ++work.counts.tilts;
             alpha_ = tilt.alpha;
             profile_ = tilt.profile;
         } else {
             profile_ = *scene.profile;
         }
-        levels_[0] = std::make_unique<Level>(*profile_, scene, plan, plan.digits, &work);
+        levels_[0] = std::make_unique<Level>(*profile_, scene, plan, plan.digits.count, &work);
     }
 
     ContactValues contact() override {
@@ -199,8 +191,9 @@ public:
         values.n = n;
         values.leaves = e.leaves;
         // Each crossing carries the error of the worst; the measure adds them up.
-        const Real error = e.estimate * e.length +
-                           e.length * pow(Real(10), -static_cast<int>(plan_.digits + kept_digits));
+        const Real error =
+            e.estimate * e.length +
+            e.length * pow(Real(10), -static_cast<int>(plan_.digits.count + kept_digits));
         const auto near = [&](const Real& x, const Real& by) { return estimated(x, by, "scan"); };
         const Real all = error * static_cast<unsigned>(e.crossings.size() + 1);
         values.first_exit =
@@ -214,7 +207,7 @@ public:
             values.crossings.push_back(near(u, Real(u * (e.estimate + error / e.length))));
         }
         if (scene_.ask.process_zone) {
-            values.covers_zone = !e.leaves || e.first_exit >= scene_.ask.process_zone->to<Real>();
+            values.covers_zone = e.first_exit >= scene_.ask.process_zone->to<Real>();
         }
         return values;
     }
@@ -232,7 +225,7 @@ private:
         if (given) {
             const Expr& a = scene_.load.value.expr();
             const Exact x(edge == Edge::right ? a - u.expr() : u.expr() - a);
-            return {ball_of(x, bits), true, "given"};
+            return {ball_of(x, bits), true, "given", rational_of(x)};
         }
         const Ball from_edge = ball_of(u, bits);
         Vouched length = length_of(edge);
@@ -242,7 +235,8 @@ private:
     /// The sum of n terms; its relative error is worked out with more digits where it cancels.
     [[nodiscard]] Approximation approximation(Edge edge, const Exact& u, std::size_t n,
                                               const Level::Values& at_base, bool shear) {
-        const unsigned wanted = std::min(plan_.digits, error_digits);
+        const Digits digits = plan_.error_digits();
+        const unsigned wanted = digits.count;
         Approximation result{n, {}, {}};
         for (unsigned extra = 0;;) {
             Level& level = at_level(extra);
@@ -254,12 +248,12 @@ private:
                 result.local = {local, false, "series"};
             }
             result.relative_error = {error, false, "series"};
-            if (round_ball(error, wanted).complete || contains_zero(value)) {
+            if (settles(error, digits) || contains_zero(value)) {
                 return result;
             }
             const Real lost = -log10(error.upper());
             const unsigned needed = lost > 0 ? static_cast<unsigned>(ceil(lost)) + wanted : wanted;
-            const unsigned next = needed > plan_.digits ? needed - plan_.digits : 0;
+            const unsigned next = needed > plan_.digits.count ? needed - plan_.digits.count : 0;
             // In steps, so that neighbouring points share one solved contact.
             extra = (std::max(next, extra + 1) + 15) / 16 * 16;
             if (extra > most_extra) {
@@ -281,7 +275,8 @@ private:
         auto& slot = levels_[extra];
         if (!slot) {
             ++work_.raised;
-            slot = std::make_unique<Level>(*profile_, scene_, plan_, plan_.digits + extra, nullptr);
+            slot = std::make_unique<Level>(*profile_, scene_, plan_, plan_.digits.count + extra,
+                                           nullptr);
         }
         return *slot;
     }

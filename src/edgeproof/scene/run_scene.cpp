@@ -8,8 +8,6 @@
 namespace edgeproof {
 namespace {
 
-std::string edge_text(Edge edge) { return edge == Edge::right ? "right" : "left"; }
-
 /// What a mirror leaves as it is (x apart).
 void copy_pressure(const PointValues& from, PointValues& to, bool shear_too) {
     to.p = from.p;
@@ -22,9 +20,10 @@ void copy_pressure(const PointValues& from, PointValues& to, bool shear_too) {
 
 class Run {
 public:
-    Run(const Scene& scene, SceneResult& result)
-        : scene_(scene), plan_(result.plan), result_(result),
-          route_(make_real_route(scene, result.plan, result.work)),
+    Run(const Scene& scene, const RunOptions& options, SceneResult& result)
+        : scene_(scene), options_(options), plan_(result.plan), result_(result),
+          route_(plan_.proved ? make_ball_route(scene, plan_, result.work)
+                              : make_real_route(scene, plan_, result.work)),
           similar_(scene.shear && scene.shear->path == LoadingPath::together) {}
 
     void all() {
@@ -51,6 +50,7 @@ private:
         const bool computes_p = plan_.computes(edge);
         const bool computes_q = plan_.shear && (computes_p || !similar_);
         for (std::size_t i = 0; i < plan_.points; ++i) {
+            step();
             const AskedPoint& asked = scene_.ask.u[i];
             try {
                 PointRow row{
@@ -61,7 +61,7 @@ private:
                 }
                 result_.points.push_back(std::move(row));
             } catch (const DomainError& error) {
-                throw InputError("u = " + asked.u.text() + " from the " + edge_text(edge) +
+                throw InputError("u = " + asked.u.text() + " from the " + edge_name(edge) +
                                      " edge: " + error.what(),
                                  "give distances from the edge, 0 < u < a + b, off every corner")
                     .at(scene_.file, asked.line != 0 ? asked.line : scene_.ask_line);
@@ -69,6 +69,7 @@ private:
         }
     }
     void coefficients(Edge edge) {
+        step();
         const bool computes_p = plan_.computes(edge);
         EdgeValues values = route_->expansion(edge, plan_.expand_pressure && computes_p,
                                               plan_.expand_shear && (computes_p || !similar_));
@@ -90,23 +91,38 @@ private:
             return;
         }
         for (const std::size_t n : scene_.ask.terms) {
+            step();
             result_.extents.push_back(route_->extent(edge, n));
         }
     }
 
+    void step() {
+        if (options_.stop != nullptr && *options_.stop) {
+            throw Error("interrupted: nothing is written");
+        }
+        if (options_.progress) {
+            const std::size_t extents = plan_.extents ? scene_.ask.terms.size() : 0;
+            const std::size_t coefficients = scene_.ask.wants(Quantity::coefficients) ? 1 : 0;
+            options_.progress(done_, plan_.edges.size() * (plan_.points + coefficients + extents));
+        }
+        ++done_;
+    }
+
     const Scene& scene_;
+    const RunOptions& options_;
     const Plan& plan_;
     SceneResult& result_;
     std::unique_ptr<ValueRoute> route_;
     bool similar_;
+    std::size_t done_ = 0;
 };
 
 } // namespace
 
-SceneResult run_scene(const Scene& scene) {
+SceneResult run_scene(const Scene& scene, const RunOptions& options) {
     SceneResult result;
     result.plan = make_plan(scene);
-    Run(scene, result).all();
+    Run(scene, options, result).all();
     return result;
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 #include "edgeproof/scene/value_route.hpp"
 
+#include <atomic>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace edgeproof {
@@ -22,9 +25,15 @@ struct SceneResult {
     std::vector<ExtentValues> extents;
 };
 
+struct RunOptions {
+    const std::atomic<bool>* stop = nullptr; ///< looked at between values; true ends the run
+    /// Points, coefficients and extents done, of how many.
+    std::function<void(std::size_t, std::size_t)> progress = {};
+};
+
 /// Does what the plan of a scene foretells. Throws InputError (with the line of the scene) for a
 /// load that no contact carries and for a point beyond the contact or on a corner, BudgetError
-/// where a quadrature does not reach its digits.
-[[nodiscard]] SceneResult run_scene(const Scene& scene);
+/// where a quadrature does not reach its digits, Error where it was stopped.
+[[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
 
 } // namespace edgeproof

@@ -5,9 +5,11 @@
 ///   points.hpp       ladders of points, exact
 ///   plan.hpp         Plan: the effects that a scene calls for, and nothing else; their counts
 ///   value_route.hpp  ValueRoute: where values come from, one interface for all ways
+///   exact_ball.hpp   exact constants as balls
 ///   vouched.hpp      Vouched: a value, how far it may be off, the route; and as it is printed
 ///   run_scene.hpp    run_scene: the plan carried out, with what was really done
 ///   toml_section.hpp strict TOML
+#include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/points.hpp"
 #include "edgeproof/scene/run_scene.hpp"

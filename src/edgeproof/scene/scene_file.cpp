@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/scene_file.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/points.hpp"
 #include "edgeproof/scene/read_profile.hpp"
@@ -140,11 +141,8 @@ void read_shear(const TomlSection& shear, bool alike, Scene& scene) {
 }
 
 Quantity quantity_of(const TomlSection& ask, const std::string& name) {
-    for (const Quantity q :
-         {Quantity::pressure, Quantity::coefficients, Quantity::shear, Quantity::extent}) {
-        if (name == quantity_name(q)) {
-            return q;
-        }
+    if (const auto quantity = quantity_named(name)) {
+        return *quantity;
     }
     ask.reject("quantities", "unknown quantity '" + name + "'",
                "write pressure, coefficients, shear, extent or contact");
@@ -204,7 +202,7 @@ void read_edges(const TomlSection& ask, Ask& result) {
         if (name != "right" && name != "left") {
             ask.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
         }
-        const Edge edge = name == "right" ? Edge::right : Edge::left;
+        const Edge edge = name == edge_name(Edge::right) ? Edge::right : Edge::left;
         if (std::find(result.edges.begin(), result.edges.end(), edge) != result.edges.end()) {
             ask.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
         }
@@ -239,7 +237,7 @@ void read_ask(const TomlSection& ask, Scene& scene) {
         result.terms = ask.counts("terms", 1, most_terms_allowed);
     }
     if (ask.has("digits")) {
-        result.digits = static_cast<unsigned>(ask.count("digits", 2, most_digits));
+        result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
     }
     if (ask.has("u")) {
         result.u = read_points(ask);
@@ -264,13 +262,18 @@ void read_ask(const TomlSection& ask, Scene& scene) {
             ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
                        "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
         }
+        if (result.process_zone && part[0].value.sign() != 0) {
+            ask.reject("part", "a process zone begins at the edge, and this part does not",
+                       "write part = [\"0\", \"...\"], or leave process_zone out");
+        }
         result.part = {part[0].value, part[1].value};
     }
     if (ask.has("route")) {
         result.route = route_of(ask);
         if (result.route == Route::closed_form && scene.profile &&
-            !scene.profile->piecewise_linear()) {
-            ask.reject("route", "only a piecewise linear g' has its pressure in closed form",
+            !BallContact::has_closed_form(*scene.profile)) {
+            ask.reject("route",
+                       "only a power law or a piecewise linear g' has its pressure in closed form",
                        "write route = \"automatic\"");
         }
     }
@@ -322,6 +325,18 @@ std::string quantity_name(Quantity quantity) {
     }
     return "contact";
 }
+
+std::optional<Quantity> quantity_named(std::string_view name) {
+    for (const Quantity q : {Quantity::pressure, Quantity::coefficients, Quantity::shear,
+                             Quantity::extent, Quantity::contact}) {
+        if (name == quantity_name(q)) {
+            return q;
+        }
+    }
+    return {};
+}
+
+std::string edge_name(Edge edge) { return edge == Edge::right ? "right" : "left"; }
 
 std::size_t Ask::most_terms() const {
     return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());

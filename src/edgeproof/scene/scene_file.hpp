@@ -4,6 +4,7 @@
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/shear_traction.hpp"
 #include "edgeproof/contact/tilt_solver.hpp"
+#include "edgeproof/scene/vouched.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,7 +21,7 @@ enum class Quantity {
     coefficients, ///< c_0, c_1, ... at edges (with shear: those of q too)
     shear,        ///< q at points
     extent,       ///< how far n terms stay within a tolerance
-    contact       ///< P and M, where they are not given
+    contact       ///< a, b, P and M
 };
 [[nodiscard]] std::string quantity_name(Quantity quantity);
 
@@ -39,7 +40,7 @@ struct Ask {
     std::optional<Exact> process_zone; ///< a length from the edge
     ExtentRange part;                  ///< that extents are measured over
     Route route = Route::automatic;
-    unsigned digits = 50;
+    Digits digits;
 
     [[nodiscard]] bool wants(Quantity quantity) const { return quantities.contains(quantity); }
     /// The longest expansion asked for; 0: none.
@@ -72,6 +73,11 @@ struct Scene {
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 /// The same from text; `file` is what errors name.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);
+
+/// "right" and "left"; "pressure", "coefficients", ...: as in a scene file. Nothing for other
+/// names.
+[[nodiscard]] std::string edge_name(Edge edge);
+[[nodiscard]] std::optional<Quantity> quantity_named(std::string_view name);
 
 /// "1%", "0.01", "1/100": a tolerance, exactly. Throws InputError unless it is positive.
 [[nodiscard]] Exact parse_tolerance(std::string_view text);

@@ -6,23 +6,70 @@
 namespace edgeproof {
 namespace {
 
-constexpr unsigned bits_beyond = 16;
+constexpr long bits_beyond = 16;
+constexpr unsigned bound_bits = 64;
 
 /// The largest |x - q| over the ball.
 Real farthest(const Ball& x, const Rational& q) {
     return abs(Ball(x - Ball(q, x.bits() + bits_beyond))).upper();
 }
 
+std::string bound_of(const Rational& error) {
+    return bound_text(abs(Ball(error, bound_bits)).upper());
+}
+
+/// hi - lo of "[lo, hi]".
+Rational width(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    return parse_decimal(text.substr(comma + 2, text.size() - comma - 3)) -
+           parse_decimal(text.substr(1, comma - 1));
+}
+
+PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
+    PrintedValue p;
+    p.text = to_decimal(q, digits.count, digits.rounding);
+    p.bound =
+        bound_of(digits.rounding == Rounding::enclosure ? width(p.text)
+                                                        : Rational(parse_decimal(p.text) - q));
+    p.complete = true;
+    return p;
+}
+
 } // namespace
 
-PrintedValue printed(const Vouched& x, unsigned digits) {
-    const std::string mark = x.proved ? "" : "~";
-    if (contains_zero(x.value)) {
-        return {"0", mark + bound_text(farthest(x.value, Rational(0))), x.value.is_exact()};
+bool settles(const Ball& x, const Digits& digits) {
+    return round_ball(x, digits.count, digits.rounding).complete &&
+           (!digits.binary64 || nearest_binary64(x));
+}
+
+PrintedValue printed(const Vouched& x, const Digits& digits) {
+    PrintedValue p;
+    if (x.exactly) {
+        p = printed_exactly(*x.exactly, digits);
+    } else if (!x.value.is_finite()) {
+        return {"nan", "inf", false, {}};
+    } else if (digits.rounding == Rounding::enclosure) {
+        const Rounded r = round_ball(x.value, digits.count, Rounding::enclosure);
+        p = {r.text, bound_of(width(r.text)), r.complete, {}};
+    } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
+        p = {"0", bound_text(farthest(x.value, Rational(0))), x.value.is_exact(), {}};
+    } else {
+        Rounded r = round_ball(x.value, digits.count, digits.rounding);
+        if (!r.complete && digits.rounding != Rounding::nearest) {
+            const std::string both = round_ball(x.value, digits.count, Rounding::enclosure).text;
+            const std::size_t comma = both.find(',');
+            r.text = digits.rounding == Rounding::down
+                         ? both.substr(1, comma - 1)
+                         : both.substr(comma + 2, both.size() - comma - 3);
+        } else if (r.text.empty()) {
+            r.text = to_decimal(x.value.midpoint(), 1);
+        }
+        p = {r.text, bound_text(farthest(x.value, parse_decimal(r.text))), r.complete, {}};
     }
-    const Rounded r = round_ball(x.value, digits);
-    const std::string text = r.text.empty() ? to_decimal(x.value.midpoint(), 1) : r.text;
-    return {text, mark + bound_text(farthest(x.value, parse_decimal(text))), r.complete};
+    if (digits.binary64) {
+        p.binary64 = nearest_binary64(x.value);
+    }
+    return p;
 }
 
 Vouched estimated(const Real& value, const Real& error, std::string route) {

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct Options : SceneOptions {
+    std::string terms;
+};
+
+constexpr std::size_t usual_terms = 3;
+
+/// k + half of `half_powers`, as a quotient.
+std::string power_text(std::size_t k, int half_powers) {
+    return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
+}
+
+int expand(const Options& o) {
+    Scene scene = asked_scene(o);
+    scene.ask.edges = asked_edges(o);
+    const std::size_t terms = !o.terms.empty()          ? whole_number("--terms", o.terms, 1, 400)
+                              : scene.ask.terms.empty() ? usual_terms
+                                                        : scene.ask.most_terms();
+    scene.ask.terms = {terms};
+    const bool contact = scene.ask.wants(Quantity::contact);
+    scene.ask.quantities = {Quantity::coefficients};
+    if (contact) {
+        scene.ask.quantities.insert(Quantity::contact);
+    }
+    const SceneResult result = done(scene);
+    Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
+                   "bound, proved unless the route says estimate",
+                   "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};
+    if (scene.shear && scene.shear->path == LoadingPath::normal_first) {
+        table.notes.push_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
+    } else if (scene.shear) {
+        table.notes.push_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
+    }
+    const ValueColumns value(scene);
+    table.columns = {{"edge", Column::Kind::text},
+                     {"coefficient", Column::Kind::text},
+                     {"k", Column::Kind::count},
+                     {"power", Column::Kind::text}};
+    std::vector<Column> columns;
+    value.add(columns, "value", "route");
+    columns[1].name = "bound";
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    for (const EdgeValues& edge : result.coefficients) {
+        const auto rows = [&](const char* name, const std::vector<Vouched>& list, int half_powers) {
+            for (std::size_t k = 0; k < list.size(); ++k) {
+                std::vector<std::string> row{edge_name(edge.edge), name + std::to_string(k),
+                                             std::to_string(k), power_text(k, half_powers)};
+                value.add(row, list[k], true);
+                table.rows.push_back(std::move(row));
+            }
+        };
+        rows("c_", edge.c, 1);
+        rows("s_", edge.s, edge.s_half_powers);
+    }
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_expand(CLI::App& app, int& code) {
+    CLI::App* sub =
+        app.add_subcommand("expand", "coefficients of the expansion at the edges, with bounds");
+    auto o = std::make_shared<Options>();
+    add_scene_options(*sub, *o);
+    add_edge_option(*sub, *o);
+    sub->add_option("--terms", o->terms, "how many (default: the scene's, else 3)");
+    sub->callback([o, &code] { code = expand(*o); });
+}
+
+} // namespace edgeproof::cli

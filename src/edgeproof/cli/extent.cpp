@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct Options : SceneOptions {
+    std::string tolerance;
+    std::string terms;
+};
+
+Exact tolerance_of(const std::string& text) {
+    try {
+        return parse_tolerance(text);
+    } catch (const InputError& error) {
+        throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
+    }
+}
+
+int extent(const Options& o) {
+    Scene scene = asked_scene(o);
+    scene.ask.edges = asked_edges(o);
+    if (!o.tolerance.empty()) {
+        scene.ask.tolerance = tolerance_of(o.tolerance);
+    } else if (!scene.ask.tolerance) {
+        throw InputError("no tolerance is given",
+                         "add --tolerance 1%, or tolerance = \"1%\" to [ask]")
+            .at(scene.file, scene.ask_line);
+    }
+    if (!o.terms.empty()) {
+        scene.ask.terms = numbers_of_terms("--terms", o.terms);
+    } else if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
+    }
+    scene.ask.quantities = {Quantity::extent};
+    const SceneResult result = done(scene);
+    Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    table.facts.push_back(
+        {"tolerance", o.tolerance.empty() ? scene.ask.tolerance->text() : o.tolerance});
+    if (scene.ask.process_zone) {
+        table.facts.push_back({"process_zone", scene.ask.process_zone->text()});
+    }
+    table.notes = {
+        "first_exit: the first distance from the edge at which n terms are off by the tolerance; "
+        "measure: the length of all places where they are not; the fractions are of a + b",
+        "crossings: every distance at which the error passes the tolerance; that there are no more "
+        "is sampled, not proved, so that the bounds are estimates"};
+    if (scene.ask.process_zone) {
+        table.notes.push_back("covers_zone: yes where n terms stay within the tolerance all "
+                              "through the process zone");
+    }
+    const ValueColumns value(scene);
+    table.columns = {{"edge", Column::Kind::text}, {"n", Column::Kind::count}};
+    value.add(table.columns, "first_exit");
+    table.columns.push_back({"first_exit_fraction"});
+    value.add(table.columns, "measure");
+    table.columns.push_back({"measure_fraction"});
+    if (scene.ask.process_zone) {
+        table.columns.push_back({"covers_zone", Column::Kind::text});
+    }
+    table.columns.push_back({"crossings", Column::Kind::text});
+    table.columns.push_back({"route", Column::Kind::text});
+    for (const ExtentValues& e : result.extents) {
+        const auto text = [&](const Vouched& v) { return printed(v, scene.ask.digits).text; };
+        std::vector<std::string> row{edge_name(e.edge), std::to_string(e.n)};
+        value.add(row, e.first_exit, false);
+        row.push_back(text(e.first_exit_fraction));
+        value.add(row, e.measure, false);
+        row.push_back(text(e.measure_fraction));
+        if (e.covers_zone) {
+            row.push_back(*e.covers_zone ? "yes" : "no");
+        }
+        std::string crossings;
+        for (const Vouched& u : e.crossings) {
+            crossings += (crossings.empty() ? "" : " ") + text(u);
+        }
+        row.push_back(crossings.empty() ? "none" : crossings);
+        row.push_back(e.first_exit.how());
+        table.rows.push_back(std::move(row));
+    }
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_extent(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "extent", "how far from each edge n terms stay within a tolerance of the pressure");
+    auto o = std::make_shared<Options>();
+    add_scene_options(*sub, *o);
+    add_edge_option(*sub, *o);
+    sub->add_option("--tolerance", o->tolerance, "1%, 0.01 or 1/100 (default: the scene's)");
+    sub->add_option("--terms", o->terms,
+                    "numbers of terms, such as 1,2,3 (default: the scene's, else these)");
+    sub->callback([o, &code] { code = extent(*o); });
+}
+
+} // namespace edgeproof::cli

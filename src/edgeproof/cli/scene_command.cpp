@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/scene_command.hpp"
+
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/files.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr std::size_t most_digits = 100'000;
+constexpr std::size_t most_terms = 400;
+
+Rounding rounding_of(const std::string& name) {
+    if (name == "nearest") {
+        return Rounding::nearest;
+    }
+    if (name == "down") {
+        return Rounding::down;
+    }
+    if (name == "up") {
+        return Rounding::up;
+    }
+    if (name == "enclosure") {
+        return Rounding::enclosure;
+    }
+    throw InputError("--round " + name + " is no way to round",
+                     "write nearest, down, up or enclosure");
+}
+
+TableFormat format_of(const std::string& name) {
+    const auto format = table_format(name);
+    if (!format) {
+        throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
+    }
+    return *format;
+}
+
+Fact fact(const std::string& key, const Vouched& value, const Digits& digits) {
+    const PrintedValue p = printed(value, digits);
+    return {key, p.text, p.bound, value.how()};
+}
+
+} // namespace
+
+void add_scene_options(CLI::App& sub, SceneOptions& o) {
+    sub.add_option("scene", o.scene, "the scene (TOML)")->required();
+    sub.add_option("--digits", o.digits, "significant digits (default: the scene's, else 50)");
+    sub.add_option("--format", o.format, "csv, json, md or tex")->capture_default_str();
+    sub.add_option("--out", o.out, "write to this file, whole or not at all");
+    sub.add_option("--round", o.rounding, "nearest, down, up or enclosure")->capture_default_str();
+    sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
+}
+
+void add_edge_option(CLI::App& sub, SceneOptions& o) {
+    sub.add_option("--edge", o.edges, "right, left or both (default: both)");
+}
+
+std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
+                         std::size_t most) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end || value < least || value > most) {
+        throw InputError(option + " " + text + " is out of range",
+                         fmt::format("give a whole number from {} to {}", least, most));
+    }
+    return value;
+}
+
+std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::string& text) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        numbers.push_back(whole_number(option, text.substr(at, comma - at), 1, most_terms));
+        at = comma + 1;
+    }
+    return numbers;
+}
+
+Scene asked_scene(const SceneOptions& o) {
+    (void)format_of(o.format); // before any work
+    const Rounding rounding = rounding_of(o.rounding);
+    Scene scene = read_scene(o.scene);
+    if (!o.digits.empty()) {
+        scene.ask.digits.count =
+            static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits));
+    }
+    scene.ask.digits.rounding = rounding;
+    scene.ask.digits.binary64 = o.binary64;
+    if (!o.out.empty()) {
+        const std::filesystem::path folder = std::filesystem::path(o.out).parent_path();
+        if (!folder.empty()) {
+            make_folder(folder);
+        }
+    }
+    return scene;
+}
+
+std::vector<Edge> asked_edges(const SceneOptions& o) {
+    if (o.edges.empty() || o.edges == "both") {
+        return {Edge::right, Edge::left};
+    }
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        if (o.edges == edge_name(edge)) {
+            return {edge};
+        }
+    }
+    throw InputError("--edge " + o.edges + ": there is no such edge", "write right, left or both");
+}
+
+SceneResult done(const Scene& scene) {
+    Progress progress("values");
+    RunOptions options;
+    options.stop = &interrupted();
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    return run_scene(scene, options);
+}
+
+std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {
+    const Digits& digits = scene.ask.digits;
+    std::vector<Fact> facts{{"scene", scene.file}};
+    const char* const how = digits.rounding == Rounding::nearest ? "nearest"
+                            : digits.rounding == Rounding::down  ? "down"
+                            : digits.rounding == Rounding::up    ? "up"
+                                                                 : "enclosure";
+    facts.push_back({"digits", std::to_string(digits.count)});
+    facts.push_back({"rounding", how});
+    const ContactValues& contact = result.contact;
+    if (contact.alpha) {
+        facts.push_back({"alpha", contact.alpha->text()});
+    }
+    facts.push_back(fact("a", contact.a, digits));
+    facts.push_back(fact("b", contact.b, digits));
+    if (contact.force) {
+        facts.push_back(fact("P", *contact.force, digits));
+    }
+    if (contact.moment) {
+        facts.push_back(fact("M", *contact.moment, digits));
+    }
+    return facts;
+}
+
+void ValueColumns::add(std::vector<Column>& columns, const std::string& name,
+                       const std::string& route) const {
+    columns.push_back({name});
+    columns.push_back({name + "_bound"});
+    if (!route.empty()) {
+        columns.push_back({route, Column::Kind::text});
+    }
+    if (digits_.binary64) {
+        columns.push_back({name + "_binary64"});
+    }
+}
+
+void ValueColumns::add(std::vector<std::string>& row, const Vouched& value, bool route) const {
+    const PrintedValue p = printed(value, digits_);
+    row.push_back(p.text);
+    row.push_back(p.bound);
+    if (route) {
+        row.push_back(value.how());
+    }
+    if (digits_.binary64) {
+        row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
+    }
+}
+
+void ValueColumns::add_none(std::vector<std::string>& row, bool route) const {
+    row.resize(row.size() + 2 + (route ? 1 : 0) + (digits_.binary64 ? 1 : 0));
+}
+
+void emit(const Table& table, const SceneOptions& o) {
+    const std::string text = write_table(table, format_of(o.format));
+    if (!o.out.empty()) {
+        write_whole(o.out, text);
+        return;
+    }
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+        std::fflush(stdout) != 0) {
+        throw InputError("the output cannot be written", "give --out FILE, or make room");
+    }
+}
+
+} // namespace edgeproof::cli

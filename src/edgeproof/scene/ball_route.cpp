@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_shear.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
+#include "edgeproof/scene/value_route.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+/// A value within 1e-400 of zero beside the contact's own scale counts as zero.
+constexpr long zero_bits = 1330;
+/// A value that is still infinite at so many bits is left to the routes in Real to refuse.
+constexpr long least_last_bits = 1L << 14;
+
+/// The contact at one number of bits.
+class Level {
+public:
+    Level(const Scene& scene, const Plan& plan, long bits)
+        : scene_(scene), plan_(plan), bits_(bits),
+          contact_(*scene.profile, scene.contact_modulus, scene.load, bits) {}
+
+    [[nodiscard]] const BallContact& contact() const { return contact_; }
+    [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] Ball length() const { return contact_.a() + contact_.b(); }
+    [[nodiscard]] Ball p(Edge edge, const Exact& u) const { return contact_.pressure(edge, u); }
+    [[nodiscard]] Ball q(Edge edge, const Exact& u) {
+        return together() ? shear_ratio() * p(edge, u)
+                          : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
+    }
+    [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
+        auto& c = c_[edge];
+        if (c.empty()) {
+            c = contact_.expansion(edge, plan_.terms);
+        }
+        return c;
+    }
+    [[nodiscard]] const std::vector<Ball>& s(Edge edge) {
+        auto& s = s_[edge];
+        if (s.empty() && together()) {
+            for (const Ball& x : c(edge)) {
+                s.push_back(shear_ratio() * x);
+            }
+        } else if (s.empty()) {
+            s = full_stick_expansion(length(), load(), edge, plan_.terms);
+        }
+        return s;
+    }
+    /// The sum of n terms of p, or of q.
+    [[nodiscard]] Ball sum(Edge edge, const Exact& u, std::size_t n, bool shear) {
+        const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
+        const Ball at = ball_of(u, bits_);
+        Ball total = terms[n - 1];
+        for (std::size_t k = n - 1; k-- > 0;) {
+            total = total * at + terms[k];
+        }
+        return shear && !together() ? total / sqrt(at) : total * sqrt(at);
+    }
+
+private:
+    [[nodiscard]] bool together() const { return scene_.shear->path == LoadingPath::together; }
+    [[nodiscard]] BallShearLoad load() const {
+        return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
+    }
+    [[nodiscard]] const Ball& shear_ratio() {
+        if (!ratio_) {
+            ratio_ = ball_of(scene_.shear->Q, bits_) / contact_.force();
+        }
+        return *ratio_;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    long bits_;
+    BallContact contact_;
+    std::optional<Ball> ratio_;
+    std::map<Edge, std::vector<Ball>> c_;
+    std::map<Edge, std::vector<Ball>> s_;
+};
+
+class BallRoute : public ValueRoute {
+public:
+    BallRoute(const Scene& scene, const Plan& plan, Work& work)
+        : scene_(scene), plan_(plan), work_(work),
+          last_bits_(std::max(least_last_bits, 8 * plan.bits)) {
+        work.counts.consistency += scene.symmetric() ? 0 : 1;
+        work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
+        // No contact at any precision: the routes in Real say why.
+        if (!settle([](Level& level) { return level.length(); }, plan.digits)) {
+            (void)others();
+        }
+    }
+
+    ContactValues contact() override {
+        ContactValues values;
+        const bool given = scene_.load.kind == Load::Kind::right_edge;
+        const char* by_load = given ? "given" : "from P";
+        values.a = vouched([](Level& level) { return level.contact().a(); }, by_load,
+                           [&](ValueRoute& other) { return other.contact().a; });
+        values.b = vouched([](Level& level) { return level.contact().b(); },
+                           scene_.symmetric() ? by_load : "consistency",
+                           [&](ValueRoute& other) { return other.contact().b; });
+        if (given) {
+            values.a.exactly = rational_of(scene_.load.value);
+            if (scene_.symmetric()) {
+                values.b.exactly = values.a.exactly;
+            }
+        }
+        if (plan_.resultants) {
+            work_.counts.resultants += 2;
+            values.force = vouched([](Level& level) { return level.contact().force(); },
+                                   given ? "contact-law" : "given",
+                                   [&](ValueRoute& other) { return *other.contact().force; });
+            if (!given) {
+                values.force->exactly = rational_of(scene_.load.value);
+            }
+            values.moment =
+                vouched([](Level& level) { return level.contact().moment(); }, "contact-law",
+                        [&](ValueRoute& other) { return *other.contact().moment; });
+        }
+        return values;
+    }
+
+    PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
+        const auto base = settle([](Level& level) { return level.length(); }, plan_.digits);
+        if (!base || !certainly_less(ball_of(u, base->bits()), *base)) {
+            throw DomainError("the point lies outside the contact");
+        }
+        const bool together = q && scene_.shear->path == LoadingPath::together;
+        work_.counts.closed_forms += p || together ? 1 : 0;
+        work_.counts.shear_points += q ? 1 : 0;
+        count_ratio(together);
+        PointValues values;
+        values.x = place(edge, u);
+        std::optional<PointValues> other;
+        const auto instead = [&](ValueRoute& route) -> const PointValues& {
+            if (!other) {
+                other = route.at(edge, u, p, q);
+            }
+            return *other;
+        };
+        if (p) {
+            values.p = vouched([&](Level& level) { return level.p(edge, u); }, "closed-form",
+                               [&](ValueRoute& route) { return *instead(route).p; });
+        }
+        if (q) {
+            values.q = vouched([&](Level& level) { return level.q(edge, u); },
+                               together ? "similar" : "full-stick",
+                               [&](ValueRoute& route) { return *instead(route).q; });
+        }
+        if (plan_.terms == 0) {
+            return values;
+        }
+        count_expansions(edge, p, q);
+        for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
+            if (p) {
+                values.p_local.push_back(approximation(edge, u, i, false, [&](ValueRoute& route) {
+                    return instead(route).p_local.at(i);
+                }));
+            }
+            if (q) {
+                values.q_local.push_back(approximation(edge, u, i, true, [&](ValueRoute& route) {
+                    return instead(route).q_local.at(i);
+                }));
+            }
+        }
+        return values;
+    }
+
+    EdgeValues expansion(Edge edge, bool p, bool q) override {
+        count_expansions(edge, p, q);
+        EdgeValues values;
+        values.edge = edge;
+        const bool together = scene_.shear && scene_.shear->path == LoadingPath::together;
+        values.s_half_powers = together ? 1 : -1;
+        std::optional<EdgeValues> other;
+        const auto instead = [&](ValueRoute& route) -> const EdgeValues& {
+            if (!other) {
+                other = route.expansion(edge, p, q);
+            }
+            return *other;
+        };
+        for (std::size_t k = 0; k < plan_.terms; ++k) {
+            if (p) {
+                values.c.push_back(
+                    vouched([&](Level& level) { return level.c(edge)[k]; }, "series",
+                            [&](ValueRoute& route) { return instead(route).c.at(k); }));
+            }
+            if (q) {
+                values.s.push_back(
+                    vouched([&](Level& level) { return level.s(edge)[k]; },
+                            together ? "similar" : "full-stick",
+                            [&](ValueRoute& route) { return instead(route).s.at(k); }));
+            }
+        }
+        return values;
+    }
+
+    ExtentValues extent(Edge edge, std::size_t n) override {
+        ++work_.counts.extents;
+        return others().extent(edge, n);
+    }
+
+private:
+    /// f at more and more bits, until its digits are settled, or it cannot be told from zero, or
+    /// the bits are used up. Nothing where it has no finite value.
+    template <class F> [[nodiscard]] std::optional<Ball> settle(const F& f, const Digits& digits) {
+        std::optional<Ball> best;
+        for (long bits = plan_.bits; bits <= last_bits_; bits *= 2) {
+            Level* level = at_level(bits);
+            if (level == nullptr) {
+                continue;
+            }
+            const Ball x = f(*level);
+            if (!x.is_finite()) {
+                continue;
+            }
+            best = x;
+            if (settles(x, digits) || (contains_zero(x) && bits >= plan_.bits + zero_bits)) {
+                break;
+            }
+        }
+        return best;
+    }
+    template <class F, class Instead>
+    [[nodiscard]] Vouched vouched(const F& f, const char* route, const Instead& instead) {
+        return vouched(f, plan_.digits, route, instead);
+    }
+    template <class F, class Instead>
+    [[nodiscard]] Vouched vouched(const F& f, const Digits& digits, const char* route,
+                                  const Instead& instead) {
+        if (auto x = settle(f, digits)) {
+            return {std::move(*x), true, route};
+        }
+        return instead(others());
+    }
+    template <class Instead>
+    [[nodiscard]] Approximation approximation(Edge edge, const Exact& u, std::size_t i, bool shear,
+                                              const Instead& instead) {
+        const std::size_t n = scene_.ask.terms[i];
+        const auto local =
+            settle([&](Level& level) { return level.sum(edge, u, n, shear); }, plan_.digits);
+        const auto error = settle(
+            [&](Level& level) {
+                const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
+                return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
+            },
+            plan_.error_digits());
+        if (!local || !error) {
+            return instead(others());
+        }
+        return {n, {*local, true, "series"}, {*error, true, "series"}};
+    }
+    [[nodiscard]] Vouched place(Edge edge, const Exact& u) {
+        const bool given = scene_.load.kind == Load::Kind::right_edge &&
+                           (edge == Edge::right || scene_.symmetric());
+        const auto x = settle(
+            [&](Level& level) {
+                const Ball from = ball_of(u, level.bits());
+                return edge == Edge::right ? level.contact().a() - from
+                                           : from - level.contact().b();
+            },
+            plan_.digits);
+        Vouched v{*x, true, "given"};
+        const auto a = rational_of(scene_.load.value);
+        const auto distance = rational_of(u);
+        if (given && a && distance) {
+            v.exactly = edge == Edge::right ? *a - *distance : *distance - *a;
+        }
+        return v;
+    }
+    void count_expansions(Edge edge, bool p, bool q) {
+        const bool together = q && scene_.shear->path == LoadingPath::together;
+        count_ratio(together);
+        if ((p || together) && expanded_.insert({edge, false}).second) {
+            ++work_.counts.expansions;
+        }
+        if (q && expanded_.insert({edge, true}).second) {
+            ++work_.counts.shear_expansions;
+        }
+    }
+    void count_ratio(bool together) {
+        if (together && !std::exchange(ratio_counted_, true)) {
+            ++work_.counts.resultants;
+        }
+    }
+    /// Null where so few bits do not isolate the edges.
+    [[nodiscard]] Level* at_level(long bits) {
+        const auto known = levels_.find(bits);
+        if (known != levels_.end()) {
+            return known->second.get();
+        }
+        work_.raised += levels_.empty() ? 0 : 1;
+        auto& slot = levels_[bits];
+        try {
+            slot = std::make_unique<Level>(scene_, plan_, bits);
+        } catch (const BudgetError&) {
+        } catch (const DomainError&) {
+        }
+        return slot.get();
+    }
+    /// The routes in Real; what they do stands in for what was counted here.
+    [[nodiscard]] ValueRoute& others() {
+        if (!others_) {
+            others_ = make_real_route(scene_, plan_, work_of_others_);
+        }
+        return *others_;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    Work& work_;
+    long last_bits_;
+    std::map<long, std::unique_ptr<Level>> levels_;
+    std::set<std::pair<Edge, bool>> expanded_;
+    bool ratio_counted_ = false;
+    Work work_of_others_;
+    std::unique_ptr<ValueRoute> others_;
+};
+
+} // namespace
+
+std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan, Work& work) {
+    return std::make_unique<BallRoute>(scene, plan, work);
+}
+
+} // namespace edgeproof

@@ -5,11 +5,11 @@ namespace edgeproof {
 
 const std::vector<CheckKind>& check_kinds() {
     static const std::vector<CheckKind> kinds{
-        definition_kind(),   value_kind(),          identity_kind(),  expansion_kind(),
-        size_extent_kind(),  size_condition_kind(), vanishing_kind(), superposition_kind(),
-        independence_kind(), relation_kind(),       order_kind(),     series_kind(),
-        figure_kind(),       extent_kind(),         monotone_kind(),  limit_kind(),
-        optimum_kind(),
+        definition_kind(),   value_kind(),          identity_kind(),   expansion_kind(),
+        size_extent_kind(),  size_condition_kind(), vanishing_kind(),  superposition_kind(),
+        independence_kind(), dependence_kind(),     uniformity_kind(), split_kind(),
+        relation_kind(),     order_kind(),          series_kind(),     figure_kind(),
+        extent_kind(),       monotone_kind(),       limit_kind(),      optimum_kind(),
     };
     return kinds;
 }

@@ -24,6 +24,12 @@ namespace edgeproof {
 [[nodiscard]] CheckKind superposition_kind();
 /// A formula that is the same in all scenes of a family.
 [[nodiscard]] CheckKind independence_kind();
+/// Whether a quantity is a function of others, the derivatives of the contact law being free.
+[[nodiscard]] CheckKind dependence_kind();
+/// Whether an expansion breaks down where a second variable comes to a limit.
+[[nodiscard]] CheckKind uniformity_kind();
+/// Whether the terms of a cut cancel between the two parts of an integral.
+[[nodiscard]] CheckKind split_kind();
 /// A condition, looked at all over the contact, or near the edge only.
 [[nodiscard]] CheckKind relation_kind();
 /// The order of a quantity at the edge, and the factor that goes with it.

@@ -37,6 +37,16 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
             zero.value = value_text(at_zero, 20);
         }
     }
+    // A quotient that is the same in all scenes owes nothing to their parameters.
+    const PrecisionScope scope(30);
+    const Real& first = zero.quotients.front().ratio;
+    if (std::all_of(zero.quotients.begin(), zero.quotients.end(), [&](const RatioSample& q) {
+            return abs(Real(q.ratio / first - 1)) < pow(Real(10), -20);
+        })) {
+        for (RatioSample& q : zero.quotients) {
+            q.parameters.clear();
+        }
+    }
     return zero;
 }
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof {
+namespace {
+
+constexpr unsigned working = 60;
+constexpr std::size_t draws = 4;
+
+/// The gradient of a formula by all names, by central differences good to about 20 digits.
+std::vector<Real> gradient(const Expr& e, const FormalValues& at,
+                           const std::vector<std::string>& names) {
+    const PrecisionScope scope(working);
+    const Real step = pow(Real(10), -10);
+    std::vector<Real> g;
+    for (const std::string& name : names) {
+        const Real x = at.values().at(name);
+        FormalValues up = at;
+        FormalValues down = at;
+        up.set(name, Real(x + step));
+        down.set(name, Real(x - step));
+        g.emplace_back((up.evaluate(e) - down.evaluate(e)) / (2 * step));
+    }
+    return g;
+}
+
+Real largest(const std::vector<Real>& v) {
+    Real most(0);
+    for (const Real& x : v) {
+        most = std::max(most, Real(abs(x)));
+    }
+    return most;
+}
+
+/// What is left of a row after the others are eliminated from it, relative to its own size.
+Real left_over(std::vector<std::vector<Real>> others, std::vector<Real> row) {
+    const PrecisionScope scope(working);
+    const Real size = largest(row);
+    const Real negligible = pow(Real(10), -15);
+    if (size == 0) {
+        return size;
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        // The largest pivot left among all rows and columns.
+        std::size_t best_row = i;
+        std::size_t best_column = 0;
+        Real best(0);
+        for (std::size_t r = i; r < others.size(); ++r) {
+            for (std::size_t c = 0; c < row.size(); ++c) {
+                if (abs(others[r][c]) > best) {
+                    best = abs(others[r][c]);
+                    best_row = r;
+                    best_column = c;
+                }
+            }
+        }
+        if (best < negligible) {
+            break;
+        }
+        std::swap(others[i], others[best_row]);
+        const auto eliminate = [&](std::vector<Real>& from) {
+            const Real factor = from[best_column] / others[i][best_column];
+            for (std::size_t c = 0; c < from.size(); ++c) {
+                from[c] -= factor * others[i][c];
+            }
+        };
+        for (std::size_t r = i + 1; r < others.size(); ++r) {
+            eliminate(others[r]);
+        }
+        eliminate(row);
+    }
+    return largest(row) / size;
+}
+
+/// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a
+/// point, if its gradient is a combination of theirs.
+Outcome check_dependence(const Claim& claim, const AuditContext& context) {
+    const SymbolicCase under = symbolic_case(claim, context);
+    const Expr of = derive(claim.formula("of"), under);
+    std::vector<Expr> from;
+    std::set<std::string> names = free_symbols(of);
+    for (const std::string& text : claim.list("from")) {
+        from.push_back(derive(
+            expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary), under));
+        names.merge(free_symbols(from.back()));
+    }
+    const std::vector<std::string> variables(names.begin(), names.end());
+    std::size_t independent = 0;
+    std::size_t dependent = 0;
+    const PrecisionScope scope(working);
+    Real least(1);
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+        const FormalValues values(names, under, draw, working);
+        std::vector<std::vector<Real>> others;
+        for (const Expr& e : from) {
+            std::vector<Real> g = gradient(e, values, variables);
+            const Real size = largest(g);
+            for (Real& x : g) {
+                x /= size == 0 ? Real(1) : size;
+            }
+            others.push_back(std::move(g));
+        }
+        const Real rest = left_over(std::move(others), gradient(of, values, variables));
+        least = std::min(least, rest);
+        if (rest > pow(Real(10), -6)) {
+            ++independent;
+        } else if (rest < pow(Real(10), -12)) {
+            ++dependent;
+        }
+    }
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"))
+        .add("from", claim.list("from"))
+        .add("derived", to_text(of))
+        .add("derived_tex", to_tex(of))
+        .add("free", variables)
+        .add("draws", draws)
+        .add("left_of_the_gradient_at_least", value_text(least, 6));
+    std::set<std::string> known;
+    for (const Expr& e : from) {
+        known.merge(free_symbols(e));
+    }
+    std::string alone;
+    for (const std::string& name : free_symbols(of)) {
+        if (!known.contains(name)) {
+            alone += (alone.empty() ? "" : ", ") + name;
+        }
+    }
+    if (independent == draws) {
+        outcome.note = claim.text("of") + " is no function of the others" +
+                       (alone.empty() ? "" : ": it depends on " + alone + ", and they do not");
+    } else if (dependent == draws) {
+        outcome.note = claim.text("of") + " is a function of the others";
+    }
+    const bool says_independent = claim.text("says") == "independent";
+    outcome.verdict =
+        independent == draws ? (says_independent ? Verdict::confirmed : Verdict::refuted)
+        : dependent == draws ? (says_independent ? Verdict::refuted : Verdict::confirmed)
+                             : Verdict::undecided;
+    return outcome;
+}
+
+} // namespace
+
+CheckKind dependence_kind() {
+    using Type = KeySpec::Type;
+    return {"dependence",
+            {{.name = "says",
+              .type = Type::choice,
+              .required = true,
+              .choices = {"independent", "function"}},
+             {.name = "of", .type = Type::formula, .required = true},
+             {.name = "from", .type = Type::formulas, .required = true},
+             {.name = "given", .type = Type::table}},
+            check_dependence};
+}
+
+} // namespace edgeproof

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+constexpr int rungs = 20; // decades towards the place of the breakdown
+
+/// What an expansion in a small variable leaves, over the power of it that comes next, as another
+/// variable runs to where the expansion is said to break down.
+struct Rest {
+    double slope = 0; ///< growth by decade of the distance: 1 for a pole
+    bool vanishes = false;
+    std::string first;
+    std::string last;
+};
+
+Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
+            const std::string& variable, const Expr& rest, unsigned digits) {
+    const Expr towards = Exact::parse(claim.text("towards")).expr();
+    const PrecisionScope scope(2 * digits);
+    const Real end = setting.evaluate(towards).value;
+    std::vector<Real> values;
+    for (int k = 1; k <= rungs; ++k) {
+        Variables at = fixed;
+        at.insert_or_assign(variable, Real(end - pow(Real(10), -k)));
+        values.push_back(abs(setting.evaluate(rest, nullptr, at).value));
+    }
+    Rest found;
+    // Where nothing is left but roundoff, the expansion ends: nothing can break down.
+    const Real noise = pow(Real(10), -static_cast<int>(digits) / 3);
+    found.vanishes =
+        std::all_of(values.begin(), values.end(), [&](const Real& v) { return v < noise; });
+    found.first = value_text(values.front(), 12);
+    found.last = value_text(values.back(), 12);
+    if (!found.vanishes) {
+        // The last half of the ladder.
+        const Real growth = values.back() / values[rungs / 2 - 1];
+        found.slope = Real(log10(growth) / (rungs / 2)).convert_to<double>();
+    }
+    return found;
+}
+
+/// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
+/// power that is to come next, must grow there.
+Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
+    const std::string small = claim.text("small");
+    const std::string variable = claim.text("variable");
+    const auto order = static_cast<unsigned>(claim.integer("order"));
+    const Expr rest = (claim.formula("of") - claim.formula("approximation")) /
+                      pow(Expr::symbol(small), Expr::number(Rational(order)));
+    std::optional<Expr> predicted;
+    if (claim.has("term")) {
+        predicted = claim.formula("term");
+    }
+    // The rest loses order times the decades of the small variable, and those of the distance.
+    const unsigned digits = 4 * rungs + 60;
+    std::size_t breaking = 0;
+    std::size_t uniform = 0;
+    std::size_t nothing_left = 0;
+    std::string last;
+    Evidence in_scenes;
+    const std::vector<Sample> samples = context.samples(claim);
+    for (const Sample& sample : samples) {
+        const Setting setting(sample.scene, digits);
+        Variables fixed = setting.values_of(sample.variables);
+        if (!fixed.contains(small)) {
+            claim.reject("vary", "vary does not say how small " + small + " is",
+                         "write vary = { " + small + " = [\"b*1e-6\"] }");
+        }
+        const Rest exact = follow(setting, claim, fixed, variable, rest, digits);
+        Evidence one;
+        if (exact.vanishes) {
+            ++nothing_left;
+            one.add("left", "nothing");
+        } else {
+            (exact.slope > 0.9 ? breaking : exact.slope < 0.1 ? uniform : nothing_left) += 1;
+            one.add("growth_by_decade", fmt::format("{:.6f}", exact.slope))
+                .add("at_a_tenth", exact.first)
+                .add("at_1e-20", exact.last);
+        }
+        if (predicted) {
+            const Rest printed = follow(setting, claim, fixed, variable, *predicted, digits);
+            one.add("growth_of_the_printed_term", fmt::format("{:.6f}", printed.slope));
+        }
+        in_scenes.add(sample.text(), one);
+    }
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"))
+        .add("approximation", claim.text("approximation"))
+        .add("samples", samples.size())
+        .add("break_down", breaking)
+        .add("uniform", uniform)
+        .add("in_scenes", in_scenes);
+    const bool says_breaks = claim.text("says") == "breaks down";
+    if (breaking > 0 && uniform == 0) {
+        outcome.verdict = says_breaks ? Verdict::confirmed : Verdict::refuted;
+        outcome.note = "what is left over " + small + "^" + std::to_string(order) +
+                       " grows without bound as " + variable + " -> " + claim.text("towards");
+    } else if (uniform > 0 && breaking == 0) {
+        outcome.verdict = says_breaks ? Verdict::refuted : Verdict::confirmed;
+        outcome.note = "what is left over " + small + "^" + std::to_string(order) +
+                       " stays bounded as " + variable + " -> " + claim.text("towards") +
+                       ", in all of " + std::to_string(uniform) + " samples";
+    } else {
+        outcome.note = "it breaks down at " + std::to_string(breaking) + " samples, not at " +
+                       std::to_string(uniform);
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind uniformity_kind() {
+    using Type = KeySpec::Type;
+    return {"uniformity",
+            {{.name = "says",
+              .type = Type::choice,
+              .required = true,
+              .choices = {"breaks down", "uniform"}},
+             {.name = "of", .type = Type::formula, .required = true},
+             {.name = "approximation", .type = Type::formula, .required = true},
+             {.name = "term", .type = Type::formula},
+             {.name = "small", .required = true},
+             {.name = "order", .type = Type::integer, .required = true},
+             {.name = "variable", .required = true},
+             {.name = "towards", .type = Type::number, .required = true}},
+            check_uniformity};
+}
+
+} // namespace edgeproof

@@ -20,7 +20,7 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
         return kind->check(claim, context);
     } catch (const InputError&) {
         throw;
-    } catch (const BudgetError& e) {
+    } catch (const Error& e) { // a budget spent, or a way that does not lead there
         Outcome o;
         o.verdict = Verdict::undecided;
         o.note = e.what();

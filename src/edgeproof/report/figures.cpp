@@ -17,6 +17,13 @@ constexpr std::array okabe_ito{"#000000", "#E69F00", "#56B4E9", "#009E73",
 
 /// A double-quoted string of gnuplot; its markup (^, _, @, &) is switched off by `noenhanced`
 /// where the string is set.
+/// gnuplot takes letters, digits and _ only.
+std::string element_name(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+    return name;
+}
+
 std::string gnuplot_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -74,7 +81,7 @@ std::string to_csv(const Plot& plot) {
 std::string gnuplot_script(const Plot& plot, std::string_view output) {
     std::string script = "set encoding utf8\n";
     script += fmt::format("set terminal svg size 560,400 dynamic font \"sans-serif,14\" name {}\n",
-                          gnuplot_text(plot.id));
+                          gnuplot_text(element_name(plot.id)));
     script += fmt::format("set output {}\n", gnuplot_text(output));
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";

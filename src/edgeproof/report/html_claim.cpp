@@ -98,10 +98,10 @@ std::string item_html(const EvidenceItem& item) {
     return std::visit(Visitor(), item.value());
 }
 
-/// The first item whose key begins with `key`, however deep.
+/// The first item of that key, however deep.
 const EvidenceItem* find_deep(const Evidence& evidence, std::string_view key) {
     for (const auto& [name, item] : evidence.entries()) {
-        if (name.starts_with(key)) {
+        if (name == key) {
             return &item;
         }
         if (const auto* nested = std::get_if<Evidence>(&item.value())) {
@@ -149,9 +149,19 @@ std::string erratum_html(const ClaimResult& result, const std::string& section,
         out += "<p>" + escape_html(result.outcome.note) + "</p>\n";
     }
     out += description(result);
-    if (const EvidenceItem* ratio = find_deep(result.outcome.evidence, "ratio")) {
+    const EvidenceItem* ratio = find_deep(result.outcome.evidence, "ratio");
+    const EvidenceItem* range = find_deep(result.outcome.evidence, "ratio_range");
+    if (ratio != nullptr || range != nullptr) {
         std::string list;
-        term(list, "Ratio printed/exact", item_html(*ratio));
+        if (const auto* text = ratio ? std::get_if<std::string>(&ratio->value()) : nullptr) {
+            const auto e = parsed(*text, result.claim);
+            term(list, "Printed over exact",
+                 e ? scroll("ratio", math_element(to_mathml(*e), "ratio: " + *text))
+                   : item_html(*ratio));
+        }
+        if (range != nullptr) {
+            term(list, "Over the family, the ratio runs from and to", item_html(*range));
+        }
         out += "<dl>\n" + list + "</dl>\n";
     }
     out += "</div>\n";

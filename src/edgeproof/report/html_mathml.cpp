@@ -46,12 +46,12 @@ constexpr std::string_view apply = "&#x2061;";
 
 std::string greek(std::string_view name) {
     static const std::map<std::string_view, std::string_view> letters{
-        {"alpha", "α"}, {"beta", "β"},    {"gam", "γ"},   {"gamma", "γ"}, {"delta", "δ"},
-        {"eps", "ε"},   {"epsilon", "ε"}, {"zeta", "ζ"},  {"eta", "η"},   {"theta", "θ"},
-        {"kappa", "κ"}, {"lambda", "λ"},  {"mu", "μ"},    {"nu", "ν"},    {"xi", "ξ"},
-        {"rho", "ρ"},   {"sigma", "σ"},   {"tau", "τ"},   {"phi", "φ"},   {"varphi", "φ"},
-        {"chi", "χ"},   {"psi", "ψ"},     {"omega", "ω"}, {"Gamma", "Γ"}, {"Delta", "Δ"},
-        {"Sigma", "Σ"}, {"Phi", "Φ"},     {"Psi", "Ψ"},   {"Omega", "Ω"}};
+        {"alpha", "α"},  {"beta", "β"},    {"gam", "γ"},  {"gamma", "γ"}, {"delta", "δ"},
+        {"eps", "ε"},    {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},   {"theta", "θ"},
+        {"kappa", "κ"},  {"lambda", "λ"},  {"mu", "μ"},   {"nu", "ν"},    {"xi", "ξ"},
+        {"rho", "ρ"},    {"sigma", "σ"},   {"sig", "σ"},  {"tau", "τ"},   {"phi", "φ"},
+        {"varphi", "φ"}, {"chi", "χ"},     {"psi", "ψ"},  {"omega", "ω"}, {"Gamma", "Γ"},
+        {"Delta", "Δ"},  {"Sigma", "Σ"},   {"Phi", "Φ"},  {"Psi", "Ψ"},   {"Omega", "Ω"}};
     const auto found = letters.find(name);
     return std::string(found == letters.end() ? name : found->second);
 }
@@ -75,6 +75,9 @@ std::string primes(std::string_view of, unsigned long k) {
 }
 
 std::string symbol(std::string_view name) {
+    if (name == "calP") {
+        return identifier("𝒫");
+    }
     if (name == "Es") {
         return "<msup>" + identifier("E") + op("*") + "</msup>";
     }

@@ -88,9 +88,9 @@ Remainder measure_remainder(const Claim& claim, const AuditContext& context, con
                             const Expr& exact, const std::string& variable,
                             const Rational& through) {
     constexpr int step = 3; // decades between the two values of the variable
-    // Digits that cancel: `through` + 1 powers of about 1e-20.
-    const auto extra = static_cast<unsigned>((through.convert_to<double>() + 2) * 24);
-    const unsigned digits = context.digits() + extra;
+    // An order needs few digits, but (from the power -1/2 on) that many cancel before it shows.
+    constexpr double decades = 18; // the variable goes down to about 1e-18
+    const auto digits = static_cast<unsigned>((through.convert_to<double>() + 1.5) * decades) + 30;
     const Spots spots(claim, context, digits);
     Remainder remainder;
     for (const Spot& spot : spots.all()) {

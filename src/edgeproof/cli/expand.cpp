@@ -35,13 +35,14 @@ int expand(const Options& o) {
     table.title = scene.title;
     table.facts = facts_of(scene, result);
     table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
-                   "bound, proved unless the route says estimate",
+                   "bound",
                    "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};
     if (scene.shear && scene.shear->path == LoadingPath::normal_first) {
         table.notes.push_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
     } else if (scene.shear) {
         table.notes.push_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
     }
+    table.notes.push_back(bound_note(result.plan));
     const ValueColumns value(scene);
     table.columns = {{"edge", Column::Kind::text},
                      {"coefficient", Column::Kind::text},

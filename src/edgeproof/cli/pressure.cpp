@@ -60,17 +60,17 @@ int pressure(const SceneOptions& o) {
     Table table;
     table.title = scene.title;
     table.facts = facts_of(scene, result);
-    table.notes = {
-        "u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
-        "contact modulus; |p - exact| <= p_bound, proved unless the route says estimate"};
+    table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
+                   "contact modulus; |p - exact| <= p_bound"};
     if (result.plan.terms > 0) {
-        table.notes.push_back("local_n: the sum of the first n terms at that edge; rel_n: "
-                              "|1 - local_n/p|; every digit printed is right");
+        table.notes.push_back(
+            "local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
     }
     if (result.plan.shear) {
         table.notes.push_back("q: shear traction under full stick, positive towards +x on the body "
                               "that Q acts on; the q columns are as those of p");
     }
+    table.notes.push_back(bound_note(result.plan));
     table.columns = columns_of(scene, result.plan);
     for (const PointRow& point : result.points) {
         table.rows.push_back(row_of(scene, result.plan, point));

@@ -134,7 +134,7 @@ std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {
     facts.push_back({"rounding", how});
     const ContactValues& contact = result.contact;
     if (contact.alpha) {
-        facts.push_back({"alpha", contact.alpha->text()});
+        facts.push_back(fact("alpha", *contact.alpha, digits));
     }
     facts.push_back(fact("a", contact.a, digits));
     facts.push_back(fact("b", contact.b, digits));
@@ -145,6 +145,13 @@ std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {
         facts.push_back(fact("M", *contact.moment, digits));
     }
     return facts;
+}
+
+std::string bound_note(const Plan& plan) {
+    return plan.proved ? "bounds are proved, and every digit printed is right, unless the route "
+                         "says estimate"
+                       : "bounds are estimated (" + plan.proved_why +
+                             "), and so is that every digit printed is right";
 }
 
 void ValueColumns::add(std::vector<Column>& columns, const std::string& name,

@@ -43,6 +43,9 @@ void add_edge_option(CLI::App& sub, SceneOptions& options);
 /// Scene, digits, a and b, and P and M where they were asked for.
 [[nodiscard]] std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result);
 
+/// How far bounds and digits are to be trusted, in a sentence.
+[[nodiscard]] std::string bound_note(const Plan& plan);
+
 /// Columns and cells of a value: text and bound (and its binary64).
 class ValueColumns {
 public:

@@ -70,7 +70,7 @@ public:
         plan_.route = ask_.route != Route::automatic ? ask_.route
                       : closed                       ? Route::closed_form
                                                      : Route::singular_integral;
-        plan_.bits = bits_for(ask_.digits.count) + 64 + 4 * static_cast<long>(plan_.terms);
+        plan_.bits = bits_for(ask_.digits.count) + 96;
         proof();
         contact();
         pressure();

@@ -23,12 +23,14 @@ auto located(const TomlSection& section, const std::vector<std::string_view>& pa
         if (!error.file().empty()) {
             throw;
         }
+        // The parameter that is named first is the one at fault.
         std::size_t line = section.line();
+        std::size_t first = std::string::npos;
         for (const std::string_view key : parameters) {
-            if (section.has(key) &&
-                error.problem().find(std::string(key) + " = ") != std::string::npos) {
+            const std::size_t named = error.problem().find(std::string(key) + " = ");
+            if (section.has(key) && named < first) {
+                first = named;
                 line = section.line(key);
-                break;
             }
         }
         throw error.at(section.file(), line);

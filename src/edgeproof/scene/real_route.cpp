@@ -14,6 +14,8 @@ namespace {
 /// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
 constexpr unsigned kept_digits = 8;
 constexpr unsigned most_extra = 4000;
+/// Digits of a tilt beyond those asked for.
+constexpr unsigned tilt_digits = 20;
 
 /// Everything at one number of digits: the scene's own, or more where a difference is small.
 class Level {
@@ -120,7 +122,7 @@ public:
         if (scene.punch) {
             const SolvedTilt tilt =
                 solve_tilt(*scene.punch, scene.contact_modulus, scene.load.value, *scene.moment,
-                           plan.digits.count + 20);
+                           plan.digits.count + tilt_digits);
             ++work.counts.tilts;
             alpha_ = tilt.alpha;
             profile_ = tilt.profile;
@@ -132,13 +134,26 @@ public:
 
     ContactValues contact() override {
         const Level& level = *levels_[0];
-        const char* solved = scene_.symmetric() ? "given" : "consistency";
-        ContactValues values{length_of(Edge::right), length_of(Edge::left), alpha_, {}, {}};
-        values.a.route = scene_.load.kind == Load::Kind::force ? "force" : "given";
-        values.b.route = scene_.symmetric() ? values.a.route : solved;
+        const bool force = scene_.load.kind == Load::Kind::force;
+        const Vouched load{ball_of(scene_.load.value, level.bits()), true, "given",
+                           rational_of(scene_.load.value)};
+        ContactValues values;
+        values.a = force ? level.sound(level.contact().a(), "from P") : load;
+        values.b = scene_.symmetric() ? values.a : level.sound(level.contact().b(), "consistency");
+        if (alpha_) {
+            const PrecisionScope scope(plan_.digits.count + tilt_digits);
+            values.alpha = level.sound(alpha_->to<Real>(), "tilt");
+        }
         if (plan_.resultants) {
             values.force = level.sound(level.contact().force(), "contact-law");
             values.moment = level.sound(level.contact().moment(), "contact-law");
+            if (force) {
+                values.force = load;
+            }
+            if (scene_.moment) {
+                values.moment = Vouched{ball_of(*scene_.moment, level.bits()), true, "given",
+                                        rational_of(*scene_.moment)};
+            }
         }
         return values;
     }

@@ -49,7 +49,7 @@ struct ExtentValues {
 struct ContactValues {
     Vouched a;
     Vouched b;
-    std::optional<Exact> alpha; ///< the tilt, where it was solved for
+    std::optional<Vouched> alpha; ///< the tilt, where it was solved for
     std::optional<Vouched> force;
     std::optional<Vouched> moment;
 };

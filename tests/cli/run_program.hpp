@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "tests/support/paths.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// The program run as a user runs it.
+namespace edgeproof::test {
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+inline std::string file_text(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// A folder of its own, gone with the object.
+class Folder {
+public:
+    Folder() {
+        static int count = 0;
+        path_ = std::filesystem::temp_directory_path() /
+                ("edgeproof-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+    [[nodiscard]] std::size_t files() const {
+        std::size_t n = 0;
+        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path_)) {
+            ++n;
+        }
+        return n;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// `edgeproof ARGUMENTS`, run in `folder` (the shell splits the arguments).
+inline Outcome run(const Folder& folder, const std::string& arguments) {
+    const Folder aside;
+    const std::string command = "cd '" + folder.path().string() + "' && '" + program().string() +
+                                "' " + arguments + " >'" + (aside.path() / "out").string() +
+                                "' 2>'" + (aside.path() / "err").string() + "' </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.out = file_text(aside.path() / "out");
+    outcome.err = file_text(aside.path() / "err");
+    return outcome;
+}
+
+inline std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> list;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        list.push_back(line);
+    }
+    return list;
+}
+
+} // namespace edgeproof::test

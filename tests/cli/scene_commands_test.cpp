@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string profile = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n";
+const std::string load = "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
+const std::string shear = "[shear]\nQ = \"0.3\"\n";
+
+/// Without notes.
+std::vector<std::string> rows(const std::string& csv) {
+    std::vector<std::string> list;
+    for (const std::string& line : lines(csv)) {
+        if (line.rfind('#', 0) != 0) {
+            list.push_back(line);
+        }
+    }
+    return list;
+}
+
+struct Bad {
+    const char* command;
+    std::string scene;
+    const char* line;
+};
+
+} // namespace
+
+TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file") {
+    const Bad all[] = {
+        {"pressure s.toml", profile + "[load]\na = \"1\"\nP = \"1\"\ncontact_modulus = \"1\"\n",
+         "s.toml:7: both a and P are given; give one of a = \"...\" and P = \"...\""},
+        {"pressure s.toml", profile + "[load]\ncontact_modulus = \"1\"\n",
+         "s.toml:5: neither a nor P is given; give one of a = \"...\" and P = \"...\""},
+        {"pressure s.toml", profile + load + "[shear]\n[ask]\nu = \"0.1\"\n",
+         "s.toml:8: the shear section has no load; add Q = \"...\" or bulk_tension = \"...\", or "
+         "leave [shear] out"},
+        {"pressure s.toml", profile + load + "[ask]\nedges = [\"top\"]\nu = \"0.1\"\n",
+         "s.toml:9: there is no edge 'top'; write \"right\" or \"left\""},
+        {"pressure s.toml", profile + load + "[ask]\nu = [\"0.1\",\n  \"2.5\"]\n",
+         "s.toml:10: u = 2.5 from the right edge: the point lies outside the contact; give "
+         "distances from the edge, 0 < u < a + b, off every corner"},
+        {"pressure s.toml", profile + load + "[ask]\nu = \"0.1\"\nterms = -1\n",
+         "s.toml:10: terms = -1 is out of range; write a whole number from 1 to 400"},
+        {"extent s.toml", profile + load + "[ask]\ntolerance = \"1%\"\nprocess_zone = \"-0.1\"\n",
+         "s.toml:10: process_zone = -0.1 is not positive; give the length of the process zone, or "
+         "leave it out"},
+        {"extent s.toml", profile + load + "[ask]\ntolerance = 0\n",
+         "s.toml:9: a tolerance of 0 is not positive; give a tolerance > 0, such as 1%"},
+        {"extent s.toml --tolerance 0", profile + load,
+         "--tolerance 0: a tolerance of 0 is not positive; give a tolerance > 0, such as 1%"},
+        {"extent s.toml", profile + load,
+         "s.toml: no tolerance is given; add --tolerance 1%, or tolerance = \"1%\" to [ask]"},
+        {"expand s.toml --terms -1", profile + load,
+         "--terms -1 is out of range; give a whole number from 1 to 400"},
+        {"expand s.toml --edge top", profile + load,
+         "--edge top: there is no such edge; write right, left or both"},
+        {"pressure s.toml --digits 0", profile + load + "[ask]\nu = \"0.1\"\n",
+         "--digits 0 is out of range; give a whole number from 2 to 100000"},
+        {"pressure s.toml --format xls", profile + load + "[ask]\nu = \"0.1\"\n",
+         "--format xls is no format; write csv, json, md or tex"},
+        {"pressure s.toml --round off", profile + load + "[ask]\nu = \"0.1\"\n",
+         "--round off is no way to round; write nearest, down, up or enclosure"},
+        {"explain s.toml", profile + load + "[ask]\nu = \"x\"\n", "s.toml:9: "},
+        {"pressure nowhere.toml", profile,
+         "nowhere.toml: there is no such scene file; give the path of a scene (TOML)"},
+    };
+    for (const Bad& bad : all) {
+        CAPTURE(bad.command);
+        CAPTURE(bad.line);
+        const Folder folder;
+        folder.write("s.toml", bad.scene);
+        const Outcome o = run(folder, std::string(bad.command) + " --out result.csv");
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        const auto said = lines(o.err);
+        REQUIRE(said.size() == 1);
+        CHECK(said[0].rfind(bad.line, 0) == 0);
+        CHECK(folder.files() == 1); // the scene alone
+    }
+}
+
+TEST_CASE("pressure: the columns, the order, Hertz to the last digit") {
+    const Folder folder;
+    folder.write("s.toml", profile + load +
+                               "[ask]\nedges = [\"left\", \"right\"]\n"
+                               "terms = [1, 2]\nu = [\"2/5\", \"0.2\"]\n");
+    const Outcome o = run(folder, "pressure s.toml --digits 20");
+    CHECK(o.code == 0);
+    CHECK(o.err.empty());
+    const auto table = rows(o.out);
+    REQUIRE(table.size() == 5);
+    CHECK(table[0] == "edge,u,x,p,p_bound,route,local_1,rel_1,local_2,rel_2");
+    // p = sqrt(u (2 - u))/2 by 3-4-5; local_1 = sqrt(2u)/2.
+    const char* const begins[] = {
+        "left,2/5,-0.60000000000000000000,0.40000000000000000000,",
+        "left,0.2,-0.80000000000000000000,0.30000000000000000000,",
+        "right,2/5,0.60000000000000000000,0.40000000000000000000,",
+        "right,0.2,0.80000000000000000000,0.30000000000000000000,",
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(table[i + 1].rfind(begins[i], 0) == 0);
+    }
+    CHECK(table[1].find(",closed-form,0.44721359549995793928,") != std::string::npos);
+}
+
+TEST_CASE("with shear the columns of q follow") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + shear + "[ask]\nterms = 3\nu = \"0.1\"\n");
+    const Outcome o = run(folder, "pressure s.toml --digits 10 --binary64");
+    CHECK(o.code == 0);
+    CHECK(rows(o.out).at(0) ==
+          "edge,u,x,p,p_bound,route,p_binary64,local_3,rel_3,q,q_bound,q_route,q_binary64,"
+          "q_local_3,q_rel_3");
+}
+
+TEST_CASE("every format holds the same digits") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + "[ask]\nterms = 1\nu = [\"0.2\", \"1e-30\"]\n");
+    const auto csv = rows(run(folder, "pressure s.toml").out);
+    const auto json = nlohmann::json::parse(run(folder, "pressure s.toml --format json").out);
+    REQUIRE(json["rows"].size() == 2);
+    CHECK(json["a"]["route"] == "given");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& row = json["rows"][i];
+        std::string joined;
+        for (const char* key : {"edge", "u", "x", "p", "p_bound", "route", "local_1", "rel_1"}) {
+            joined += (joined.empty() ? "" : ",") + row[key].get<std::string>();
+        }
+        CHECK(joined == csv[i + 1]);
+    }
+    const Outcome md = run(folder, "pressure s.toml --format md");
+    const auto shown = lines(md.out);
+    std::size_t width = 0;
+    std::size_t tabular = 0;
+    for (const std::string& line : shown) {
+        if (line.rfind('|', 0) == 0) {
+            width = width == 0 ? line.size() : width;
+            CHECK(line.size() == width); // aligned
+            ++tabular;
+        }
+    }
+    CHECK(tabular == 4);
+    CHECK(md.out.find(json["rows"][1]["p"].get<std::string>()) != std::string::npos);
+    const Outcome tex = run(folder, "pressure s.toml --format tex --digits 5");
+    for (const char* part : {"\\begin{tabular}", "\\toprule", "\\midrule", "\\bottomrule",
+                             "p\\_bound", "\\times 10^{-16}$", "\\end{tabular}"}) {
+        CAPTURE(part);
+        CHECK(tex.out.find(part) != std::string::npos);
+    }
+}
+
+TEST_CASE("--out writes the same bytes, whole") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\n");
+    const Outcome o = run(folder, "pressure s.toml --out new/p.csv");
+    CHECK(o.code == 0);
+    CHECK(o.out.empty());
+    CHECK(file_text(folder.path() / "new" / "p.csv") == run(folder, "pressure s.toml").out);
+}
+
+TEST_CASE("expand: both edges, Hertz by hand") {
+    const Folder folder;
+    // a = 2: p = sqrt(u) sqrt(1 - u/4)
+    folder.write("s.toml", profile + "[load]\na = \"2\"\ncontact_modulus = \"1\"\n");
+    const auto table = rows(run(folder, "expand s.toml --terms 3 --digits 10").out);
+    REQUIRE(table.size() == 7);
+    CHECK(table[0] == "edge,coefficient,k,power,value,bound,route");
+    CHECK(table[1].rfind("right,c_0,0,1/2,1.000000000,", 0) == 0);
+    CHECK(table[2].rfind("right,c_1,1,3/2,-0.1250000000,", 0) == 0);
+    CHECK(table[3].rfind("right,c_2,2,5/2,-0.007812500000,", 0) == 0);
+    CHECK(table[4].rfind("left,c_0,0,1/2,1.000000000,", 0) == 0);
+    CHECK(rows(run(folder, "expand s.toml --edge left").out).size() == 4);
+}
+
+TEST_CASE("extent: Hertz by hand, and the process zone answered") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + "[ask]\nterms = 1\nprocess_zone = \"0.04\"\n");
+    const Outcome o = run(folder, "extent s.toml --tolerance 1% --digits 12 --format json");
+    CHECK(o.code == 0);
+    const auto json = nlohmann::json::parse(o.out);
+    REQUIRE(json["rows"].size() == 2);
+    // 2 (1 - 1.01^-2) = 402/10201 = 0.03940790118615822..., half of it 0.01970395059307911...
+    CHECK(json["rows"][0]["first_exit"] == "0.0394079011862");
+    CHECK(json["rows"][0]["first_exit_fraction"] == "0.0197039505931");
+    CHECK(json["rows"][0]["covers_zone"] == "no");
+    CHECK(json["rows"][1]["edge"] == "left");
+}
+
+TEST_CASE("explain: what is off says why; after a run what was done stands beside it") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\n");
+    const Outcome plan = run(folder, "explain s.toml");
+    CHECK(plan.code == 0);
+    CHECK(plan.out.find("b = a: symmetric") != std::string::npos);
+    CHECK(plan.out.find("there is no [shear]") != std::string::npos);
+    CHECK(plan.out.find("quadratures: 0") != std::string::npos);
+    const Outcome done = run(folder, "explain s.toml --run");
+    CHECK(done.code == 0);
+    CHECK(done.out.find("done as planned: yes") != std::string::npos);
+}

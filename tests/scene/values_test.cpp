@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_text.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::string p_text(const PointRow& row, const Digits& digits) {
+    return printed(*row.values.p, digits).text;
+}
+
+/// sqrt(q), q < 1, to 50 digits after the leading zeros, by the integer square root alone.
+std::string root_digits(const Rational& q, unsigned places) {
+    using namespace boost::multiprecision;
+    const Rational scaled = q * Rational(pow(Integer(100), places));
+    Integer root = sqrt(Integer(numerator(scaled) / denominator(scaled)));
+    // To nearest: the next half unit squared against what is left.
+    const Rational half = Rational(root) + Rational(1, 2);
+    if (half * half < scaled) {
+        ++root;
+    }
+    return root.str();
+}
+
+std::string digits_only(std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), '.'), text.end());
+    text = text.substr(0, text.find('e'));
+    return text.substr(text.find_first_not_of('0'));
+}
+
+} // namespace
+
+TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
+    const Scene scene =
+        parsed(hertz("1", "u = [\"1e-30\", \"1e-3\", \"0.1\", \"1/3\", \"1.7\"]\n"));
+    const SceneResult result = run_scene(scene);
+    for (const PointRow& row : result.points) {
+        CAPTURE(row.u.text());
+        const Rational u = row.u.rational();
+        const Rational square = u * (2 - u) / 4;
+        // As many places as give 50 digits: the leading zeros of p.
+        const std::string text = p_text(row, scene.ask.digits);
+        unsigned places = 50;
+        while (root_digits(square, places).size() < 50) {
+            ++places;
+        }
+        CHECK(digits_only(text) == root_digits(square, places));
+        CHECK(row.values.p->proved);
+        CHECK(printed(*row.values.p, scene.ask.digits).complete);
+    }
+}
+
+TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
+    // 3-4-5: u = 1/5, 2/5, 1 give p = 3/10, 2/5, 1/2.
+    const std::string text = hertz("1", "u = [\"1/5\", \"2/5\", \"1\"]\ndigits = 12\n");
+    for (const Rounding mode : {Rounding::nearest, Rounding::down, Rounding::up}) {
+        Scene scene = parsed(text);
+        scene.ask.digits.rounding = mode;
+        const SceneResult result = run_scene(scene);
+        const char* const expected[] = {"0.300000000000", "0.400000000000", "0.500000000000"};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const PrintedValue p = printed(*result.points[i].values.p, scene.ask.digits);
+            // Down and up may name a neighbour where the ball does not tell the value from a
+            // decimal; never the wrong side.
+            const Rational exactly = parse_decimal(expected[i]);
+            const Rational value = parse_decimal(p.text);
+            if (mode == Rounding::nearest) {
+                CHECK(p.text == expected[i]);
+            } else {
+                CHECK((mode == Rounding::down ? value <= exactly : value >= exactly));
+                CHECK(abs(Rational(value - exactly)) <= parse_decimal("1e-12"));
+            }
+            CHECK(abs(Rational(value - exactly)) <= parse_decimal(p.bound));
+        }
+        CHECK(printed(result.points[1].values.x, scene.ask.digits).text == "0.600000000000");
+        CHECK(printed(result.points[2].values.x, scene.ask.digits).text == "0");
+    }
+}
+
+TEST_CASE("Hertz's coefficients, by hand from sqrt(1 - u/(2a))") {
+    // a = 2: p = sqrt(u) sqrt(1 - u/4) = sqrt(u) (1 - u/8 - u^2/128 - u^3/1024 - 5 u^4/32768 ...).
+    const Scene scene = parsed(
+        hertz("2", "edges = [\"left\", \"right\"]\nterms = 5\nquantities = [\"coefficients\"]\n"));
+    const SceneResult result = run_scene(scene);
+    REQUIRE(result.coefficients.size() == 2);
+    const Rational expected[] = {Rational(1), Rational(-1, 8), Rational(-1, 128),
+                                 Rational(-1, 1024), Rational(-5, 32768)};
+    for (const EdgeValues& edge : result.coefficients) {
+        REQUIRE(edge.c.size() == 5);
+        CHECK(edge.s.empty());
+        for (std::size_t k = 0; k < 5; ++k) {
+            CHECK(contains(edge.c[k].value, expected[k]));
+            CHECK(edge.c[k].proved);
+            CHECK(parse_decimal(printed(edge.c[k], scene.ask.digits).text) == expected[k]);
+        }
+    }
+}
+
+TEST_CASE("Hertz within 1 %: u = 2a (1 - 1.01^-2) for one term") {
+    Scene scene = parsed(hertz("1", "terms = 1\ntolerance = \"1%\"\nprocess_zone = \"0.039\"\n"
+                                    "digits = 30\n"));
+    const SceneResult result = run_scene(scene);
+    REQUIRE(result.extents.size() == 1);
+    const Rational exit = 2 * (1 - Rational(10000, 10201));
+    CHECK(printed(result.extents[0].first_exit, scene.ask.digits).text ==
+          to_decimal(exit, 30, Rounding::nearest));
+    CHECK(printed(result.extents[0].first_exit_fraction, scene.ask.digits).text ==
+          to_decimal(Rational(exit / 2), 30, Rounding::nearest));
+    CHECK(result.extents[0].covers_zone == true); // 0.0394... > 0.039
+    scene.ask.process_zone = Exact::parse("0.0395");
+    CHECK(run_scene(scene).extents[0].covers_zone == false);
+}
+
+TEST_CASE("balls and quadratures agree, each within its own bound") {
+    const std::string points = "edges = [\"right\", \"left\"]\nterms = [1, 3]\ndigits = 25\n"
+                               "u = [\"1e-20\", \"0.01\", \"0.3\"]\n";
+    const std::string flat =
+        "[profile]\nkind = \"tilted-flat-and-rounded\"\nalpha = \"pi/16\"\nt = \"1\"\nR = \"2\"\n"
+        "[load]\nP = \"1/5\"\ncontact_modulus = \"7/3\"\n[shear]\nQ = \"-0.1\"\n"
+        "bulk_tension = \"0.4\"\n[ask]\n" +
+        points;
+    const std::string power = "[profile]\nkind = \"power-law\"\nm = \"5/2\"\nC = \"3\"\n[load]\n"
+                              "a = \"0.7\"\ncontact_modulus = \"7/3\"\n[ask]\n" +
+                              points;
+    const std::string similar = tilted_wedge("[shear]\nQ = \"0.3\"\npath = \"together\"\n", points);
+    for (const std::string& text : {flat, power, similar}) {
+        const SceneResult balls = run_scene(parsed(text));
+        const SceneResult reals = run_scene(parsed(text + "route = \"singular-integral\"\n"));
+        REQUIRE(balls.plan.proved);
+        REQUIRE_FALSE(reals.plan.proved);
+        const auto agree = [](const Vouched& x, const Vouched& y) {
+            CHECK(overlaps(x.value, y.value));
+            CHECK(x.proved);
+            CHECK_FALSE(y.proved);
+        };
+        CHECK(overlaps(balls.contact.b.value, reals.contact.b.value));
+        for (std::size_t i = 0; i < balls.points.size(); ++i) {
+            const PointValues& x = balls.points[i].values;
+            const PointValues& y = reals.points[i].values;
+            agree(*x.p, *y.p);
+            CHECK(x.q.has_value() == y.q.has_value());
+            if (x.q) {
+                agree(*x.q, *y.q);
+            }
+            for (std::size_t n = 0; n < 2; ++n) {
+                agree(x.p_local[n].local, y.p_local[n].local);
+                agree(x.p_local[n].relative_error, y.p_local[n].relative_error);
+                if (x.q) {
+                    agree(x.q_local[n].relative_error, y.q_local[n].relative_error);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("P and Q in proportion: q/p is Q/P at every point") {
+    const SceneResult result = run_scene(
+        parsed(tilted_wedge("[shear]\nQ = \"0.3\"\npath = \"together\"\n",
+                            "u = [\"1e-9\", \"0.2\"]\nquantities = [\"pressure\", \"shear\", "
+                            "\"contact\", \"coefficients\"]\nterms = 2\n")));
+    const Ball expected = Ball(Rational(3, 10), 300) / result.contact.force->value;
+    for (const PointRow& row : result.points) {
+        CHECK(overlaps(row.values.q->value / row.values.p->value, expected));
+    }
+    CHECK(
+        overlaps(result.coefficients[0].s[1].value / result.coefficients[0].c[1].value, expected));
+    // P of the wedge by hand: E* phi a sqrt(gamma), gamma = (1 - sin)/(1 + sin) of pi alpha/(2 phi)
+    // = pi/10, whose sine is (sqrt 5 - 1)/4 (moore-hills.tex, line 301).
+    const PrecisionScope scope(60);
+    const Real sine = (sqrt(Real(5)) - 1) / 4;
+    const Real P = Real(1) / 5 * sqrt(Real((1 - sine) / (1 + sine)));
+    CHECK(contains(result.contact.force->value, Ball(P, 180)) ==
+          contains(result.contact.force->value, P));
+    CHECK(abs(Real(result.contact.force->value.midpoint() - P)) < Real("1e-50"));
+}
+
+TEST_CASE("the shear of a given contact, by hand") {
+    // a = b = 1, Q = pi, sigma_0 = 8: q = (1 + 2x)/sqrt(1 - x^2); x = 3/5 at u = 2/5 from the
+    // right: 11/4; x = -3/5 from the left: -1/4.
+    const std::string text = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"
+                             "a = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"pi\"\n"
+                             "bulk_tension = \"8\"\n[ask]\nedges = [\"right\", \"left\"]\n"
+                             "u = \"2/5\"\nterms = 1\ndigits = 20\n";
+    const Scene scene = parsed(text);
+    const SceneResult result = run_scene(scene);
+    REQUIRE(result.points.size() == 2);
+    CHECK(printed(*result.points[0].values.q, scene.ask.digits).text == "2.7500000000000000000");
+    CHECK(printed(*result.points[1].values.q, scene.ask.digits).text == "-0.25000000000000000000");
+    // K_II = (Q/pi +- sigma_0 (a + b)/8)/sqrt(a + b) = 3/sqrt 2 and -1/sqrt 2, over sqrt(2/5):
+    // 3 sqrt 5/2 = 3.3541..., -sqrt 5/2.
+    CHECK(printed(result.points[0].values.q_local[0].local, scene.ask.digits).text ==
+          "3.3541019662496845446");
+    CHECK(printed(result.points[1].values.q_local[0].local, scene.ask.digits).text ==
+          "-1.1180339887498948482");
+}
+
+TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
+    // m = 5/8: the second coefficient is zero (moore-hills.tex, line 182).
+    const Scene scene =
+        parsed("[profile]\nkind = \"power-law\"\nm = \"5/8\"\nC = \"1\"\n[load]\na = \"1\"\n"
+               "contact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = [\"coefficients\"]\n");
+    const SceneResult result = run_scene(scene);
+    const PrintedValue c1 = printed(result.coefficients[0].c[1], scene.ask.digits);
+    CHECK(c1.text == "0");
+    CHECK(parse_decimal(c1.bound) < parse_decimal("1e-400"));
+    CHECK(printed(result.coefficients[0].c[0], scene.ask.digits).complete);
+}
+
+TEST_CASE("the middle of a power law's contact: where the ball of 2F1 has no value, an estimate") {
+    // By Gauss's theorem p(0) = P'/(pi m), and by moore-hills.tex line 144 P' = 11 (sqrt pi/2)
+    // Gamma(6)/Gamma(13/2) a^10 for m = 10, Gamma(13/2) = 10395 sqrt(pi)/64: p(0) = 128 a^10/(315
+    // pi) = 0.129344969623889542720108709280519608510544981935101... a^10.
+    const Scene scene =
+        parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
+               "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
+    const SceneResult result = run_scene(scene);
+    const Vouched& middle = *result.points[0].values.p;
+    CHECK(overlaps(middle.value, Ball(Rational(128, 315), 400) / Ball::pi(400) *
+                                     Ball(parse_decimal("1e-10"), 400)));
+    CHECK_FALSE(middle.proved);
+    CHECK(printed(middle, scene.ask.digits).complete);
+    CHECK(result.points[1].values.p->proved);
+}
+
+TEST_CASE("a load that no contact carries, and points that have no pressure, name their lines") {
+    const auto refused = [](const std::string& text, std::size_t line, const std::string& part) {
+        try {
+            (void)run_scene(parsed(text));
+            FAIL("accepted");
+        } catch (const InputError& error) {
+            CAPTURE(error.what());
+            CHECK(error.line() == line);
+            CHECK(std::string(error.what()).find(part) != std::string::npos);
+        }
+    };
+    refused(hertz("1", "u = [\"0.1\",\n\"2\"]\n"), 10, "outside the contact");
+    refused(hertz("1", "u = \"3\"\n"), 9, "outside the contact");
+    std::string wedge = hertz("1", "u = \"1\"\n");
+    wedge.replace(wedge.find("m = \"1\""), 7, "m = \"0\"");
+    refused(wedge, 9, "infinite at a corner");
+    // Nothing holds this body up on the left.
+    refused("[profile]\nkind = \"piecewise\"\nknots = [\"0\"]\nslopes = [\"0\", \"x\"]\n[load]\n"
+            "a = \"1\"\ncontact_modulus = \"1\"\n[ask]\nu = \"0.1\"\n",
+            6, "");
+}

@@ -204,3 +204,26 @@ TEST_CASE("explain: what is off says why; after a run what was done stands besid
     CHECK(done.code == 0);
     CHECK(done.out.find("done as planned: yes") != std::string::npos);
 }
+
+TEST_CASE("every command that examples/README.md names runs") {
+    const std::string text = file_text(source_dir() / "examples" / "README.md");
+    const Folder folder;
+    std::filesystem::create_directory_symlink(source_dir() / "examples",
+                                              folder.path() / "examples");
+    std::size_t commands = 0;
+    const std::string start = "`edgeproof ";
+    for (std::size_t at = text.find(start); at != std::string::npos;
+         at = text.find(start, at + 1)) {
+        const std::size_t from = at + start.size();
+        const std::string command = text.substr(from, text.find('`', from) - from);
+        if (command.find("examples/") == std::string::npos) {
+            continue;
+        }
+        CAPTURE(command);
+        const Outcome o = run(folder, command);
+        CHECK(o.code == 0);
+        CHECK(o.err.empty());
+        ++commands;
+    }
+    CHECK(commands == 8);
+}

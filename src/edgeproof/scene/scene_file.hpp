@@ -68,8 +68,9 @@ struct Scene {
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
 };
 
-/// Reads a scene (README: "A scene"). Throws InputError with file and line for whatever is
-/// malformed: unknown keys and kinds, a load given twice or not at all, numbers that are none.
+/// Reads a scene (examples/README.md says what goes into one). Throws InputError with file and line
+/// for whatever is malformed: unknown keys and kinds, a load given twice or not at all, numbers
+/// that are none.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 /// The same from text; `file` is what errors name.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/quoted_figure.hpp"
+#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof {
+namespace {
+
+/// How bad a verdict on a figure is.
+int badness(Verdict v) { return v == Verdict::confirmed ? 0 : v == Verdict::imprecise ? 1 : 2; }
+
+Outcome check_figure(const Claim& claim, const AuditContext& context) {
+    const QuotedFigure figure = QuotedFigure::of(claim);
+    const Expr of = claim.formula("of");
+    const Spots spots(claim, context, context.digits());
+    const PrecisionScope scope(context.digits() + 20);
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of")).add("samples", spots.all().size());
+    std::optional<Real> least;
+    std::optional<Real> most;
+    std::optional<Real> at_worst;
+    int worst = -1;
+    for (const Spot& spot : spots.all()) {
+        const FormulaValue value = spot.evaluate(of);
+        if (!value.converged) {
+            outcome.verdict = Verdict::undecided;
+            outcome.note = "an integral did not converge at " + spot.text;
+            return outcome;
+        }
+        const Verdict verdict = figure.verdict(value.value);
+        if (badness(verdict) > worst) {
+            worst = badness(verdict);
+            at_worst = value.value;
+            outcome.verdict = verdict;
+            outcome.computed = figure.text(value.value);
+            outcome.evidence.add("at", spot.text)
+                .add("value", value_text(value.value, context.digits()))
+                .add("rounds_to", figure.rounded(value.value))
+                .add("units_off", figure.units_off(value.value));
+        }
+        least = !least || value.value < *least ? value.value : *least;
+        most = !most || value.value > *most ? value.value : *most;
+    }
+    if (!least) {
+        outcome.note = "no sample fulfils the condition";
+        return outcome;
+    }
+    outcome.evidence.add("range",
+                         std::vector<std::string>{figure.text(*least, 12), figure.text(*most, 12)});
+    outcome.note = figure.note(*at_worst);
+    return outcome;
+}
+
+} // namespace
+
+CheckKind figure_kind() {
+    return {
+        "figure", {{.name = "of", .type = KeySpec::Type::formula, .required = true}}, check_figure};
+}
+
+} // namespace edgeproof

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/ladder.hpp"
+
+namespace edgeproof {
+namespace {
+
+std::string step_text(const Ladder& ladder, std::size_t from) {
+    return ladder.name() + " = " + ladder.values()[from] + " to " + ladder.values()[from + 1];
+}
+
+/// Falls (or rises) where the claim has it rise (or fall), or cannot be told.
+struct Steps {
+    std::size_t good = 0;
+    std::size_t bad = 0;
+    std::size_t unclear = 0;
+    std::vector<std::string> bad_steps; ///< of the first sample that has any
+    std::string bad_at;
+    std::vector<std::string> values; ///< of `of`, at that sample or at the first
+};
+
+Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned digits) {
+    Steps steps;
+    const PrecisionScope scope(digits + 20);
+    const Real noise = pow(Real(10), 2 - static_cast<int>(digits));
+    for (std::size_t k = 0; k < ladder.samples(); ++k) {
+        std::vector<Real> f;
+        std::vector<std::string> bad;
+        bool good_digits = true;
+        for (std::size_t j = 0; j < ladder.values().size(); ++j) {
+            const FormulaValue value = ladder.spot(j, k).evaluate(of);
+            good_digits = good_digits && value.converged;
+            f.push_back(value.value);
+        }
+        for (std::size_t j = 0; j + 1 < f.size(); ++j) {
+            const Real rise = rising ? Real(f[j + 1] - f[j]) : Real(f[j] - f[j + 1]);
+            if (!good_digits || abs(rise) <= noise * (abs(f[j]) + abs(f[j + 1]))) {
+                ++steps.unclear;
+            } else if (rise > 0) {
+                ++steps.good;
+            } else {
+                ++steps.bad;
+                bad.push_back(step_text(ladder, j));
+            }
+        }
+        if (k == 0 || (!bad.empty() && steps.bad_steps.empty())) {
+            steps.values.clear();
+            for (const Real& value : f) {
+                steps.values.push_back(value_text(value, 12));
+            }
+        }
+        if (!bad.empty() && steps.bad_steps.empty()) {
+            steps.bad_steps = bad;
+            steps.bad_at = ladder.spot(0, k).text;
+        }
+    }
+    return steps;
+}
+
+Outcome check_monotone(const Claim& claim, const AuditContext& context) {
+    const bool rising = claim.text("sense") == "increasing";
+    const Ladder ladder(claim, context, context.digits());
+    const Steps steps = count_steps(ladder, claim.formula("of"), rising, context.digits());
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"))
+        .add("along", ladder.name())
+        .add("values_taken", ladder.values())
+        .add("samples", ladder.samples())
+        .add("steps_as_claimed", steps.good)
+        .add("steps_against", steps.bad);
+    if (steps.unclear > 0) {
+        outcome.evidence.add("steps_unclear", steps.unclear);
+    }
+    outcome.evidence.add("values", steps.values);
+    const std::string sense = rising ? "grows" : "falls";
+    if (steps.bad > 0) {
+        outcome.verdict = Verdict::refuted;
+        outcome.evidence.add("against_at", steps.bad_at).add("against", steps.bad_steps);
+        outcome.note = (rising ? "falls from " : "grows from ") + steps.bad_steps.front() + " (" +
+                       std::to_string(steps.bad) + " of " +
+                       std::to_string(steps.bad + steps.good + steps.unclear) + " steps)";
+    } else if (steps.unclear > 0 || steps.good == 0) {
+        outcome.note = "some steps are too small for the digits at hand";
+    } else {
+        outcome.verdict = Verdict::confirmed;
+        outcome.note = sense + " at each of " + std::to_string(steps.good) + " steps (sampled)";
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind monotone_kind() {
+    using Type = KeySpec::Type;
+    return {"monotone",
+            {{.name = "of", .type = Type::formula, .required = true},
+             {.name = "along", .required = true},
+             {.name = "sense",
+              .type = Type::choice,
+              .required = true,
+              .choices = {"increasing", "decreasing"}}},
+            check_monotone};
+}
+
+} // namespace edgeproof

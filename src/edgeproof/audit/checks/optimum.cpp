@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/ladder.hpp"
+#include "edgeproof/contact/extent.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+constexpr unsigned search_digits = 20;
+constexpr int grid = 16;
+constexpr int refinements = 26;
+
+/// The distance from the edge, as a fraction of the length, up to which the approximation of so
+/// many terms stays within the tolerance, as a function of one parameter.
+class Reach {
+public:
+    Reach(const Claim& claim, const AuditContext& context, std::size_t scene, Exact tolerance)
+        : claim_(claim), context_(context), scene_(scene), tolerance_(std::move(tolerance)),
+          parameter_(claim.text("along")),
+          edge_(claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left),
+          terms_(static_cast<std::size_t>(claim.integer("terms"))) {
+        if (claim.has("upto")) {
+            range_.to = Exact::parse(claim.text("upto"));
+        }
+    }
+    [[nodiscard]] Real operator()(const Rational& value) {
+        const Ledger fixed =
+            with_parameter(context_.ledger(), claim_.text("over"), parameter_, Expr::number(value));
+        const AuditContext at(fixed, context_.digits());
+        const Setting setting(at.scenes(claim_).at(scene_), search_digits);
+        ++calls_;
+        const Extents e = within_tolerance(setting.contact(), edge_, terms_, tolerance_, range_);
+        return e.first_exit / e.length;
+    }
+    [[nodiscard]] std::size_t calls() const { return calls_; }
+
+private:
+    const Claim& claim_;
+    const AuditContext& context_;
+    std::size_t scene_;
+    Exact tolerance_;
+    std::string parameter_;
+    Edge edge_;
+    std::size_t terms_;
+    ExtentRange range_;
+    std::size_t calls_ = 0;
+};
+
+struct Best {
+    Rational at;
+    Real reach;
+};
+
+/// The best of an even grid and of values ever nearer to the one claimed; then golden section
+/// between its neighbours. The reach may jump at its best, where another exit comes up.
+Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rational& hi) {
+    std::vector<Rational> values{claimed};
+    for (int k = 0; k <= grid; ++k) {
+        values.push_back(lo + (hi - lo) * k / grid);
+    }
+    Rational step = (hi - lo) / 4;
+    for (int k = 0; k < 5; ++k) {
+        step /= 10;
+        for (const Rational& v : {Rational(claimed - step), Rational(claimed + step)}) {
+            if (v > lo && v < hi) {
+                values.push_back(v);
+            }
+        }
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    std::vector<Real> at;
+    for (const Rational& v : values) {
+        at.push_back(reach(v));
+    }
+    const auto i = static_cast<std::size_t>(std::max_element(at.begin(), at.end()) - at.begin());
+    Best best{values[i], at[i]};
+    Rational a = values[i == 0 ? 0 : i - 1];
+    Rational b = values[std::min(i + 1, values.size() - 1)];
+    const Rational golden(610, 987);
+    const auto probe = [&](const Rational& v) {
+        const Real r = reach(v);
+        if (r > best.reach) {
+            best = {v, r};
+        }
+        return r;
+    };
+    // Of few digits, lest the quotients grow.
+    const auto short_of = [](const Rational& v) {
+        const Rational scale("1000000000000");
+        return Rational(boost::multiprecision::mpz_int(v * scale)) / scale;
+    };
+    Rational x = short_of(b - golden * (b - a));
+    Rational y = short_of(a + golden * (b - a));
+    Real at_x = probe(x);
+    Real at_y = probe(y);
+    for (int k = 0; k < refinements; ++k) {
+        if (at_x > at_y) {
+            b = y;
+            y = x;
+            at_y = at_x;
+            x = short_of(b - golden * (b - a));
+            at_x = probe(x);
+        } else {
+            a = x;
+            x = y;
+            at_x = at_y;
+            y = short_of(a + golden * (b - a));
+            at_y = probe(y);
+        }
+    }
+    return best;
+}
+
+Outcome check_optimum(const Claim& claim, const AuditContext& context) {
+    const Rational claimed = Exact::parse(claim.text("at")).rational();
+    const auto& between = claim.list("between");
+    if (between.size() != 2) {
+        claim.reject("between", "the search goes between two values", "write [\"0\", \"2\"]");
+    }
+    const Rational lo = Exact::parse(between[0]).rational();
+    const Rational hi = Exact::parse(between[1]).rational();
+    if (!(lo < claimed && claimed < hi)) {
+        claim.reject("between", "the value claimed is not between the ends of the search",
+                     "take it in");
+    }
+    const bool in_the_limit = claim.text_or("sense", "each") == "limit";
+    const PrecisionScope scope(search_digits + 20);
+    Outcome outcome;
+    std::vector<EvidenceItem> list;
+    bool all_best = true;
+    bool approaching = true;
+    std::size_t calls = 0;
+    const std::size_t scenes = context.scenes(claim).size();
+    for (std::size_t k = 0; k < scenes; ++k) {
+        std::optional<Real> last_off;
+        for (const std::string& text : claim.list("tolerances")) {
+            Reach reach(claim, context, k, Exact::parse(text));
+            const Real here = reach(claimed);
+            const Best best = search(reach, claimed, lo, hi);
+            calls += reach.calls();
+            const bool is_best = best.reach <= here * (1 + Real("1e-12"));
+            const Real off = is_best ? Real(0) : Real(abs(Real(Rational(best.at - claimed))));
+            all_best = all_best && is_best;
+            approaching = approaching && (!last_off || off * 2 < *last_off || off == 0);
+            last_off = off;
+            Evidence one;
+            one.add("tolerance", text)
+                .add("best_at", to_decimal(Real(best.at), 8))
+                .add("reach_there", to_decimal(best.reach, 8))
+                .add("reach_at_the_value_claimed", to_decimal(here, 8));
+            list.emplace_back(std::move(one));
+            if (!outcome.computed) {
+                outcome.computed = claim.text("along") + " = " + to_decimal(Real(best.at), 6) +
+                                   " for the tolerance " + text;
+            }
+        }
+    }
+    outcome.evidence.add("along", claim.text("along"))
+        .add("at", claim.text("at"))
+        .add("tolerances", std::move(list))
+        .add("extents_computed", calls);
+    const bool right = all_best || (in_the_limit && approaching);
+    outcome.verdict = right ? Verdict::confirmed : Verdict::refuted;
+    outcome.note = all_best ? "none of the values tried reaches farther"
+                   : right  ? "the best value tends to the one claimed as the tolerance is lowered"
+                            : "reaches farthest at " + *outcome.computed;
+    return outcome;
+}
+
+} // namespace
+
+CheckKind optimum_kind() {
+    using Type = KeySpec::Type;
+    return {"optimum",
+            {{.name = "along", .required = true},
+             {.name = "at", .type = Type::number, .required = true},
+             {.name = "between", .type = Type::list, .required = true},
+             {.name = "terms", .type = Type::integer, .required = true},
+             {.name = "tolerances", .type = Type::list, .required = true},
+             {.name = "sense", .type = Type::choice, .choices = {"each", "limit"}},
+             {.name = "upto", .type = Type::number}},
+            check_optimum};
+}
+
+} // namespace edgeproof

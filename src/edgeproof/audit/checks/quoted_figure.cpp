@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/quoted_figure.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace edgeproof {
+namespace {
+
+Rational power_of_ten(unsigned k) {
+    Rational p = 1;
+    while (k-- > 0) {
+        p *= 10;
+    }
+    return p;
+}
+
+} // namespace
+
+QuotedFigure QuotedFigure::of(const Claim& claim) {
+    std::string number = claim.text("quoted");
+    QuotedFigure figure;
+    if (number.ends_with('%')) {
+        figure.percent_ = true;
+        number.pop_back();
+        while (number.ends_with(' ')) {
+            number.pop_back();
+        }
+    }
+    const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+    if (number.empty() || !std::all_of(number.begin(), number.end(), plain)) {
+        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is no decimal",
+                     "write it as quoted, such as \"6.4 %\" or \"0.03\"");
+    }
+    try {
+        figure.value_ = parse_decimal(number);
+    } catch (const InputError& error) {
+        claim.reject("quoted", error.problem(), error.instead());
+    }
+    const std::size_t point = number.find('.');
+    if (point != std::string::npos) {
+        figure.decimals_ = static_cast<unsigned>(number.size() - point - 1);
+    }
+    figure.unit_ = 1 / power_of_ten(figure.decimals_);
+    if (figure.percent_) {
+        figure.value_ /= 100;
+        figure.unit_ /= 100;
+    }
+    return figure;
+}
+
+long QuotedFigure::units_off(const Real& computed) const {
+    const Real steps = floor(Real(computed / Real(unit_) + Real(1) / 2));
+    const Real off = steps - Real(Rational(value_ / unit_));
+    constexpr long most = 1000000000;
+    return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
+}
+
+Verdict QuotedFigure::verdict(const Real& computed) const {
+    const long off = std::labs(units_off(computed));
+    return off == 0 ? Verdict::confirmed : off == 1 ? Verdict::imprecise : Verdict::refuted;
+}
+
+std::string QuotedFigure::rounded(const Real& computed) const {
+    const Real shown = percent_ ? Real(computed * 100) : computed;
+    return shown.str(decimals_, std::ios_base::fixed) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
+    return to_decimal(percent_ ? Real(computed * 100) : computed, digits) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::note(const Real& computed) const {
+    const long off = units_off(computed);
+    if (off == 0) {
+        return "rounds to it";
+    }
+    const long size = std::labs(off);
+    return "rounds to " + rounded(computed) + ": " + std::to_string(size) +
+           (size == 1 ? " unit" : " units") + " of the last quoted place " +
+           (off > 0 ? "above" : "below");
+}
+
+} // namespace edgeproof

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/claim.hpp"
+#include "edgeproof/audit/verdict.hpp"
+#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
+
+#include <string>
+
+namespace edgeproof {
+
+/// A figure as it is quoted: "6.4 %", "0.03", "17". The last place written is its unit.
+class QuotedFigure {
+public:
+    /// The field `quoted` of a claim. Throws InputError for anything but a decimal, with or without
+    /// a sign of per cent.
+    [[nodiscard]] static QuotedFigure of(const Claim& claim);
+
+    /// As a pure number: 2 % is 1/50.
+    [[nodiscard]] const Rational& value() const noexcept { return value_; }
+    /// How many units of the last quoted place the computed value, rounded to it, is above.
+    [[nodiscard]] long units_off(const Real& computed) const;
+    /// Rounds to it: confirmed. One unit off: imprecise. More: refuted.
+    [[nodiscard]] Verdict verdict(const Real& computed) const;
+    /// The computed value in the quoted notation: rounded to the quoted place.
+    [[nodiscard]] std::string rounded(const Real& computed) const;
+    /// The same with so many significant digits.
+    [[nodiscard]] std::string text(const Real& computed, unsigned digits = 5) const;
+    /// "rounds to 49 %: 3 units of the last quoted place above".
+    [[nodiscard]] std::string note(const Real& computed) const;
+
+private:
+    Rational value_;
+    Rational unit_;
+    unsigned decimals_ = 0;
+    bool percent_ = false;
+};
+
+} // namespace edgeproof

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/margin_scan.hpp"
+#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+/// What was found in one scene.
+struct InScene {
+    enum class Finding { holds, fails, unclear } finding = Finding::unclear;
+    std::size_t places = 0;
+    std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
+    std::vector<std::string> where;   ///< intervals in which it fails (or holds, if that is asked)
+};
+
+bool names_a_place(const Condition& condition) {
+    return std::any_of(condition.begin(), condition.end(), [](const Relation& r) {
+        for (const Expr& side : {r.lhs, r.rhs}) {
+            const auto names = free_symbols(side);
+            if (names.contains("x") || names.contains("u")) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+std::string fraction_text(const Real& fraction) { return to_decimal(fraction, 10); }
+
+std::vector<std::string> interval_texts(const MarginScan& scan, bool holding) {
+    std::vector<std::string> texts;
+    for (const auto& [from, to] : scan.intervals(holding)) {
+        texts.push_back("u/L = " + fraction_text(from) + " ... " + fraction_text(to));
+    }
+    return texts;
+}
+
+using Finding = InScene::Finding;
+
+InScene without_place(const ConditionInScene& condition) {
+    InScene result;
+    if (const auto margin = condition.anywhere()) {
+        result.places = 1;
+        result.decisive = MarginAt{Real(0), *margin};
+        result.finding = !margin->clear      ? Finding::unclear
+                         : margin->value > 0 ? Finding::holds
+                                             : Finding::fails;
+    }
+    return result;
+}
+
+InScene everywhere(const ConditionInScene& condition, const Real& nearest) {
+    InScene result;
+    const MarginScan scan(condition, nearest);
+    result.places = scan.places().size();
+    if (const MarginAt* least = scan.least()) {
+        result.decisive = *least;
+        const bool fails =
+            std::any_of(scan.places().begin(), scan.places().end(),
+                        [](const MarginAt& p) { return p.margin.clear && !(p.margin.value > 0); });
+        if (fails) {
+            result.finding = Finding::fails;
+            result.where = interval_texts(scan, false);
+        } else {
+            result.finding = scan.unclear() > 0 ? Finding::unclear : Finding::holds;
+        }
+    }
+    return result;
+}
+
+InScene somewhere(const ConditionInScene& condition, const Real& nearest) {
+    InScene result;
+    const MarginScan scan(condition, nearest);
+    result.places = scan.places().size();
+    if (const MarginAt* most = scan.most()) {
+        result.decisive = *most;
+        const bool holds = most->margin.clear && most->margin.value > 0;
+        if (holds) {
+            result.where = interval_texts(scan, true);
+        }
+        result.finding = holds                ? Finding::holds
+                         : scan.unclear() > 0 ? Finding::unclear
+                                              : Finding::fails;
+    }
+    return result;
+}
+
+/// The sign on the last decades towards the edge: from 10^10 times `nearest` to `nearest`.
+InScene near_edge(const ConditionInScene& condition, const Real& nearest) {
+    InScene result;
+    std::size_t held = 0;
+    std::size_t failed = 0;
+    for (int k = 0; k <= 10; ++k) {
+        const Real fraction = nearest * pow(Real(10), k);
+        const auto margin = condition.at(fraction);
+        if (!margin) {
+            continue;
+        }
+        ++result.places;
+        if (!margin->clear) {
+            continue;
+        }
+        (margin->value > 0 ? held : failed) += 1;
+        if (!result.decisive || margin->value < result.decisive->margin.value) {
+            result.decisive = MarginAt{fraction, *margin};
+        }
+    }
+    if (result.places > 0 && held == result.places) {
+        result.finding = Finding::holds;
+    } else if (result.places > 0 && failed == result.places) {
+        result.finding = Finding::fails;
+    }
+    return result;
+}
+
+/// The places are those where no relation of the condition holds... unless it is one alone.
+Condition opposite(const Claim& claim, const Condition& condition) {
+    using Op = Relation::Op;
+    if (condition.size() != 1 || condition.front().op == Op::equal) {
+        claim.reject("says", "`holds = \"nowhere\"` is for one inequality",
+                     "write claims of their own for further ones");
+    }
+    Relation r = condition.front();
+    switch (r.op) {
+    case Op::less:
+        r.op = Op::greater_equal;
+        break;
+    case Op::less_equal:
+        r.op = Op::greater;
+        break;
+    case Op::greater:
+        r.op = Op::less_equal;
+        break;
+    default:
+        r.op = Op::less;
+        break;
+    }
+    return {r};
+}
+
+Outcome summed_up(const std::vector<std::pair<std::string, InScene>>& found,
+                  const std::string& holds) {
+    Outcome outcome;
+    std::size_t places = 0;
+    std::vector<const std::pair<std::string, InScene>*> failing;
+    std::size_t unclear = 0;
+    const std::pair<std::string, InScene>* narrowest = nullptr;
+    for (const auto& f : found) {
+        places += f.second.places;
+        if (f.second.finding == Finding::fails) {
+            failing.push_back(&f);
+        }
+        unclear += f.second.finding == Finding::unclear ? 1 : 0;
+        if (f.second.decisive &&
+            (narrowest == nullptr ||
+             f.second.decisive->margin.value < narrowest->second.decisive->margin.value)) {
+            narrowest = &f;
+        }
+    }
+    outcome.evidence.add("holds", holds)
+        .add("scenes", found.size())
+        .add("places", places)
+        .add("scenes_failing", failing.size());
+    if (unclear > 0) {
+        outcome.evidence.add("scenes_unclear", unclear);
+    }
+    if (narrowest != nullptr) {
+        outcome.evidence
+            .add("narrowest_margin", value_text(narrowest->second.decisive->margin.value, 12))
+            .add("narrowest_at", narrowest->first);
+        if (narrowest->second.decisive->fraction > 0) {
+            outcome.evidence.add("narrowest_at_u_over_L",
+                                 fraction_text(narrowest->second.decisive->fraction));
+        }
+    }
+    std::vector<EvidenceItem> list;
+    for (const auto& [text, in_scene] : found) {
+        if (in_scene.finding == Finding::fails || !in_scene.where.empty()) {
+            Evidence one;
+            one.add("scene", text).add("holds", in_scene.finding == Finding::holds);
+            if (!in_scene.where.empty()) {
+                one.add(in_scene.finding == Finding::fails ? "fails_in" : "holds_in",
+                        in_scene.where);
+            }
+            list.emplace_back(std::move(one));
+        }
+    }
+    if (!list.empty()) {
+        outcome.evidence.add("in_scenes", std::move(list));
+    }
+    const std::string of_scenes = std::to_string(found.size()) + " scenes";
+    if (!failing.empty()) {
+        outcome.verdict = Verdict::refuted;
+        outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
+                       ", as in " + failing.front()->first;
+        if (!failing.front()->second.where.empty()) {
+            outcome.note += " at " + failing.front()->second.where.front();
+        }
+    } else if (found.empty() || unclear > 0 || places == 0) {
+        outcome.note =
+            "the digits at hand do not decide in " + std::to_string(unclear) + " of " + of_scenes;
+    } else {
+        outcome.verdict = Verdict::confirmed;
+        outcome.note = "holds at " + std::to_string(places) + " places of " + of_scenes +
+                       (holds == "somewhere" ? ", each having some" : "");
+        if (holds == "somewhere") {
+            outcome.note = "each of " + of_scenes + " has such places";
+        }
+    }
+    return outcome;
+}
+
+Outcome check_relation(const Claim& claim, const AuditContext& context) {
+    const std::string holds = claim.text_or("holds", "everywhere");
+    Condition condition = claim.condition("says");
+    if (holds == "nowhere") {
+        condition = opposite(claim, condition);
+    }
+    std::optional<Condition> where;
+    if (claim.has("where")) {
+        where = claim.condition("where");
+    }
+    const bool placed = names_a_place(condition) || (where && names_a_place(*where));
+    const PrecisionScope scope(context.digits() + 20);
+    const Real nearest = claim.has("nearest") ? Exact::parse(claim.text("nearest")).to<Real>()
+                                              : pow(Real(10), holds == "near-edge" ? -40 : -10);
+    std::vector<std::pair<std::string, InScene>> found;
+    for (const Sample& sample : context.samples(claim)) {
+        const ConditionInScene in_scene(sample, condition, where, context.digits());
+        found.emplace_back(in_scene.text(), !placed                ? without_place(in_scene)
+                                            : holds == "somewhere" ? somewhere(in_scene, nearest)
+                                            : holds == "near-edge" ? near_edge(in_scene, nearest)
+                                                                   : everywhere(in_scene, nearest));
+    }
+    Outcome outcome = summed_up(found, holds);
+    return outcome;
+}
+
+} // namespace
+
+CheckKind relation_kind() {
+    using Type = KeySpec::Type;
+    return {"relation",
+            {{.name = "says", .type = Type::condition, .required = true},
+             {.name = "holds",
+              .type = Type::choice,
+              .choices = {"everywhere", "somewhere", "nowhere", "near-edge"}},
+             {.name = "nearest", .type = Type::number}},
+            check_relation};
+}
+
+} // namespace edgeproof

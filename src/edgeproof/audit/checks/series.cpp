@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/residual_fit.hpp"
+#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace edgeproof {
+namespace {
+
+std::vector<Real> numbers(const Claim& claim, std::string_view key) {
+    std::vector<Real> values;
+    for (const std::string& text : claim.list(key)) {
+        try {
+            values.push_back(Exact::parse(text).to<Real>());
+        } catch (const InputError& error) {
+            claim.reject(key, error.problem(), error.instead());
+        }
+    }
+    return values;
+}
+
+/// What the residuals of one scene say of the claim.
+struct InScene {
+    bool as_claimed = true;
+    std::size_t vanishing = 0;
+    std::string problem;
+    std::vector<std::string> slopes;
+    int digits = 1000000;
+};
+
+InScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
+                  const std::vector<Real>& orders, unsigned digits) {
+    ResidualFitOptions options;
+    options.orders = orders.size();
+    options.digits = digits;
+    options.points = std::max<std::size_t>(12, digits / 4);
+    options.route = Route::automatic;
+    // The printed coefficients, to as many digits as the fit computes the pressure to.
+    const auto enough = digits + static_cast<unsigned>(orders.size() * (options.points / 3 + 6));
+    const Setting setting(scene, enough);
+    std::vector<Real> c;
+    for (const Expr& term : terms) {
+        c.push_back(setting.evaluate(term).value);
+    }
+    for (const Real& exact : setting.expansion(edge, orders.size() + 1)) {
+        if (c.size() < orders.size()) {
+            c.push_back(exact); // of what is left no coefficient is claimed: only its order
+        }
+        static_cast<void>(exact);
+    }
+    const std::vector<OrderFit> fits =
+        fit_residuals(scene.make_profile(), scene.parameter("Es"),
+                      Load::right_edge(scene.parameter("a")), edge, options, c);
+    InScene found;
+    for (const OrderFit& fit : fits) {
+        found.slopes.push_back(to_decimal(fit.slope, 12));
+        const Real off = abs(fit.slope - orders[fit.n] - (fit.vanishing ? 1 : 0));
+        found.vanishing += fit.vanishing ? 1 : 0;
+        const bool term = fit.n < terms.size();
+        if (term) {
+            found.digits = std::min(found.digits, fit.agreeing_digits);
+        }
+        const bool right =
+            off < Real("1e-9") && (!term || fit.agreeing_digits + 5 >= static_cast<int>(digits));
+        if (!right && found.as_claimed) {
+            found.as_claimed = false;
+            found.problem = "after " + std::to_string(fit.n) + " terms the rest goes as u^" +
+                            to_decimal(fit.slope, 6) + ", not u^" + to_decimal(orders[fit.n], 6);
+            if (off < Real("1e-9")) {
+                found.problem = "coefficient " + std::to_string(fit.n) + " agrees to " +
+                                std::to_string(fit.agreeing_digits) + " digits only";
+            }
+        }
+    }
+    return found;
+}
+
+Outcome check_series(const Claim& claim, const AuditContext& context) {
+    const PrecisionScope scope(context.digits() + 20);
+    const std::vector<Real> orders = numbers(claim, "orders");
+    std::vector<Expr> terms;
+    if (claim.has("terms")) {
+        for (const std::string& text : claim.list("terms")) {
+            terms.push_back(
+                expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary));
+        }
+    }
+    if (orders.empty() || orders.size() < terms.size() || orders.size() > 8) {
+        claim.reject("orders", "the orders do not go with the terms",
+                     "give one for each term, and one more for what is left, 8 at most");
+    }
+    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    Outcome outcome;
+    std::size_t scenes = 0;
+    std::size_t vanishing = 0;
+    std::size_t failing = 0;
+    int digits = 1000000;
+    std::vector<std::string> slopes;
+    for (const SceneSpec& scene : context.scenes(claim)) {
+        const InScene found = fit_scene(scene, edge, terms, orders, context.digits());
+        ++scenes;
+        vanishing += found.vanishing > 0 ? 1 : 0;
+        digits = std::min(digits, found.digits);
+        if (!found.as_claimed && ++failing == 1) {
+            outcome.note = found.problem + ", in " + scene.family + ": " + scene.text();
+            outcome.evidence.add("fails_in", scene.family + ": " + scene.text());
+            slopes = found.slopes;
+        }
+        if (slopes.empty()) {
+            slopes = found.slopes;
+        }
+    }
+    outcome.evidence.add("scenes", scenes)
+        .add("scenes_failing", failing)
+        .add("slopes", slopes)
+        .add("orders", claim.list("orders"))
+        .add("scenes_where_a_coefficient_vanishes", vanishing);
+    if (!terms.empty()) {
+        outcome.evidence.add("digits_of_the_coefficients", digits);
+    }
+    if (failing == 0 && scenes > 0) {
+        outcome.verdict = Verdict::confirmed;
+        outcome.note =
+            "the residuals have the orders claimed in " + std::to_string(scenes) + " scenes";
+        if (vanishing > 0) {
+            outcome.note += " (in " + std::to_string(vanishing) + " a coefficient vanishes)";
+        }
+    } else if (failing > 0) {
+        outcome.verdict = Verdict::refuted;
+    }
+    return outcome;
+}
+
+} // namespace
+
+CheckKind series_kind() {
+    using Type = KeySpec::Type;
+    return {"series",
+            {{.name = "terms", .type = Type::formulas},
+             {.name = "orders", .type = Type::list, .required = true}},
+            check_series};
+}
+
+} // namespace edgeproof

@@ -11,8 +11,8 @@ namespace edgeproof {
 namespace {
 
 constexpr unsigned search_digits = 20;
-constexpr int grid = 16;
-constexpr int refinements = 26;
+constexpr int grid = 12;
+constexpr int refinements = 16;
 
 /// The distance from the edge, as a fraction of the length, up to which the approximation of so
 /// many terms stays within the tolerance, as a function of one parameter.
@@ -63,7 +63,7 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
         values.push_back(lo + (hi - lo) * k / grid);
     }
     Rational step = (hi - lo) / 4;
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 4; ++k) {
         step /= 10;
         for (const Rational& v : {Rational(claimed - step), Rational(claimed + step)}) {
             if (v > lo && v < hi) {

@@ -13,5 +13,6 @@
 #include "edgeproof/audit/evidence.hpp"
 #include "edgeproof/audit/family.hpp"
 #include "edgeproof/audit/ledger.hpp"
+#include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/setting.hpp"
 #include "edgeproof/audit/verdict.hpp"

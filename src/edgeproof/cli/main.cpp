@@ -11,7 +11,11 @@ namespace edgeproof::cli {
 namespace {
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
-extern "C" void on_signal(int) { stop = true; }
+/// The second time the user means it: what runs between two looks at `stop` can be long.
+extern "C" void on_signal(int signal) {
+    stop = true;
+    std::signal(signal, SIG_DFL);
+}
 } // namespace
 const std::atomic<bool>& interrupted() { return stop; }
 } // namespace edgeproof::cli

@@ -26,6 +26,10 @@ int verify(const Options& o) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to " + std::to_string(most_digits));
     }
+    if (o.record && o.only != "*") {
+        throw InputError("--record with --only would forget the other claims",
+                         "record all of them");
+    }
     const Ledger ledger = read_ledger(o.ledger);
     if (!o.out.empty()) {
         make_folder(o.out); // before minutes of work, not after
@@ -53,10 +57,6 @@ int verify(const Options& o) {
 
     const std::filesystem::path golden = golden_file(o.ledger);
     if (o.record) {
-        if (o.only != "*") {
-            throw InputError("--record with --only would forget the other claims",
-                             "record all of them");
-        }
         write_whole(golden, golden_text(result));
         std::printf("recorded in %s\n", golden.string().c_str());
         return 0;

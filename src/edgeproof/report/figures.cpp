@@ -85,7 +85,10 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     script += fmt::format("set output {}\n", gnuplot_text(output));
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
-    if (plot.y.logarithmic && !plot.x.logarithmic) {
+    constexpr std::size_t most_inside = 4; // more would lie on the curves
+    if (plot.curves.size() > most_inside) {
+        script += "set key outside right center\n";
+    } else if (plot.y.logarithmic && !plot.x.logarithmic) {
         script += "set key bottom right\n";
     } else if (!plot.y.logarithmic) {
         script += "set key outside below center horizontal\n";

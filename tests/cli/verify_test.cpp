@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace edgeproof::test;
+
+namespace {
+
+/// Hertz, whose pressure E* C sqrt(a^2 - x^2)/2 is a textbook's.
+const std::string head = R"([ledger]
+name = "own"
+source = "a test"
+[[family]]
+name = "hertz"
+profile = "power-law"
+count = 3
+points = 2
+u = ["1e-12", "1/20", "1/5", "3/7"]
+[family.parameters]
+m = ["1"]
+C = ["3/7", "1e-6"]
+a = ["3/2", "0.02"]
+Es = ["7/3"]
+)";
+
+std::string claim(const std::string& id, const std::string& says, const std::string& more = "") {
+    return "[[claim]]\nid = \"" + id + "\"\nkind = \"value\"\nlines = [1, 2]\nprinted = '''" +
+           says + "'''\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n" + more;
+}
+
+const std::string right = claim("right", "Es*C/2*sqrt(a^2-x^2)");
+const std::string wrong = claim("wrong", "Es*C/3*sqrt(a^2-x^2)");
+
+} // namespace
+
+TEST_CASE("verify: the table, the files, and the JSON that other programs read") {
+    const Folder folder;
+    folder.write("own.toml", head + right + wrong);
+    const Outcome o = run(folder, "verify own.toml --out out");
+    CHECK(o.code == 0); // nothing is recorded beside the ledger
+    CHECK(o.err.empty());
+    for (const char* file :
+         {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex", "report.html"}) {
+        CAPTURE(file);
+        CHECK(std::filesystem::file_size(folder.path() / "out" / file) > 0);
+    }
+    const auto json = nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json"));
+    CHECK(json.at("ledger") == "own");
+    CHECK(json.at("digits") == 50);
+    const auto& claims = json.at("claims");
+    REQUIRE(claims.size() == 2);
+    CHECK(claims[0].at("id") == "right");
+    CHECK(claims[0].at("verdict") == "confirmed");
+    CHECK(claims[0].at("correct").is_null());
+    CHECK(claims[0].at("quoted").is_null());
+    CHECK(claims[0].at("computed").is_null());
+    CHECK(claims[1].at("verdict") == "refuted");
+    CHECK(claims[1].at("printed") == "Es*C/3*sqrt(a^2-x^2)");
+    CHECK(claims[1].at("correct") == "Es*C/2*sqrt(a^2 - x^2)");
+    CHECK(claims[1].at("evidence").at("ratio") == "2/3");
+    CHECK(file_text(folder.path() / "out/report.html").find("id=\"erratum-wrong\"") !=
+          std::string::npos);
+}
+
+TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they differ") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    REQUIRE(run(folder, "verify own.toml --record").code == 0);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    folder.write("own.toml", head + claim("right", "Es*C/3*sqrt(a^2-x^2)"));
+    const Outcome changed = run(folder, "verify own.toml");
+    CHECK(changed.code == 1);
+    CHECK(changed.out.find("right") != std::string::npos);
+    folder.write("own.toml", head + right + claim("new", "Es*C/2*sqrt(a^2-x^2)"));
+    CHECK(run(folder, "verify own.toml").code == 1); // a claim without a recorded verdict
+}
+
+TEST_CASE("verify: what is malformed is named by file and line, with what to write; exit 2") {
+    struct Bad {
+        std::string ledger;
+        const char* line;
+    };
+    const Bad all[] = {
+        {head + claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
+        {head + claim("one", "Es*C/"), "own.toml:22: "},
+        {head + right + right, "own.toml:24: "},
+        {head + claim("one", "Es", "quotd = \"1\"\n"), "own.toml:23: "},
+        {head + "[[claim]]\nid = \"one\"\nkind = \"guess\"\nlines = [1, 1]\nprinted = \"x\"\n",
+         "own.toml:17: unknown kind 'guess'"},
+        {head + claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
+        {head + "[[claim]\n", "own.toml:15: "},
+    };
+    for (const Bad& bad : all) {
+        CAPTURE(bad.ledger);
+        const Folder folder;
+        folder.write("own.toml", bad.ledger);
+        const Outcome o = run(folder, "verify own.toml --out out");
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        REQUIRE(lines(o.err).size() == 1);
+        CHECK(o.err.substr(0, std::string(bad.line).size()) == bad.line);
+        CHECK(o.err.find("; ") != std::string::npos);
+        CHECK(folder.files() == 1);
+    }
+}
+
+TEST_CASE("verify: options that make no sense are refused before any work") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    folder.write("taken", "a file where a folder is wanted");
+    for (const char* arguments :
+         {"verify own.toml --digits 5", "verify own.toml --digits 1e9", "verify missing.toml",
+          "verify own.toml --only nothing-like-this", "verify own.toml --out taken/out", "verify",
+          "verify own.toml --record --only right"}) {
+        CAPTURE(arguments);
+        const Outcome o = run(folder, arguments);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        CHECK(lines(o.err).size() == 1);
+        CHECK(folder.files() == 2);
+    }
+}

@@ -9,6 +9,7 @@
 ///   ball_contact.hpp     the same contact in balls: enclosures that are proved
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
+///   integrated_contact.hpp  the same for curved g', by rigorous integration
 ///   ball_shear.hpp       the same q in balls
 ///   forward.hpp          back from a traction to its resultant and its principal value
 ///   tilt_solver.hpp      the tilt that carries a given force and moment
@@ -19,6 +20,7 @@
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/extent.hpp"
 #include "edgeproof/contact/forward.hpp"
+#include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"

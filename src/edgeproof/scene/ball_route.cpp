@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_shear.hpp"
+#include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/value_route.hpp"
@@ -22,13 +23,28 @@ constexpr long least_last_bits = 1L << 14;
 class Level {
 public:
     Level(const Scene& scene, const Plan& plan, long bits)
-        : scene_(scene), plan_(plan), bits_(bits),
-          contact_(*scene.profile, scene.contact_modulus, scene.load, bits) {}
+        : scene_(scene), plan_(plan), bits_(bits) {
+        if (BallContact::has_closed_form(*scene.profile)) {
+            closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+        } else {
+            curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+        }
+    }
 
-    [[nodiscard]] const BallContact& contact() const { return contact_; }
     [[nodiscard]] long bits() const { return bits_; }
-    [[nodiscard]] Ball length() const { return contact_.a() + contact_.b(); }
-    [[nodiscard]] Ball p(Edge edge, const Exact& u) const { return contact_.pressure(edge, u); }
+    [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
+    [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
+    [[nodiscard]] Ball length() const { return a() + b(); }
+    [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
+    [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
+    /// The last one asked for is kept: each has several uses.
+    [[nodiscard]] const Ball& p(Edge edge, const Exact& u) {
+        if (!last_ || last_->edge != edge || !(last_->u == u)) {
+            last_ =
+                Last{edge, u, closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u)};
+        }
+        return last_->p;
+    }
     [[nodiscard]] Ball q(Edge edge, const Exact& u) {
         return together() ? shear_ratio() * p(edge, u)
                           : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
@@ -36,7 +52,8 @@ public:
     [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
-            c = contact_.expansion(edge, plan_.terms);
+            c = closed_ ? closed_->expansion(edge, plan_.terms)
+                        : curved_->expansion(edge, plan_.terms);
         }
         return c;
     }
@@ -63,13 +80,18 @@ public:
     }
 
 private:
+    struct Last {
+        Edge edge;
+        Exact u;
+        Ball p;
+    };
     [[nodiscard]] bool together() const { return scene_.shear->path == LoadingPath::together; }
     [[nodiscard]] BallShearLoad load() const {
         return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
     }
     [[nodiscard]] const Ball& shear_ratio() {
         if (!ratio_) {
-            ratio_ = ball_of(scene_.shear->Q, bits_) / contact_.force();
+            ratio_ = ball_of(scene_.shear->Q, bits_) / force();
         }
         return *ratio_;
     }
@@ -77,7 +99,9 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     long bits_;
-    BallContact contact_;
+    std::optional<BallContact> closed_;
+    std::optional<IntegratedContact> curved_; ///< of g' that has no closed form
+    std::optional<Last> last_;
     std::optional<Ball> ratio_;
     std::map<Edge, std::vector<Ball>> c_;
     std::map<Edge, std::vector<Ball>> s_;
@@ -87,7 +111,7 @@ class BallRoute : public ValueRoute {
 public:
     BallRoute(const Scene& scene, const Plan& plan, Work& work)
         : scene_(scene), plan_(plan), work_(work),
-          last_bits_(std::max(least_last_bits, 8 * plan.bits)) {
+          last_bits_(std::max(least_last_bits, 8 * plan.bits)), last_curved_bits_(8 * plan.bits) {
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
         // No contact at any precision: the routes in Real say why.
@@ -100,9 +124,9 @@ public:
         ContactValues values;
         const bool given = scene_.load.kind == Load::Kind::right_edge;
         const char* by_load = given ? "given" : "from P";
-        values.a = vouched([](Level& level) { return level.contact().a(); }, by_load,
+        values.a = vouched([](Level& level) { return level.a(); }, by_load,
                            [&](ValueRoute& other) { return other.contact().a; });
-        values.b = vouched([](Level& level) { return level.contact().b(); },
+        values.b = vouched([](Level& level) { return level.b(); },
                            scene_.symmetric() ? by_load : "consistency",
                            [&](ValueRoute& other) { return other.contact().b; });
         if (given) {
@@ -113,15 +137,14 @@ public:
         }
         if (plan_.resultants) {
             work_.counts.resultants += 2;
-            values.force = vouched([](Level& level) { return level.contact().force(); },
-                                   given ? "contact-law" : "given",
-                                   [&](ValueRoute& other) { return *other.contact().force; });
+            values.force =
+                vouched([](Level& level) { return level.force(); }, given ? "contact-law" : "given",
+                        [&](ValueRoute& other) { return *other.contact().force; });
             if (!given) {
                 values.force->exactly = rational_of(scene_.load.value);
             }
-            values.moment =
-                vouched([](Level& level) { return level.contact().moment(); }, "contact-law",
-                        [&](ValueRoute& other) { return *other.contact().moment; });
+            values.moment = vouched([](Level& level) { return level.moment(); }, "contact-law",
+                                    [&](ValueRoute& other) { return *other.contact().moment; });
         }
         return values;
     }
@@ -132,7 +155,7 @@ public:
             throw DomainError("the point lies outside the contact");
         }
         const bool together = q && scene_.shear->path == LoadingPath::together;
-        work_.counts.closed_forms += p || together ? 1 : 0;
+        (closed() ? work_.counts.closed_forms : work_.counts.quadratures) += p || together ? 1 : 0;
         work_.counts.shear_points += q ? 1 : 0;
         count_ratio(together);
         PointValues values;
@@ -145,7 +168,8 @@ public:
             return *other;
         };
         if (p) {
-            values.p = vouched([&](Level& level) { return level.p(edge, u); }, "closed-form",
+            values.p = vouched([&](Level& level) { return level.p(edge, u); },
+                               closed() ? "closed-form" : "singular-integral",
                                [&](ValueRoute& route) { return *instead(route).p; });
         }
         if (q) {
@@ -207,11 +231,13 @@ public:
     }
 
 private:
+    [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
     /// f at more and more bits, until its digits are settled, or it cannot be told from zero, or
     /// the bits are used up. Nothing where it has no finite value.
     template <class F> [[nodiscard]] std::optional<Ball> settle(const F& f, const Digits& digits) {
         std::optional<Ball> best;
-        for (long bits = plan_.bits; bits <= last_bits_; bits *= 2) {
+        const long last = closed() ? last_bits_ : last_curved_bits_;
+        for (long bits = plan_.bits; bits <= last; bits *= 2) {
             Level* level = at_level(bits);
             if (level == nullptr) {
                 continue;
@@ -262,8 +288,7 @@ private:
         const auto x = settle(
             [&](Level& level) {
                 const Ball from = ball_of(u, level.bits());
-                return edge == Edge::right ? level.contact().a() - from
-                                           : from - level.contact().b();
+                return edge == Edge::right ? level.a() - from : from - level.b();
             },
             plan_.digits);
         Vouched v{*x, true, "given"};
@@ -316,6 +341,7 @@ private:
     const Plan& plan_;
     Work& work_;
     long last_bits_;
+    long last_curved_bits_; ///< integrals cost more
     std::map<long, std::unique_ptr<Level>> levels_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;

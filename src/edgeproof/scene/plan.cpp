@@ -2,6 +2,7 @@
 #include "edgeproof/scene/plan.hpp"
 
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 
@@ -96,12 +97,18 @@ private:
     }
 
     void proof() {
-        plan_.proved = scene_.profile && plan_.route == Route::closed_form;
-        plan_.proved_why = plan_.proved ? "closed forms in ball arithmetic: every value is enclosed"
-                           : scene_.punch ? "the tilt is solved for, and known by an estimate"
-                           : ask_.route != Route::automatic
-                               ? "the route " + route_name(plan_.route) + " is asked for"
-                               : "g' is neither a power law nor piecewise linear: quadrature";
+        const bool closed = scene_.profile && plan_.route == Route::closed_form;
+        const bool integrated = scene_.profile && ask_.route == Route::automatic && !closed &&
+                                IntegratedContact::handles(*scene_.profile, scene_.load);
+        plan_.proved = closed || integrated;
+        plan_.proved_why =
+            closed ? "closed forms in ball arithmetic: every value but extents is enclosed"
+            : integrated
+                ? "rigorous integration in ball arithmetic: every value but extents is enclosed"
+            : scene_.punch ? "the tilt is solved for, and known by an estimate"
+            : ask_.route != Route::automatic
+                ? "the route " + route_name(plan_.route) + " is asked for"
+                : "g' or the load is beyond the rigorous integration";
     }
     void contact() {
         const bool tilt = scene_.punch.has_value();

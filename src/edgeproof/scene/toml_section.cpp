@@ -196,6 +196,19 @@ void TomlSection::allow(const std::vector<std::string_view>& keys) const {
     }
 }
 
+std::vector<std::string> TomlSection::keys() const {
+    std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::string>> placed;
+    for (const auto& [key, node] : Access{*this}.table()) {
+        const auto& at = key.source().begin;
+        placed.push_back({{at.line, at.column}, std::string(key.str())});
+    }
+    std::sort(placed.begin(), placed.end());
+    std::vector<std::string> list;
+    for (auto& [at, key] : placed) {
+        list.push_back(std::move(key));
+    }
+    return list;
+}
 bool TomlSection::has(std::string_view key) const { return Access{*this}.table().contains(key); }
 bool TomlSection::is_table(std::string_view key) const {
     return has(key) && Access{*this}.node(key).is_table();

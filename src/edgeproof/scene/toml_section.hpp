@@ -23,6 +23,8 @@ public:
 
     /// Refuses any other key.
     void allow(const std::vector<std::string_view>& keys) const;
+    /// In the order of the file.
+    [[nodiscard]] std::vector<std::string> keys() const;
     [[nodiscard]] bool has(std::string_view key) const;
     [[nodiscard]] bool is_table(std::string_view key) const;
     [[nodiscard]] bool is_list(std::string_view key) const;

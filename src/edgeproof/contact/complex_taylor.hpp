@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/acb_include.hpp"
+
+namespace edgeproof {
+
+/// True where complex_taylor knows every function in e, whose only variable is x.
+[[nodiscard]] bool has_complex_taylor(const Expr& e);
+
+/// The Taylor series of e(x) about x = at, `terms` terms, each an enclosure for every point of the
+/// ball `at`, which is complex. Where e may not be holomorphic on the whole ball (a branch cut, a
+/// pole) the coefficients are not finite.
+void complex_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits);
+
+} // namespace edgeproof

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/integrated_contact.hpp"
+
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+constexpr long bits = 300;
+
+/// Curved on both sides, a bend at 1/3 and a corner at the origin.
+Contact own_tilted() {
+    const Symbols x{"x"};
+    return {"own, not symmetric",
+            Profile::piecewise({exact("0"), exact("1/3")},
+                               {parse("-1/10 + sinh(x)", x), parse("x^2 + x/7", x),
+                                parse("1/9 + 1/21 + tanh(x - 1/3)", x)}),
+            exact("7/3"), Load::right_edge(exact("4/5"))};
+}
+
+} // namespace
+
+// Logarithms against integrals: the two share the arithmetic and no formula.
+TEST_CASE("rigorous integrals meet the closed forms where there are both") {
+    std::vector<Contact> all = tilted();
+    for (const std::size_t i : {0U, 1U, 6U, 7U}) {
+        all.push_back(symmetric()[i]);
+    }
+    for (const Contact& c : all) {
+        CAPTURE(c.name);
+        REQUIRE(IntegratedContact::handles(c.profile, c.load));
+        const IntegratedContact integrals(c.profile, c.modulus, c.load, bits);
+        const BallContact closed(c.profile, c.modulus, c.load, bits);
+        const auto meet = [](const Ball& x, const Ball& y) {
+            CHECK(overlaps(x, y));
+            CHECK(x.relative_accuracy_bits() > 150);
+        };
+        meet(integrals.b(), closed.b());
+        meet(integrals.force(), closed.force());
+        if (!c.profile.symmetric()) {
+            CHECK(overlaps(integrals.moment(), closed.moment()));
+        }
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            for (const char* u : {"1e-20", "1e-3", "0.003"}) {
+                CAPTURE(u);
+                const Exact at = exact(u);
+                if (certainly_less(Ball(at.rational(), bits), closed.a() + closed.b())) {
+                    meet(integrals.pressure(edge, at), closed.pressure(edge, at));
+                }
+            }
+            const auto x = integrals.expansion(edge, 4);
+            const auto y = closed.expansion(edge, 4);
+            for (std::size_t k = 0; k < 4; ++k) {
+                CHECK(overlaps(x[k], y[k]));
+                CHECK(x[k].relative_accuracy_bits() > 60);
+            }
+        }
+    }
+}
+
+TEST_CASE("rigorous integrals hold what the quadratures in Real find for a curved slope") {
+    for (const Contact& c : {own_symmetric(), own_tilted()}) {
+        CAPTURE(c.name);
+        REQUIRE_FALSE(BallContact::has_closed_form(c.profile));
+        const IntegratedContact balls(c.profile, c.modulus, c.load, bits);
+        const NormalContact reals(c.profile, c.modulus, c.load, 40);
+        const PrecisionScope scope(60);
+        const auto holds = [](const Ball& x, const Real& y) {
+            CHECK(overlaps(x, Ball::around(y, Real(abs(y) * Real("1e-38")), bits)));
+            CHECK(x.relative_accuracy_bits() > 100);
+        };
+        holds(balls.b(), reals.b());
+        holds(balls.force(), reals.force());
+        if (!c.profile.symmetric()) {
+            holds(balls.moment(), reals.moment());
+        }
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            for (const char* u : {"1e-20", "0.01", "0.29", "0.31", "0.5"}) {
+                CAPTURE(u);
+                holds(balls.pressure(edge, exact(u)), reals.pressure(edge, exact(u)).value);
+            }
+            const auto x = balls.expansion(edge, 4);
+            const auto y = reals.expansion(edge, 4);
+            for (std::size_t k = 0; k < 4; ++k) {
+                holds(x[k], y[k]);
+            }
+        }
+    }
+}
+
+TEST_CASE("a force on a symmetric curved contact: its edge enclosed") {
+    const Contact c = own_symmetric();
+    const Load load = Load::force(exact("1/10"));
+    const IntegratedContact balls(c.profile, c.modulus, load, bits);
+    CHECK(overlaps(balls.force(), Ball(Rational(1, 10), bits)));
+    CHECK(balls.a().relative_accuracy_bits() > 250);
+    CHECK_FALSE(IntegratedContact::handles(own_tilted().profile, load));
+}
+
+TEST_CASE("on a bend that exact numbers tell, the pressure is enclosed; on a corner it is not") {
+    const Contact c = own_tilted();
+    const IntegratedContact balls(c.profile, c.modulus, c.load, bits);
+    const NormalContact reals(c.profile, c.modulus, c.load, 40);
+    const PrecisionScope scope(60);
+    const Exact bend = exact("4/5 - 1/3");
+    const Real p = reals.pressure(Edge::right, bend).value;
+    CHECK(overlaps(balls.pressure(Edge::right, bend),
+                   Ball::around(p, Real(p * Real("1e-38")), bits)));
+    CHECK(balls.pressure(Edge::right, bend).relative_accuracy_bits() > 100);
+    CHECK_FALSE(balls.pressure(Edge::right, exact("4/5")).is_finite());
+    CHECK_THROWS_AS((void)balls.pressure(Edge::right, exact("7")), DomainError);
+}
+
+TEST_CASE("functions that are not analytic, or not known, are left to the quadratures in Real") {
+    const Symbols x{"x"};
+    const auto handled = [&](const char* slope) {
+        return IntegratedContact::handles(Profile::piecewise_symmetric({}, {parse(slope, x)}),
+                                          Load::right_edge(exact("1")));
+    };
+    CHECK(handled("x*exp(x)"));
+    CHECK(handled("sqrt(1 + x) - 1"));
+    CHECK_FALSE(handled("asinh(x)"));
+    CHECK_FALSE(handled("abs(x)"));
+}

@@ -54,23 +54,28 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
         const Real scale = std::max(Real(abs(lhs)), Real(abs(rhs)));
         const Real difference =
             r.op == Op::greater || r.op == Op::greater_equal ? Real(lhs - rhs) : Real(rhs - lhs);
-        Margin m{scale == 0 ? Real(0) : Real(difference / scale), true};
+        Margin m{scale == 0 ? Real(0) : Real(difference / scale), difference, true};
         const bool alike = abs(m.value) <= noise;
         if (r.op == Op::equal) {
             m.value = alike ? Real(1) : Real(-abs(m.value));
+            m.difference = m.value;
         } else if (alike) {
             const bool strict = r.op == Op::less || r.op == Op::greater;
             // Zero on both sides is equality; anything else may yet come apart.
             m.clear = !strict || scale == 0;
             m.value = strict ? Real(0) : noise;
+            m.difference = m.value;
         }
         if (m.clear && m.value < 0) {
             return m; // one that fails decides
         }
-        if (!least || !m.clear || m.value < least->value) {
-            m.clear = m.clear && (!least || least->clear);
+        if (!least) {
             least = m;
+            continue;
         }
+        least->clear = least->clear && m.clear;
+        least->value = std::min(least->value, m.value);
+        least->difference = std::min(least->difference, m.difference);
     }
     return *least;
 }

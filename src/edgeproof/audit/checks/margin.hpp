@@ -13,6 +13,9 @@ namespace edgeproof {
 /// relations, turned so that positive means that it holds.
 struct Margin {
     Real value;
+    /// The least of rhs - lhs itself: of the same sign, but it does not level off where one side
+    /// outweighs the other, and so shows where the sides come close.
+    Real difference;
     /// Its sign is beyond doubt: it is larger than what the last digits could be wrong by. A
     /// relation that allows equality is clear when the sides agree to all digits.
     bool clear = true;

@@ -61,9 +61,9 @@ void MarginScan::seek_extrema() {
     const Real golden = (sqrt(Real(5)) - 1) / 2;
     std::vector<Real> found;
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
-        const Real& l = places_[i - 1].margin.value;
-        const Real& m = places_[i].margin.value;
-        const Real& r = places_[i + 1].margin.value;
+        const Real& l = places_[i - 1].margin.difference;
+        const Real& m = places_[i].margin.difference;
+        const Real& r = places_[i + 1].margin.difference;
         const bool dip = m > 0 && m <= l && m <= r;
         const bool bump = m < 0 && m >= l && m >= r;
         const Real reach = 4 * std::max(Real(abs(m - l)), Real(abs(m - r)));
@@ -72,7 +72,9 @@ void MarginScan::seek_extrema() {
         }
         const auto height = [&](const Real& x) {
             const auto margin = condition_.at(x);
-            return !margin ? Real(2) : dip ? margin->value : Real(-margin->value);
+            return !margin ? Real(2 * abs(m))
+                   : dip   ? margin->difference
+                           : Real(-margin->difference);
         };
         Real lo = places_[i - 1].fraction;
         Real hi = places_[i + 1].fraction;

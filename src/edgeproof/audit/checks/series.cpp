@@ -46,12 +46,9 @@ InScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& te
     for (const Expr& term : terms) {
         c.push_back(setting.evaluate(term).value);
     }
-    for (const Real& exact : setting.expansion(edge, orders.size() + 1)) {
-        if (c.size() < orders.size()) {
-            c.push_back(exact); // of what is left no coefficient is claimed: only its order
-        }
-        static_cast<void>(exact);
-    }
+    // Of what is left no coefficient is claimed, only its order.
+    const std::vector<Real> exact = setting.expansion(edge, orders.size());
+    c.insert(c.end(), exact.begin() + static_cast<std::ptrdiff_t>(c.size()), exact.end());
     const std::vector<OrderFit> fits =
         fit_residuals(scene.make_profile(), scene.parameter("Es"),
                       Load::right_edge(scene.parameter("a")), edge, options, c);

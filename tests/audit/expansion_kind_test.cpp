@@ -56,8 +56,9 @@ TEST_CASE("a wrong term is refuted where it departs, and the edit that mends it 
     const Outcome o = outcome_of(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "binv(b-eps*X)-a"
-says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^2)") ");
-        CHECK(o.verdict == Verdict::refuted);
+says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^2)"
+)toml");
+    CHECK(o.verdict == Verdict::refuted);
     CHECK(o.evidence.find("first_departure")->text() == "eps^(2)");
     CHECK(o.correct == "-eps*X/b1 - eps^2*X^2*b2/(2*b1^3)");
 }

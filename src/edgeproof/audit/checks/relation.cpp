@@ -229,14 +229,23 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
     const Real nearest = claim.has("nearest") ? Exact::parse(claim.text("nearest")).to<Real>()
                                               : pow(Real(10), holds == "near-edge" ? -40 : -10);
     std::vector<std::pair<std::string, InScene>> found;
+    std::size_t left_out = 0;
     for (const Sample& sample : context.samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, context.digits());
-        found.emplace_back(in_scene.text(), !placed                ? without_place(in_scene)
-                                            : holds == "somewhere" ? somewhere(in_scene, nearest)
-                                            : holds == "near-edge" ? near_edge(in_scene, nearest)
-                                                                   : everywhere(in_scene, nearest));
+        InScene result = !placed                ? without_place(in_scene)
+                         : holds == "somewhere" ? somewhere(in_scene, nearest)
+                         : holds == "near-edge" ? near_edge(in_scene, nearest)
+                                                : everywhere(in_scene, nearest);
+        if (result.places == 0) { // `where` admits no place of this scene
+            ++left_out;
+        } else {
+            found.emplace_back(in_scene.text(), std::move(result));
+        }
     }
     Outcome outcome = summed_up(found, holds);
+    if (left_out > 0) {
+        outcome.evidence.add("scenes_left_out", left_out);
+    }
     return outcome;
 }
 

@@ -128,3 +128,22 @@ TEST_CASE("functions that are not analytic, or not known, are left to the quadra
     CHECK_FALSE(handled("asinh(x)"));
     CHECK_FALSE(handled("abs(x)"));
 }
+
+// Beside the edge the place of a knot, as an angle, has lost digits: the enclosure must know.
+TEST_CASE("a corner just inside the edge: few bits give a wide ball, never a wrong one") {
+    const Symbols x{"x"};
+    const Profile profile = Profile::piecewise_symmetric(
+        {exact("1/3")}, {parse("1/10", x), parse("3/10 + (x - 1/3)", x)});
+    for (const char* gap : {"1e-15", "3e-17", "7e-19", "2e-22"}) {
+        CAPTURE(gap);
+        const Load load = Load::right_edge(exact(std::string("1/3 + ") + gap));
+        const IntegratedContact few(profile, exact("7/3"), load, 100);
+        const BallContact many(profile, exact("7/3"), load, 600);
+        CHECK(contains(few.force(), many.force()));
+        for (const char* u : {"1e-3", "0.1", "0.4"}) {
+            const Ball p = few.pressure(Edge::right, exact(u));
+            CHECK(contains(p, many.pressure(Edge::right, exact(u))));
+            CHECK(p.relative_accuracy_bits() > 20);
+        }
+    }
+}

@@ -30,6 +30,12 @@ std::string claim(const std::string& id, const std::string& says, const std::str
            says + "'''\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n" + more;
 }
 
+/// The head with one line written otherwise, and a claim that is right.
+std::string with(const std::string& line, const std::string& instead) {
+    std::string text = head + claim("one", "Es*C/2*sqrt(a^2-x^2)");
+    return text.replace(text.find(line), line.size(), instead);
+}
+
 const std::string right = claim("right", "Es*C/2*sqrt(a^2-x^2)");
 const std::string wrong = claim("wrong", "Es*C/3*sqrt(a^2-x^2)");
 
@@ -91,6 +97,13 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
          "own.toml:17: unknown kind 'guess'"},
         {head + claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
         {head + "[[claim]\n", "own.toml:15: "},
+        {head + claim("one", "Es*(C/2"), "own.toml:22: "},
+        {with("m = [\"1\"]", "m = [\"-1\"]"), "own.toml:"},
+        {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:"},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"0\"]"), "own.toml:"},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:"},
+        {with("Es = [\"7/3\"]", "Es = [\"-7/3\"]"), "own.toml:"},
+        {with("m = [\"1\"]", "m = [0.12345678901234567]"), "own.toml:"},
     };
     for (const Bad& bad : all) {
         CAPTURE(bad.ledger);
@@ -111,7 +124,8 @@ TEST_CASE("verify: options that make no sense are refused before any work") {
     folder.write("own.toml", head + right);
     folder.write("taken", "a file where a folder is wanted");
     for (const char* arguments :
-         {"verify own.toml --digits 5", "verify own.toml --digits 1e9", "verify missing.toml",
+         {"verify own.toml --digits 0", "verify own.toml --digits 1000000000",
+          "verify own.toml --digits 5", "verify own.toml --digits 1e9", "verify missing.toml",
           "verify own.toml --only nothing-like-this", "verify own.toml --out taken/out", "verify",
           "verify own.toml --record --only right"}) {
         CAPTURE(arguments);

@@ -16,6 +16,8 @@ void add_pressure(CLI::App& app, int& code);
 void add_expand(CLI::App& app, int& code);
 void add_extent(CLI::App& app, int& code);
 void add_explain(CLI::App& app, int& code);
+void add_table(CLI::App& app, int& code);
+void add_points(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();

@@ -33,6 +33,8 @@ int main(int argc, char** argv) {
     cli::add_expand(app, code);
     cli::add_extent(app, code);
     cli::add_explain(app, code);
+    cli::add_table(app, code);
+    cli::add_points(app, code);
     cli::add_verify(app, code);
     try {
         app.parse(argc, argv);

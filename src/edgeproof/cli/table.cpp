@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/files.hpp"
+#include "edgeproof/report/reference_table.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr std::size_t most_threads = 1024;
+constexpr std::size_t most_said = 20;
+
+struct TableOptions {
+    std::string recipe;
+    std::string out;
+    std::string format = "csv";
+    std::string threads;
+    std::string every;
+    bool check = false;
+};
+
+ReferenceOptions reference_options(const TableOptions& o, const Recipe& recipe,
+                                   Progress& progress) {
+    ReferenceOptions options;
+    options.digits = recipe.digits;
+    options.threads =
+        o.threads.empty()
+            ? 0
+            : static_cast<unsigned>(whole_number("--threads", o.threads, 1, most_threads));
+    options.stop = &interrupted();
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    return options;
+}
+
+/// The table that stands beside the recipe.
+std::filesystem::path table_of(const TableOptions& o) {
+    return o.out.empty() ? std::filesystem::path(o.recipe).replace_extension(".csv")
+                         : std::filesystem::path(o.out);
+}
+
+int check(const TableOptions& o, Recipe& recipe, const std::string& version) {
+    const std::filesystem::path file = table_of(o);
+    const Csv old = parse_csv(read_text(file, "table (CSV)"), file.string());
+    const std::size_t every =
+        o.every.empty() ? 1 : whole_number("--every", o.every, 1, 1'000'000'000);
+    const Questions all = recipe.questions;
+    if (every > 1) {
+        recipe.questions.list.clear();
+        for (std::size_t i = 0; i < all.list.size(); i += every) {
+            recipe.questions.list.push_back(all.list[i]);
+        }
+    }
+    Progress progress("values");
+    const auto values = references(recipe.questions, reference_options(o, recipe, progress));
+    const Table made = reference_table(recipe, values, version);
+    const auto said = table_differences(old, made, every > 1);
+    for (std::size_t i = 0; i < said.size() && i < most_said; ++i) {
+        std::fprintf(stderr, "%s\n", said[i].c_str());
+    }
+    if (said.size() > most_said) {
+        std::fprintf(stderr, "and %zu more\n", said.size() - most_said);
+    }
+    if (said.empty()) {
+        std::printf("%s: %zu of %zu rows made anew, every digit the same\n", file.c_str(),
+                    made.rows.size(), old.rows.size());
+    }
+    return said.empty() ? 0 : 1;
+}
+
+int table(const TableOptions& o, const std::string& version) {
+    SceneOptions output;
+    output.format = o.format;
+    output.out = o.out;
+    if (!table_format(o.format)) {
+        throw InputError("--format " + o.format + " is no format", "write csv, json, md or tex");
+    }
+    Recipe recipe = read_recipe(o.recipe);
+    if (o.check) {
+        return check(o, recipe, version);
+    }
+    if (!o.every.empty()) {
+        throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
+    }
+    if (!o.out.empty() && !std::filesystem::path(o.out).parent_path().empty()) {
+        make_folder(std::filesystem::path(o.out).parent_path());
+    }
+    std::vector<Reference> values;
+    {
+        Progress progress("values");
+        values = references(recipe.questions, reference_options(o, recipe, progress));
+    }
+    emit(reference_table(recipe, values, version), output);
+    return 0;
+}
+
+} // namespace
+
+void add_table(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand("table", "a table of reference values from a recipe");
+    auto o = std::make_shared<TableOptions>();
+    sub->add_option("recipe", o->recipe, "the recipe (TOML)")->required();
+    sub->add_option("--out", o->out, "write to this file, whole or not at all");
+    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
+    sub->add_option("--threads", o->threads, "threads (default: one a processor)");
+    sub->add_flag("--check", o->check,
+                  "make the table anew and compare it with --out (default: the .csv beside the "
+                  "recipe); exit 1 where a digit differs");
+    sub->add_option("--every", o->every, "with --check: every Nth row only");
+    sub->callback([o, &code, &app] { code = table(*o, app.version()); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/asked_contact.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof {
+
+/// A number that may be asked for: p and q at a point, c_k and s_k (the coefficients of u^(k+1/2)
+/// in p, and those of q from its lowest power on) at an edge, a, b, P, M and alpha of a contact.
+struct Wanted {
+    enum class Kind { p, q, c, s, a, b, P, M, alpha };
+    Kind kind = Kind::p;
+    std::size_t k = 0; ///< of c and s
+
+    [[nodiscard]] bool at_point() const { return kind == Kind::p || kind == Kind::q; }
+    [[nodiscard]] bool at_edge() const { return at_point() || kind == Kind::c || kind == Kind::s; }
+    friend bool operator==(const Wanted&, const Wanted&) = default;
+};
+/// "p", "c_0", "alpha", ... Nothing for other names, and for c_k beyond k = 399.
+[[nodiscard]] std::optional<Wanted> wanted_named(std::string_view name);
+[[nodiscard]] std::string wanted_name(const Wanted& wanted);
+
+struct Question {
+    std::string id;
+    std::size_t contact = 0; ///< index into Questions::contacts
+    Wanted wanted;
+    Edge edge = Edge::right; ///< where wanted.at_edge()
+    std::optional<Exact> u;  ///< where wanted.at_point()
+    std::size_t line = 0;    ///< of the file that asks it
+};
+
+/// Questions, in the order that they are asked in.
+struct Questions {
+    std::string file;
+    std::vector<AskedContact> contacts;
+    std::vector<Question> list;
+
+    /// The keys of parameters that any contact has.
+    [[nodiscard]] std::vector<std::string> columns() const;
+};
+
+/// The text of a parameter, empty where the contact does not have it.
+[[nodiscard]] std::string parameter_text(const AskedContact& contact, std::string_view key);
+
+/// The same questions with every number rounded to binary64, so that a program that computes in
+/// binary64 is asked exactly what it can read.
+[[nodiscard]] Questions rounded_to_binary64(const Questions& questions);
+
+/// Throws InputError where a contact does not have what is asked of it: q or s without shear, alpha
+/// where the tilt is given.
+void check_askable(const AskedContact& contact, const Wanted& wanted, const std::string& file,
+                   std::size_t line);
+
+} // namespace edgeproof

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/recipe.hpp"
+
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/points.hpp"
+#include "edgeproof/scene/toml_section.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t most_questions = 1'000'000;
+constexpr long most_digits = 100'000;
+
+Rounding rounding_of(const TomlSection& top) {
+    const std::string name = top.text("rounding");
+    if (name == "nearest") {
+        return Rounding::nearest;
+    }
+    if (name == "down") {
+        return Rounding::down;
+    }
+    if (name == "up") {
+        return Rounding::up;
+    }
+    top.reject("rounding", "rounding = \"" + name + "\" is no way to round",
+               "write nearest, down or up");
+}
+
+/// A parameter and the values that it takes.
+struct Axis {
+    std::string key;
+    std::vector<std::string> values;
+    std::size_t line = 0;
+    bool grid = false; ///< part of the id
+};
+
+Axis read_axis(const TomlSection& section, const std::string& key) {
+    Axis axis{key, {}, section.line(key), false};
+    if (is_list_key(key)) {
+        std::string joined;
+        const auto add = [&](const std::string& item) {
+            joined += (joined.empty() ? "" : "; ") + item;
+        };
+        if (key == "slopes") {
+            for (const std::string& item : section.texts(key)) {
+                add(item);
+            }
+        } else {
+            for (const auto& item : section.exacts(key)) {
+                add(item.value.text());
+            }
+        }
+        axis.values = {joined};
+    } else if (key == "symmetric") {
+        axis.values = {section.flag(key) ? "true" : "false"};
+    } else if (is_word_key(key)) {
+        axis.values = {section.text(key)};
+    } else {
+        axis.grid = section.is_list(key);
+        for (const auto& item : section.exacts(key)) {
+            axis.values.push_back(item.value.text());
+        }
+    }
+    if (axis.values.empty()) {
+        section.reject(key, "there is no value of " + key, "give one value or several");
+    }
+    return axis;
+}
+
+std::vector<Axis> read_axes(const TomlSection& scene) {
+    std::vector<Axis> axes;
+    for (const char* part : {"profile", "load", "shear"}) {
+        if (std::string_view(part) == "shear" && !scene.has(part)) {
+            continue;
+        }
+        const TomlSection section = scene.section(part);
+        std::vector<std::string_view> known;
+        for (const std::string_view key : parameter_keys()) {
+            if (section_of(key) == part) {
+                known.push_back(key);
+            }
+        }
+        section.allow(known);
+        for (const std::string& key : section.keys()) {
+            axes.push_back(read_axis(section, key));
+        }
+    }
+    return axes;
+}
+
+std::vector<AskedPoint> read_points(const TomlSection& scene) {
+    std::vector<AskedPoint> points;
+    if (!scene.has("u")) {
+        return points;
+    }
+    const std::size_t line = scene.line("u");
+    const auto add = [&](const Exact& u, std::size_t at) {
+        if (u.sign() <= 0) {
+            scene.reject(at, "u = " + u.text() + " is not inside the contact",
+                         "give distances from the edge, 0 < u < a + b");
+        }
+        points.push_back({u, at});
+    };
+    if (!scene.is_table("u")) {
+        for (const auto& item : scene.exacts("u")) {
+            add(item.value, item.line);
+        }
+        return points;
+    }
+    const TomlSection range = scene.section("u");
+    range.allow({"from", "to", "per_decade", "points"});
+    if (range.has("per_decade") == range.has("points")) {
+        scene.reject(line, "a range of u needs one of per_decade and points",
+                     "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
+    }
+    const Exact from = range.exact("from");
+    const Exact to = range.exact("to");
+    try {
+        for (const Exact& u : range.has("per_decade")
+                                  ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
+                                  : even_points(from, to, range.count("points", 2, 100'000))) {
+            add(u, line);
+        }
+    } catch (const InputError& error) {
+        throw error.file().empty() ? error.at(scene.file(), line) : error;
+    }
+    return points;
+}
+
+struct Asked {
+    std::vector<Edge> edges;
+    std::vector<AskedPoint> u;
+    std::vector<Wanted> wanted;
+    std::size_t line = 0; ///< of the quantities
+};
+
+Asked read_asked(const TomlSection& scene) {
+    Asked asked;
+    asked.line = scene.line("quantities");
+    for (const std::string& name : scene.texts("quantities")) {
+        const auto wanted = wanted_named(name);
+        if (!wanted) {
+            scene.reject("quantities", "unknown quantity '" + name + "'",
+                         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M or alpha");
+        }
+        asked.wanted.push_back(*wanted);
+    }
+    for (const std::string& name :
+         scene.has("edges") ? scene.texts("edges") : std::vector<std::string>{"right"}) {
+        if (name != "right" && name != "left") {
+            scene.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
+        }
+        asked.edges.push_back(name == "right" ? Edge::right : Edge::left);
+    }
+    asked.u = read_points(scene);
+    const auto at_point = [](const Wanted& w) { return w.at_point(); };
+    if (asked.u.empty() && std::any_of(asked.wanted.begin(), asked.wanted.end(), at_point)) {
+        scene.reject("quantities", "p or q is asked for and there are no points",
+                     "add u = [\"1e-3\", \"0.1\"]");
+    }
+    if (asked.wanted.empty() || asked.edges.empty()) {
+        scene.reject(scene.line(), "nothing is asked for",
+                     "add quantities = [\"p\"] and edges = [\"right\"]");
+    }
+    return asked;
+}
+
+class Expansion {
+public:
+    Expansion(const std::string& file, Questions& questions) : file_(file), to_(questions) {}
+
+    void add(const std::string& name, const TomlSection& scene) {
+        scene.allow({"profile", "load", "shear", "edges", "u", "quantities"});
+        const std::vector<Axis> axes = read_axes(scene);
+        const Asked asked = read_asked(scene);
+        std::vector<std::size_t> at(axes.size(), 0);
+        do {
+            std::string id = name;
+            std::vector<Parameter> parameters;
+            for (std::size_t i = 0; i < axes.size(); ++i) {
+                const std::string& value = axes[i].values[at[i]];
+                parameters.push_back({axes[i].key, value, axes[i].line});
+                id += axes[i].grid ? ":" + axes[i].key + "=" + value : "";
+            }
+            to_.contacts.push_back(make_asked_contact(std::move(parameters), file_, scene.line()));
+            ask(id, asked);
+        } while (next(axes, at));
+    }
+
+private:
+    static bool next(const std::vector<Axis>& axes, std::vector<std::size_t>& at) {
+        for (std::size_t i = axes.size(); i-- > 0;) {
+            if (++at[i] < axes[i].values.size()) {
+                return true;
+            }
+            at[i] = 0;
+        }
+        return false;
+    }
+    void ask(const std::string& id, const Asked& asked) {
+        for (const Wanted& w : asked.wanted) {
+            check_askable(to_.contacts.back(), w, file_, asked.line);
+            if (!w.at_edge()) {
+                add(id, w, Edge::right, nullptr, asked.line);
+            }
+        }
+        for (const Edge edge : asked.edges) {
+            const std::string from = id + ":" + edge_name(edge);
+            for (const Wanted& w : asked.wanted) {
+                if (w.at_edge() && !w.at_point()) {
+                    add(from, w, edge, nullptr, asked.line);
+                }
+            }
+            for (const AskedPoint& point : asked.u) {
+                for (const Wanted& w : asked.wanted) {
+                    if (w.at_point()) {
+                        add(from + ":u=" + point.u.text(), w, edge, &point.u, point.line);
+                    }
+                }
+            }
+        }
+    }
+    void add(const std::string& from, const Wanted& w, Edge edge, const Exact* u,
+             std::size_t line) {
+        Question q{from + ":" + wanted_name(w), to_.contacts.size() - 1, w, edge, {}, line};
+        if (u != nullptr) {
+            q.u = *u;
+        }
+        if (!ids_.insert(q.id).second) {
+            throw InputError("the question " + q.id + " is asked twice",
+                             "leave one out, or give the second scene another name")
+                .at(file_, line);
+        }
+        if (ids_.size() > most_questions) {
+            throw InputError("more than a million questions", "split the recipe").at(file_, line);
+        }
+        to_.list.push_back(std::move(q));
+    }
+
+    const std::string& file_;
+    Questions& to_;
+    std::set<std::string> ids_;
+};
+
+} // namespace
+
+Recipe parse_recipe(std::string_view text, const std::string& file) {
+    const TomlSection top = TomlSection::parse(text, file);
+    top.allow({"title", "digits", "rounding", "scenes"});
+    Recipe recipe;
+    recipe.file = file;
+    recipe.title = top.has("title") ? top.text("title") : "";
+    recipe.digits.binary64 = true;
+    if (top.has("digits")) {
+        recipe.digits.count = static_cast<unsigned>(top.count("digits", 2, most_digits));
+    }
+    if (top.has("rounding")) {
+        recipe.digits.rounding = rounding_of(top);
+    }
+    recipe.questions.file = file;
+    const TomlSection scenes = top.section("scenes");
+    Expansion expansion(recipe.file, recipe.questions);
+    for (const std::string& name : scenes.keys()) {
+        expansion.add(name, scenes.section(name));
+    }
+    if (recipe.questions.list.empty()) {
+        top.reject(scenes.line(), "the recipe asks for nothing", "add [scenes.NAME]");
+    }
+    return recipe;
+}
+
+Recipe read_recipe(const std::filesystem::path& file) {
+    return parse_recipe(read_text(file, "recipe (TOML)"), file.string());
+}
+
+} // namespace edgeproof

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/reference_table.hpp"
+
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/report/verdict_writers.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::string_view checksum_key = "checksum";
+
+/// The header and the rows as CSV has them, without notes.
+std::string checksum(const std::vector<std::string>& columns,
+                     const std::vector<const std::vector<std::string>*>& rows) {
+    std::string text;
+    const auto add = [&](const std::vector<std::string>& cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+        }
+        text += "\n";
+    };
+    add(columns);
+    for (const auto* row : rows) {
+        add(*row);
+    }
+    return fmt::format("fnv1a-64 {:016x}", fnv1a(text));
+}
+
+std::vector<std::string> names_of(const std::vector<Column>& columns) {
+    std::vector<std::string> names;
+    for (const Column& column : columns) {
+        names.push_back(column.name);
+    }
+    return names;
+}
+
+const char* rounding_name(Rounding rounding) {
+    return rounding == Rounding::down ? "down" : rounding == Rounding::up ? "up" : "nearest";
+}
+
+/// x as an exact decimal, where a and u are rational.
+std::string exact_place(const AskedContact& contact, const Question& q) {
+    const Load& load = contact.scene.load;
+    const bool known =
+        load.kind == Load::Kind::right_edge && (q.edge == Edge::right || contact.scene.symmetric());
+    if (!q.u || !known || !load.value.is_rational() || !q.u->is_rational()) {
+        return {};
+    }
+    const Rational x = load.value.rational() - q.u->rational();
+    return exact_text(q.edge == Edge::right ? x : Rational(-x));
+}
+
+} // namespace
+
+Table reference_table(const Recipe& recipe, const std::vector<Reference>& values,
+                      const std::string& version) {
+    const Questions& questions = recipe.questions;
+    const std::vector<std::string> keys = questions.columns();
+    Table table;
+    table.title = recipe.title;
+    table.columns = {{"id", Column::Kind::text}};
+    for (const std::string& key : keys) {
+        table.columns.push_back({key, Column::Kind::text});
+    }
+    for (const char* name : {"edge", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
+        const std::string_view n = name;
+        const bool word = n == "edge" || n == "quantity" || n == "route" || n == "u";
+        table.columns.push_back({name, word ? Column::Kind::text : Column::Kind::number});
+    }
+    std::size_t estimates = 0;
+    for (std::size_t i = 0; i < questions.list.size(); ++i) {
+        const Question& q = questions.list[i];
+        std::vector<std::string> row{q.id};
+        for (const std::string& key : keys) {
+            row.push_back(parameter_text(questions.contacts[q.contact], key));
+        }
+        row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
+        row.push_back(q.u ? q.u->text() : "");
+        row.push_back(values[i].x ? printed(*values[i].x, recipe.digits).text : "");
+        row.push_back(wanted_name(q.wanted));
+        const PrintedValue value = printed(values[i].value, recipe.digits);
+        row.push_back(value.text);
+        row.push_back(value.bound);
+        row.push_back(value.binary64 ? fmt::format("{:.17g}", *value.binary64) : "");
+        row.push_back(values[i].value.how());
+        estimates += values[i].value.proved ? 0 : 1;
+        table.rows.push_back(std::move(row));
+    }
+    table.facts = {
+        {"recipe", std::filesystem::path(recipe.file).filename().string()},
+        {"program", version},
+        {"digits", std::to_string(recipe.digits.count)},
+        {"rounding", rounding_name(recipe.digits.rounding)},
+        {"rows", std::to_string(table.rows.size())},
+        {"estimates", std::to_string(estimates)},
+    };
+    std::vector<const std::vector<std::string>*> rows;
+    for (const auto& row : table.rows) {
+        rows.push_back(&row);
+    }
+    table.facts.push_back({std::string(checksum_key), checksum(names_of(table.columns), rows)});
+    table.notes = {
+        "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
+        "of q, from its lowest power on",
+        "|value - exact| <= bound, proved, and every digit is right, unless the route says "
+        "(estimate): then bound and digits are what the quadrature estimates of itself",
+        "binary64: the one nearest to the exact value, in 17 digits",
+    };
+    return table;
+}
+
+Table question_table(const Questions& questions, const std::string& title) {
+    const std::vector<std::string> keys = questions.columns();
+    Table table;
+    table.title = title;
+    table.facts = {{"questions", std::to_string(questions.list.size())}};
+    table.notes = {"add a column `value` and give the file to `edgeproof check`: what it is held "
+                   "against is computed at the numbers in its row, taken exactly",
+                   "u: distance inwards from the edge; x: place, for reading"};
+    table.columns = {{"id", Column::Kind::text}};
+    for (const std::string& key : keys) {
+        table.columns.push_back({key, Column::Kind::text});
+    }
+    for (const char* name : {"quantity", "edge", "u", "x"}) {
+        table.columns.push_back({name, Column::Kind::text});
+    }
+    for (const Question& q : questions.list) {
+        const AskedContact& contact = questions.contacts[q.contact];
+        std::vector<std::string> row{q.id};
+        for (const std::string& key : keys) {
+            row.push_back(parameter_text(contact, key));
+        }
+        row.push_back(wanted_name(q.wanted));
+        row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
+        row.push_back(q.u ? q.u->text() : "");
+        row.push_back(exact_place(contact, q));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::vector<std::string> table_differences(const Csv& old, const Table& made, bool sample) {
+    std::vector<std::string> said;
+    const auto say = [&](std::size_t line, const std::string& what) {
+        said.push_back(fmt::format("{}:{}: {}", old.file, line, what));
+    };
+    const std::vector<std::string> columns = names_of(made.columns);
+    if (old.header.cells != columns) {
+        say(old.header.line, "the columns are not those of the recipe");
+        return said;
+    }
+    std::map<std::string, const Csv::Row*, std::less<>> by_id;
+    std::vector<const std::vector<std::string>*> rows;
+    for (const Csv::Row& row : old.rows) {
+        rows.push_back(&row.cells);
+        if (!by_id.emplace(row.cells.front(), &row).second) {
+            say(row.line, "row " + row.cells.front() + " occurs twice");
+        }
+    }
+    bool fits = false;
+    for (const std::string& note : old.notes) {
+        fits = fits || note == fmt::format("{}: {}", checksum_key, checksum(columns, rows));
+    }
+    if (!fits) {
+        say(1, "the checksum is not that of the rows");
+    }
+    std::size_t last = 0;
+    std::set<std::string, std::less<>> ids;
+    for (const auto& row : made.rows) {
+        ids.insert(row.front());
+        const auto found = by_id.find(row.front());
+        if (found == by_id.end()) {
+            say(1, "row " + row.front() + " is missing");
+            continue;
+        }
+        const Csv::Row& was = *found->second;
+        if (was.line < last) {
+            say(was.line, "row " + row.front() + " is out of order");
+        }
+        last = was.line;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::string cell = i < was.cells.size() ? was.cells[i] : "";
+            if (cell != row[i]) {
+                say(was.line, fmt::format("row {}: {} is {}, made anew {}", row.front(), columns[i],
+                                          cell, row[i]));
+            }
+        }
+        if (was.cells.size() > columns.size()) {
+            say(was.line, "row " + row.front() + " has a cell too many");
+        }
+    }
+    for (const Csv::Row& row : old.rows) {
+        if (!sample && !ids.contains(row.cells.front())) {
+            say(row.line, "row " + row.cells.front() + " is not in the recipe");
+        }
+    }
+    return said;
+}
+
+} // namespace edgeproof

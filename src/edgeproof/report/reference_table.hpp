@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/csv.hpp"
+#include "edgeproof/conformance/recipe.hpp"
+#include "edgeproof/conformance/reference.hpp"
+#include "edgeproof/report/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+/// A recipe's answers as a table, a row a question: id, parameters, edge, u, x, quantity, value,
+/// bound, binary64 (17 digits), route. `version` names the program. The checksum is over the
+/// header and the rows as CSV, so that it is the same in every format.
+[[nodiscard]] Table reference_table(const Recipe& recipe, const std::vector<Reference>& values,
+                                    const std::string& version);
+
+/// The questions as a table to be answered: id, parameters, quantity, edge, u, x; whoever answers
+/// adds a column `value`. x is left out where it is not rational.
+[[nodiscard]] Table question_table(const Questions& questions, const std::string& title);
+
+/// What differs between a table on disk and the same one made anew, a line each: rows that differ,
+/// are missing, are too many or out of order, a checksum that does not fit. `sample`: the
+/// new table holds some of the rows only. Empty: they agree in every digit.
+[[nodiscard]] std::vector<std::string> table_differences(const Csv& old, const Table& made,
+                                                         bool sample);
+
+} // namespace edgeproof

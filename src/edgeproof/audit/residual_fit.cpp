@@ -102,7 +102,7 @@ std::vector<OrderFit> fit_residuals(const Profile& profile, const Exact& contact
         const Real order = Real(static_cast<int>(n)) + Real(1) / 2;
         const Real off = abs(fit.slope - order - (fit.vanishing ? 1 : 0));
         fit.confirmed =
-            off < Real("1e-10") && fit.agreeing_digits + 5 >= static_cast<int>(options.digits);
+            off < pow(Real(10), -10) && fit.agreeing_digits + 5 >= static_cast<int>(options.digits);
         fits.push_back(std::move(fit));
     }
     return fits;

@@ -110,7 +110,7 @@ private:
             const Real lo = log(branch.v_end.to<Real>()) - log(Real(10)) * decades;
             const Real f_lo = f(lo);
             if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
-                return exp(bracketed_root<Real>(f, lo, f_lo, hi, f_hi, Real("1e-13")).x);
+                return exp(bracketed_root<Real>(f, lo, f_lo, hi, f_hi, pow(Real(10), -13)).x);
             }
             hi = lo;
             f_hi = f_lo;

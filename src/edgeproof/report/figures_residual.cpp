@@ -81,8 +81,8 @@ std::optional<Plot> plot_in(const Sample& sample, const Claim& claim, const Expr
     const Real corrected =
         correct ? setting.evaluate(*correct, nullptr, variables).value : c[which.k];
     const Real size = std::max(Real(abs(printed)), Real(abs(c[which.k])));
-    if (abs(printed - c[which.k]) <= size * Real("1e-20") ||
-        abs(corrected - c[which.k]) > size * Real("1e-40")) {
+    if (abs(printed - c[which.k]) <= size * pow(Real(10), -20) ||
+        abs(corrected - c[which.k]) > size * pow(Real(10), -40)) {
         return std::nullopt;
     }
     Plot plot;

@@ -143,7 +143,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             const Real here = reach(claimed);
             const Best best = search(reach, claimed, lo, hi);
             calls += reach.calls();
-            const bool is_best = best.reach <= here * (1 + Real("1e-12"));
+            const bool is_best = best.reach <= here * (1 + pow(Real(10), -12));
             const Real off = is_best ? Real(0) : Real(abs(Real(Rational(best.at - claimed))));
             all_best = all_best && is_best;
             approaching = approaching && (!last_off || off * 2 < *last_off || off == 0);

@@ -61,13 +61,13 @@ InScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& te
         if (term) {
             found.digits = std::min(found.digits, fit.agreeing_digits);
         }
-        const bool right =
-            off < Real("1e-9") && (!term || fit.agreeing_digits + 5 >= static_cast<int>(digits));
+        const bool right = off < pow(Real(10), -9) &&
+                           (!term || fit.agreeing_digits + 5 >= static_cast<int>(digits));
         if (!right && found.as_claimed) {
             found.as_claimed = false;
             found.problem = "after " + std::to_string(fit.n) + " terms the rest goes as u^" +
                             to_decimal(fit.slope, 6) + ", not u^" + to_decimal(orders[fit.n], 6);
-            if (off < Real("1e-9")) {
+            if (off < pow(Real(10), -9)) {
                 found.problem = "coefficient " + std::to_string(fit.n) + " agrees to " +
                                 std::to_string(fit.agreeing_digits) + " digits only";
             }

@@ -91,7 +91,7 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
     };
     // Of few digits, lest the quotients grow.
     const auto short_of = [](const Rational& v) {
-        const Rational scale("1000000000000");
+        const Rational scale(1000000000000L);
         return Rational(boost::multiprecision::mpz_int(v * scale)) / scale;
     };
     Rational x = short_of(b - golden * (b - a));

@@ -8,7 +8,8 @@ function(edgeproof_own_flags target)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
     # GCC 12 warns of copies in std::string, inlined, that cannot overlap or overrun (its bugs
-    # 105651, 105329 and the like); the alarm comes and goes with inlining, and the sanitizers watch instead.
+    # 105651, 105329 and the like). The alarm comes and goes with inlining; the sanitizers watch
+    # instead.
     target_compile_options(${target} PRIVATE
         "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>")
     if(EDGEPROOF_PCH)

@@ -102,19 +102,12 @@ Verdict combine_readings(const std::vector<Verdict>& verdicts) {
         return is(Verdict::proved) + is(Verdict::definition) == n ? Verdict::proved
                                                                   : Verdict::confirmed;
     }
-    if (is(Verdict::refuted) == n) {
-        return Verdict::refuted;
+    if (holding > 0) {
+        const auto known_not =
+            is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
+        return known_not > 0 ? Verdict::imprecise : Verdict::undecided;
     }
-    if (is(Verdict::underspecified) == n) {
-        return Verdict::underspecified;
-    }
-    // Something holds and something is known not to, or holds in part only.
-    const auto known_not =
-        is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
-    if ((holding > 0 && known_not > 0) || is(Verdict::imprecise) > 0) {
-        return Verdict::imprecise;
-    }
-    return Verdict::undecided;
+    return is(Verdict::undecided) > 0 ? Verdict::undecided : verdicts.front();
 }
 
 bool matches(std::string_view pattern, std::string_view text) {

@@ -44,7 +44,8 @@ public:
 };
 
 /// What the outcomes under several readings of the same words come to: all hold: the claim holds;
-/// some: imprecise; none: refuted (or undecided, where the evidence did not decide).
+/// some: imprecise; none: what the first reading, the plain one, comes to (undecided, where the
+/// evidence of any did not decide).
 [[nodiscard]] Verdict combine_readings(const std::vector<Verdict>& verdicts);
 
 /// Whether an id matches a pattern with * and ?.

@@ -25,9 +25,11 @@ std::filesystem::path golden_file(const std::filesystem::path& ledger) {
 }
 
 std::string golden_text(const AuditResult& result) {
-    std::string out = std::string(head) + "\n";
+    std::string out(head);
+    out += '\n';
     for (const ClaimResult& r : result.claims) {
-        out += row(r) + "\n";
+        out += row(r);
+        out += '\n';
     }
     return out;
 }

@@ -106,7 +106,7 @@ TEST_CASE("MathML: the tree is set as it is, with the parentheses that it needs 
     CHECK(text_of(mathml("1e-30")) == "10−30");
     CHECK(text_of(mathml("gam*phi")) == "γφ");
     CHECK(text_of(mathml("gamma(m)")) == "Γ(m)");
-    CHECK(text_of(mathml("integral(a + s, s, 0, x)*b")) == "(∫0xa+sds)b");
+    CHECK(text_of(mathml("integral(a + s, s, 0, x)*b")) == "(∫0x(a+s)ds)b");
 }
 
 TEST_CASE("MathML: fractions, roots and indices are elements of their own") {

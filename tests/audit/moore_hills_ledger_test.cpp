@@ -81,8 +81,10 @@ TEST_CASE("every row of the list of checkable claims has a verdict to get, at it
         CAPTURE(claim.id);
         const auto row = rows.find(row_of(claim.id));
         REQUIRE(row != rows.end());
-        CHECK(claim.lines.first >= row->second.first);
-        CHECK(claim.lines.second <= row->second.second);
+        // Overlapping: a sentence may begin before the row's lines, a condition end behind them.
+        CHECK(claim.lines.first <= row->second.second);
+        CHECK(claim.lines.second >= row->second.first);
+        CHECK(claim.lines.second - claim.lines.first < 20);
         claimed.insert(row->first);
     }
     for (const auto& [id, lines] : rows) {

@@ -18,6 +18,7 @@ void add_extent(CLI::App& app, int& code);
 void add_explain(CLI::App& app, int& code);
 void add_table(CLI::App& app, int& code);
 void add_points(CLI::App& app, int& code);
+void add_check(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();

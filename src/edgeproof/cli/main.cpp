@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     cli::add_explain(app, code);
     cli::add_table(app, code);
     cli::add_points(app, code);
+    cli::add_check(app, code);
     cli::add_verify(app, code);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/csv.hpp"
+#include "edgeproof/conformance/question.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof {
+
+/// One answer as it was given.
+struct Answer {
+    enum class State { number, missing, nan, infinite, garbage };
+    State state = State::missing;
+    Rational value; ///< exactly what is written, for State::number
+    std::string text;
+    std::size_t line = 0; ///< of the answers; 0: there is no row
+};
+
+/// What a program wrote for a number: a decimal, with E or D for the exponent, or a hexadecimal
+/// float; "nan", "inf", nothing, or garbage. Never throws.
+[[nodiscard]] Answer read_answer(std::string_view text);
+
+/// Answers beside the questions that they answer, and what is wrong with them as a whole.
+struct Answers {
+    Questions questions;
+    std::vector<Answer> given; ///< one a question
+    /// Rows that answer nothing, twice or out of order, a sentence each with file and line.
+    std::vector<std::string> faults;
+};
+
+/// Answers that repeat the questions (the columns of `edgeproof points` and `value`): each is taken
+/// to answer what its own row says. Questions that are missing are told by the note `questions:`.
+/// Throws InputError where there is no column id, value or quantity, and for a row whose parameters
+/// make no contact.
+[[nodiscard]] Answers echoed_answers(const Csv& csv);
+
+/// The same held against what was asked: ids that were not asked, that are missing, twice or out of
+/// order are faults. Rows may repeat the question, or give id and value alone.
+[[nodiscard]] Answers answers_to(const Questions& asked, const Csv& csv);
+
+} // namespace edgeproof

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/agreement_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t longest_value = 30;
+
+/// Rounded down: digits that are not there are not shown.
+std::string digits_text(double digits, unsigned most) {
+    return digits >= most ? fmt::format("{}+", most)
+                          : fmt::format("{:.1f}", std::floor(digits * 10) / 10);
+}
+
+std::string ulps_text(double ulps) {
+    return !std::isfinite(ulps) ? "-"
+           : ulps < 1000        ? fmt::format("{:.2f}", ulps)
+                                : fmt::format("{:.1e}", ulps);
+}
+
+std::string shortened(const std::string& text) {
+    return text.size() <= longest_value ? text : text.substr(0, longest_value) + "...";
+}
+
+/// What is wrong with an answer, in a few words.
+std::string complaint(const Conformance& c, std::size_t i) {
+    const Answer& answer = c.answers.given[i];
+    const CaseAgreement& held = c.agreements.cases[i];
+    switch (answer.state) {
+    case Answer::State::missing:
+        return answer.line == 0 ? "missing" : "missing: the value is empty";
+    case Answer::State::nan:
+        return "nan";
+    case Answer::State::infinite:
+        return "inf";
+    case Answer::State::garbage:
+        return "garbage: \"" + shortened(answer.text) + "\"";
+    case Answer::State::number:
+        break;
+    }
+    return fmt::format("{} digits, {} ulps: {} for {}",
+                       digits_text(held.digits, c.agreements.digits), ulps_text(held.ulps),
+                       shortened(answer.text), held.reference);
+}
+
+std::string placed(const Conformance& c, std::size_t i) {
+    const std::size_t line = c.answers.given[i].line;
+    return line == 0 ? c.answers.questions.file + ": "
+                     : fmt::format("{}:{}: ", c.answers.questions.file, line);
+}
+
+struct Tally {
+    std::size_t rows = 0;
+    std::size_t failed = 0;
+    std::optional<std::size_t> worst; ///< of the answers that are numbers
+    std::vector<double> digits;
+};
+
+std::map<Regime, Tally> tallies_of(const Conformance& c) {
+    std::map<Regime, Tally> tallies;
+    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
+        const CaseAgreement& held = c.agreements.cases[i];
+        Tally& t = tallies[held.regime];
+        ++t.rows;
+        t.failed += c.failed(i) ? 1 : 0;
+        if (c.answers.given[i].state != Answer::State::number) {
+            continue;
+        }
+        t.digits.push_back(held.digits);
+        if (!t.worst || held.digits < c.agreements.cases[*t.worst].digits) {
+            t.worst = i;
+        }
+    }
+    return tallies;
+}
+
+std::string regimes_text(const Conformance& c) {
+    std::string out = fmt::format("{:<12}{:>7}{:>8}{:>9}{:>8}{:>11}  {}\n", "regime", "rows",
+                                  "failed", "median", "worst", "ulps", "worst case");
+    for (auto& [regime, t] : tallies_of(c)) {
+        out += fmt::format("{:<12}{:>7}{:>8}", regime_name(regime), t.rows, t.failed);
+        if (t.worst) {
+            std::vector<double> digits = t.digits;
+            const auto middle = digits.begin() + static_cast<long>(digits.size() / 2);
+            std::nth_element(digits.begin(), middle, digits.end());
+            const CaseAgreement& worst = c.agreements.cases[*t.worst];
+            out += fmt::format("{:>9}{:>8}{:>11}  {}", digits_text(*middle, c.agreements.digits),
+                               digits_text(worst.digits, c.agreements.digits),
+                               ulps_text(worst.ulps), c.answers.questions.list[*t.worst].id);
+        }
+        out += "\n";
+    }
+    return out;
+}
+
+std::string target_text(const Target& target) {
+    std::string text = target.digits ? fmt::format("{:g} digits", *target.digits) : "";
+    if (target.ulps) {
+        text += (text.empty() ? "" : " and ") + fmt::format("{:g} ulps", *target.ulps);
+    }
+    return text.empty() ? "none stated (give --digits or --ulps)" : text;
+}
+
+std::string convention_text(const Convention& k) {
+    return fmt::format("{}: yours are {}, to {} digits in {} of {} failing rows: {}", k.of,
+                       k.relation, digits_text(k.digits, 40), k.rows, k.failing, k.hint);
+}
+
+std::string xml(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            // XML 1.0 has no other control characters.
+            out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+bool Conformance::failed(std::size_t i) const {
+    return answers.given[i].state != Answer::State::number || !agreements.cases[i].pass;
+}
+
+bool Conformance::pass() const {
+    if (!answers.faults.empty() || !conventions.empty() || agreements.cases.empty()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        if (failed(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::string conformance_text(const Conformance& c, std::size_t errors) {
+    std::string out;
+    std::size_t failures = 0;
+    std::size_t hidden = 0;
+    const auto complain = [&](const std::string& line) {
+        if (failures++ < errors) {
+            out += line + "\n";
+        } else {
+            ++hidden;
+        }
+    };
+    for (const std::string& fault : c.answers.faults) {
+        complain(fault);
+    }
+    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
+        if (c.failed(i)) {
+            complain(placed(c, i) + c.answers.questions.list[i].id + ": " + complaint(c, i));
+        }
+    }
+    if (hidden > 0) {
+        out += fmt::format("and {} more (--errors shows more of them)\n", hidden);
+    }
+    out += (out.empty() ? "" : "\n") + regimes_text(c) + "\n";
+    for (const Convention& convention : c.conventions) {
+        out += convention_text(convention) + "\n";
+    }
+    if (c.agreements.estimates > 0) {
+        out += fmt::format("{} of the references are estimates, without a proved bound\n",
+                           c.agreements.estimates);
+    }
+    out += fmt::format("target: {}\n", target_text(c.target));
+    out += fmt::format("{}: {} answers, {} failures\n", c.pass() ? "pass" : "FAIL",
+                       c.agreements.cases.size(), failures);
+    return out;
+}
+
+std::string conformance_junit(const Conformance& c) {
+    std::size_t failures = c.answers.faults.empty() ? 0 : 1;
+    std::string cases;
+    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
+        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"",
+                             xml(regime_name(c.agreements.cases[i].regime)),
+                             xml(c.answers.questions.list[i].id));
+        if (c.failed(i)) {
+            ++failures;
+            cases += fmt::format(">\n    <failure message=\"{}\"/>\n  </testcase>\n",
+                                 xml(complaint(c, i)));
+        } else {
+            cases += "/>\n";
+        }
+    }
+    std::string faults;
+    for (const std::string& fault : c.answers.faults) {
+        faults += fault + "\n";
+    }
+    for (const Convention& convention : c.conventions) {
+        faults += convention_text(convention) + "\n";
+    }
+    failures += c.answers.faults.empty() && !c.conventions.empty() ? 1 : 0;
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<testsuite name=\"edgeproof check\" tests=\"{}\" failures=\"{}\">\n"
+        "  <testcase classname=\"answers\" name=\"as a whole\"{}\n{}</testsuite>\n",
+        c.agreements.cases.size() + 1, failures,
+        faults.empty() ? "/>" : ">\n    <failure message=\"" + xml(faults) + "\"/>\n  </testcase>",
+        cases);
+}
+
+} // namespace edgeproof

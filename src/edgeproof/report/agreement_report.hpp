@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/convention.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+/// Answers held against the references, to be reported.
+struct Conformance {
+    Answers answers;
+    Target target;
+    Agreements agreements;
+    std::vector<Convention> conventions;
+
+    /// No fault, nothing missing, no convention but ours, and every answer within the target.
+    [[nodiscard]] bool pass() const;
+    [[nodiscard]] bool failed(std::size_t i) const; ///< that answer
+};
+
+/// For people: failing cases (at most `errors`), faults, the table by regime with its worst cases,
+/// the conventions, and the outcome in the last line.
+[[nodiscard]] std::string conformance_text(const Conformance& result, std::size_t errors);
+
+/// JUnit XML: a test case an answer, and one for the faults.
+[[nodiscard]] std::string conformance_junit(const Conformance& result);
+
+} // namespace edgeproof

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n";
+const std::string hertz = ",power-law,1,1,1,1,";
+
+bool have_python() { return std::system("python3 -c '' >/dev/null 2>&1") == 0; }
+
+std::string third_party(const char* file) {
+    return "'" + (source_dir() / "examples" / "third-party" / file).string() + "'";
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("check: pass and fail against a target, the worst case of each regime named") {
+    const Folder folder;
+    // 0.3 and 0.4 by 3-4-5; the second is wrong in its seventh digit.
+    folder.write("a.csv", header + "one" + hertz + "p,right,0.2,0.3\ntwo" + hertz +
+                              "p,left,0.4,0.40000004\n");
+    const Outcome pass = run(folder, "check a.csv --digits 6.9");
+    CHECK(pass.code == 0);
+    CHECK(pass.err.empty());
+    CHECK(lines(pass.out).back() == "pass: 2 answers, 0 failures");
+    const Outcome fail = run(folder, "check a.csv --digits 7.1 --junit j.xml");
+    CHECK(fail.code == 1);
+    CHECK(lines(fail.out).front() == "a.csv:3: two: 7.0 digits, 7.2e+08 ulps: 0.40000004 for "
+                                     "0.40000000000000000000");
+    CHECK(lines(fail.out).back() == "FAIL: 2 answers, 1 failures");
+    CHECK(has(fail.out, "interior          2       1"));
+    const std::string junit = file_text(folder.path() / "j.xml");
+    CHECK(has(junit, "tests=\"3\" failures=\"1\""));
+    CHECK(has(junit, "name=\"two\">\n    <failure message=\"7.0 digits"));
+    CHECK(run(folder, "check a.csv --ulps 1").code == 1);
+    const Outcome none = run(folder, "check a.csv");
+    CHECK(none.code == 0);
+    CHECK(has(none.out, "target: none stated"));
+}
+
+TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors caps the list") {
+    const Folder folder;
+    folder.write("a.csv", header + "1" + hertz + "p,right,0.2,nan\n2" + hertz +
+                              "p,right,0.4,-inf\n3" + hertz + "p,left,0.4,\n4" + hertz +
+                              "p,left,0.2,0.3 MPa\n5" + hertz + "P,,,0.785398163397448\nAborted\n");
+    const Outcome o = run(folder, "check a.csv");
+    CHECK(o.code == 1);
+    for (const char* line :
+         {"a.csv:2: 1: nan\n", "a.csv:3: 2: inf\n", "a.csv:4: 3: missing: the value is empty\n",
+          "a.csv:5: 4: garbage: \"0.3 MPa\"\n",
+          "a.csv:7: garbage: 1 cells, not 10: \"Aborted\"\n"}) {
+        CAPTURE(line);
+        CHECK(has(o.out, line));
+    }
+    CHECK(lines(o.out).back() == "FAIL: 5 answers, 5 failures");
+    CHECK(has(run(folder, "check a.csv --errors 2").out, "and 3 more"));
+}
+
+TEST_CASE("check: bad input is one line; exit 2; no file") {
+    const Folder folder;
+    folder.write("a.csv", header + "1" + hertz + "p,right,2.5,0.3\n");
+    folder.write("b.csv", "id,answer\n1,2\n");
+    struct Bad {
+        const char* command;
+        const char* said;
+    };
+    for (const Bad& bad : {
+             Bad{"check nowhere.csv", "nowhere.csv: there is no such file; "},
+             Bad{"check a.csv", "a.csv:2: u = 2.5 from the right edge: "},
+             Bad{"check b.csv", "b.csv:1: there is no column value; "},
+             Bad{"check a.csv --digits -1", "--digits -1 is out of range; "},
+             Bad{"check a.csv --ulps x", "--ulps x: "},
+             Bad{"check a.csv --recipe nowhere.toml", "nowhere.toml: there is no such file; "},
+         }) {
+        CAPTURE(bad.command);
+        const Outcome o = run(folder, std::string(bad.command) + " --junit j.xml");
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        REQUIRE(lines(o.err).size() == 1);
+        CHECK(o.err.rfind(bad.said, 0) == 0);
+        CHECK(folder.files() == 2);
+    }
+}
+
+TEST_CASE("a program in Python: its closed forms hold in double, and the faults of the other one "
+          "are found") {
+    if (!have_python()) {
+        MESSAGE("no python3 here");
+        return;
+    }
+    const Folder folder;
+    const std::string recipe = third_party("questions.toml");
+    const auto answers_of = [&](const char* script, const char* file) {
+        REQUIRE(run(folder, "points " + recipe + " --out q.csv").code == 0);
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && PYTHONDONTWRITEBYTECODE=1 python3 " +
+                                    third_party(script) + " <q.csv >" + file;
+        REQUIRE(std::system(command.c_str()) == 0);
+    };
+    answers_of("closed_forms.py", "right.csv");
+    const Outcome right = run(folder, "check right.csv --digits 13");
+    CHECK(right.code == 0);
+    CHECK(lines(right.out).back() == "pass: 220 answers, 0 failures");
+    CHECK(run(folder, "check right.csv --digits 17").code == 1); // a double has no 17 digits
+
+    answers_of("wrong_on_purpose.py", "wrong.csv");
+    const Outcome wrong =
+        run(folder, "check wrong.csv --errors 100 --digits 13 --recipe " + recipe);
+    CHECK(wrong.code == 1);
+    for (const char* part :
+         {"P: yours are 2 times ours, to 15.", "c_1: yours are minus ours, to 15.",
+          ": wedge:C=0.1:contact_modulus=1:right:u=0.999:p: nan\n",
+          "wrong.csv: wedge:C=0.1:contact_modulus=1:right:u=0.9:p: missing\n",
+          ": wedge:C=0.1:contact_modulus=1:left:c_0 is answered twice, first in line 10\n",
+          ": flat:t=0.4:R=1:left:u=0.1:p: 7."}) {
+        CAPTURE(part);
+        CHECK(has(wrong.out, part));
+    }
+    CHECK_FALSE(has(wrong.out, ": flat:t=0.4:R=1:right:u=0.1:p: "));
+}
+
+TEST_CASE("check --exec: the program is run and asked; however it ends, the check stands") {
+    const Folder folder;
+    folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\nquantities = [\"p\"]\n"
+                           "[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                           "[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
+    // p = sqrt(u (2 - u))/2: sqrt(7)/8, sqrt(3)/4, 1/2
+    folder.write("good.sh", "while read -r row; do case $row in\n"
+                            "id,*) echo id,value;;\n"
+                            "*u=0.25*) echo h:right:u=0.25:p,0.3307189138830738;;\n"
+                            "*u=0.5*) echo h:right:u=0.5:p,0.4330127018922193;;\n"
+                            "*u=1:*) echo h:right:u=1:p,0.5;;\nesac; done\n");
+    const auto check = [&](const std::string& command) {
+        return run(folder, "check r.toml --digits 15 --timeout 20 --exec '" + command + "'");
+    };
+    const Outcome good = check("sh good.sh");
+    CHECK(good.code == 0);
+    CHECK(lines(good.out).back() == "pass: 3 answers, 0 failures");
+    struct Bad {
+        const char* command;
+        const char* said;
+    };
+    for (const Bad& bad : {
+             Bad{"sh good.sh; kill -SEGV $$", "the program was ended by signal 11"},
+             Bad{"sh good.sh; exit 3", "the program ended with exit code 3"},
+             Bad{"exit 0", "the program:1: there is no header line"},
+             Bad{"echo no questions please", "the program:1: there is no column id"},
+             Bad{"sh good.sh | head -n 2", "the program: h:right:u=0.5:p: missing"},
+             Bad{"sh good.sh | sort -r", "the program:3: h:right:u=0.5:p is out of order"},
+             Bad{"sh good.sh; echo Bus error", "the program:5: garbage: 1 cells, not 2"},
+             Bad{"sh good.sh | sed s/0.5$/inf/", "the program:4: h:right:u=1:p: inf"},
+         }) {
+        CAPTURE(bad.command);
+        const Outcome o = check(bad.command);
+        CAPTURE(o.out);
+        CHECK(o.code == 1);
+        CHECK(has(o.out, bad.said));
+    }
+    const Outcome slow = run(folder, "check r.toml --timeout 0.3 --exec 'sleep 60'");
+    CHECK(slow.code == 1);
+    CHECK(has(slow.out, "the program was stopped: it took longer than --timeout allows"));
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/agreement.hpp"
+#include "edgeproof/conformance/convention.hpp"
+#include "edgeproof/conformance/recipe.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace edgeproof;
+
+namespace {
+
+const std::string header = "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
+// Hertz, a = 1: p = sqrt(u (2 - u))/2, so 0.3 at u = 0.2 and 0.4 at u = 0.4 by 3-4-5.
+const std::string hertz = ",power-law,1,1,,,1,1,";
+
+Answers answered(const std::string& rows) {
+    return echoed_answers(parse_csv(header + rows, "a.csv"));
+}
+
+Agreements held(const Answers& answers, const Target& target = {}) {
+    return compare(answers, target, {});
+}
+
+Answer::State state(const std::string& text) { return read_answer(text).state; }
+
+} // namespace
+
+TEST_CASE("what counts as a number, and what is said of anything else") {
+    CHECK(read_answer("-1.5e-3").value == Rational(-3, 2000));
+    CHECK(read_answer("+0.25").value == Rational(1, 4));
+    CHECK(read_answer("1.5D-01").value == Rational(3, 20)); // Fortran
+    CHECK(read_answer("0x1.8p-1").value == Rational(3, 4)); // C's %a
+    CHECK(read_answer("-0x1p+3").value == Rational(-8));
+    CHECK(state("") == Answer::State::missing);
+    for (const char* text : {"nan", "-NaN", "nan(0x1)"}) {
+        CHECK(state(text) == Answer::State::nan);
+    }
+    for (const char* text : {"inf", "-Infinity", "+INF"}) {
+        CHECK(state(text) == Answer::State::infinite);
+    }
+    for (const char* text : {"0.3 MPa", "3/2", "1,5", "0x", "e5", "None", "1.2.3"}) {
+        CAPTURE(text);
+        CHECK(state(text) == Answer::State::garbage);
+    }
+}
+
+TEST_CASE("digits and ulps by hand") {
+    const Answers answers = answered("exact" + hertz +
+                                     "p,right,0.2,0.3\n"
+                                     "millionth" +
+                                     hertz +
+                                     "p,left,0.2,0.3000003\n"
+                                     "ulp" +
+                                     hertz +
+                                     "p,right,0.4,0.40000000000000005551115123125783\n"
+                                     "half" +
+                                     hertz +
+                                     "p,right,0.4,0.2\n"
+                                     "zero" +
+                                     hertz +
+                                     "M,,,1e-12\n"
+                                     "nan" +
+                                     hertz + "p,right,0.4,nan\n");
+    REQUIRE(answers.faults.empty());
+    const Agreements a = held(answers, {6.0, {}});
+    REQUIRE(a.cases.size() == 6);
+    CHECK(a.cases[0].digits == a.digits);
+    CHECK(a.cases[0].ulps == 0);
+    CHECK(a.cases[1].digits == doctest::Approx(6).epsilon(1e-9));
+    CHECK(a.cases[1].pass);                                      // 1e-6 is within 10^-6
+    CHECK(a.cases[2].ulps == doctest::Approx(1).epsilon(1e-12)); // 2^-54
+    CHECK(a.cases[3].digits == doctest::Approx(std::log10(2.0)));
+    CHECK_FALSE(a.cases[3].pass);
+    // P = pi/4 and a + b = 2: 1e-12 of pi/2
+    CHECK(a.cases[4].digits == doctest::Approx(12 + std::log10(std::acos(-1.0) / 2)));
+    CHECK(a.cases[4].pass);
+    CHECK_FALSE(a.cases[5].pass);
+    CHECK(held(answers, {{}, 0.99}).cases[2].pass == false);
+    CHECK(held(answers, {{}, 1.01}).cases[2].pass);
+    CHECK_FALSE(held(answers, {6.001, {}}).cases[1].pass);
+}
+
+TEST_CASE("the reference is computed at what the row says, to the last bit") {
+    // u a little larger than 0.2, as binary64 has it: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
+    const Answers answers =
+        answered("u" + hertz + "p,right,0.200000000000000011102230246251565404236316680908203125," +
+                 "0.3\n");
+    const Agreements a = held(answers);
+    // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18 of 0.3
+    CHECK(a.cases[0].digits == doctest::Approx(-std::log10(7.401486830834377e-18 / 0.3)));
+}
+
+TEST_CASE("regimes") {
+    const std::string wedge = ",tilted-wedge,,,0.2,0.1,1,1,";
+    const Agreements a = held(answered("1" + wedge +
+                                       "p,right,1e-4,1\n" // L = 1 + b, b < 1
+                                       "2" +
+                                       wedge +
+                                       "p,right,0.5,1\n"
+                                       "3" +
+                                       wedge +
+                                       "p,right,0.999,1\n"
+                                       "4" +
+                                       wedge +
+                                       "c_2,left,,1\n"
+                                       "5" +
+                                       wedge +
+                                       "b,,,1\n"
+                                       "6,power-law,1,1,,,1,1,p,right,1.9999,1\n"));
+    const Regime expected[] = {Regime::near_edge,   Regime::interior, Regime::apex,
+                               Regime::coefficient, Regime::contact,  Regime::near_edge};
+    for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(a.cases[i].regime == expected[i]);
+    }
+}
+
+TEST_CASE("rows that answer nothing, twice, out of order, or are garbage are named") {
+    const Recipe recipe = parse_recipe("[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\n"
+                                       "quantities = [\"p\"]\n[scenes.h.profile]\n"
+                                       "kind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                                       "[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                                       "r.toml");
+    const auto faults = [&](const std::string& rows) {
+        return answers_to(recipe.questions, parse_csv("id,value\n" + rows, "a.csv")).faults;
+    };
+    using Faults = std::vector<std::string>;
+    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.5:p,1\nh:right:u=1:p,1\n").empty());
+    CHECK(faults("h:right:u=0.5:p,1\nh:right:u=0.25:p,1\nh:right:u=1:p,1\n") ==
+          Faults{"a.csv:3: h:right:u=0.25:p is out of order"});
+    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.25:p,1\n") ==
+          Faults{"a.csv:3: h:right:u=0.25:p is answered twice, first in line 2"});
+    CHECK(faults("h:right:u=7:p,1\n") == Faults{"a.csv:2: 'h:right:u=7:p' was not asked"});
+    CHECK(faults("Segmentation fault\n") ==
+          Faults{"a.csv:2: garbage: 1 cells, not 2: \"Segmentation fault\""});
+    const Answers missing =
+        answers_to(recipe.questions, parse_csv("id,value\nh:right:u=0.5:p,1\n", "a.csv"));
+    CHECK(missing.given[0].state == Answer::State::missing);
+    CHECK(missing.given[0].line == 0);
+    CHECK(missing.given[1].state == Answer::State::number);
+    CHECK(echoed_answers(
+              parse_csv("# questions: 3\n" + header + "1" + hertz + "p,right,0.2,0.3\n", "a.csv"))
+              .faults == Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe says "
+                                "which are missing)"});
+    CHECK(echoed_answers(
+              parse_csv(header + "1" + hertz + "p,right,0.2,0.3\n1" + hertz + "p,right,0.2,0.3\n",
+                        "a.csv"))
+              .faults == Faults{"a.csv:3: 1 is answered twice, first in line 2"});
+}
+
+TEST_CASE("a question that is none is bad input, with its line") {
+    const auto refusal = [](const std::string& rows) {
+        try {
+            const Answers answers = answered(rows);
+            (void)held(answers);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const std::string good = "1" + hertz + "p,right,0.2,0.3\n";
+    CHECK(refusal(good + "2" + hertz + "p,right,2.5,0.3\n").rfind("a.csv:3: u = 2.5 from the", 0) ==
+          0);
+    CHECK(
+        refusal(good + "2" + hertz + "p,right,zero,0.3\n").rfind("a.csv:3: u = 'zero' is no", 0) ==
+        0);
+    CHECK(refusal(good + "2" + hertz + "p,top,0.1,0.3\n").rfind("a.csv:3: there is no edge", 0) ==
+          0);
+    CHECK(refusal(good + "2" + hertz + "z,right,0.1,0.3\n").rfind("a.csv:3: unknown quantity", 0) ==
+          0);
+    CHECK(refusal(good + "2,power-law,-3,1,,,1,1,p,right,0.1,0.3\n").rfind("a.csv:3: ", 0) == 0);
+    CHECK(refusal(good + "2" + hertz + "q,right,0.1,0.3\n").rfind("a.csv:3: q is asked for", 0) ==
+          0);
+    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,value\n1,2\n", "a.csv")), InputError);
+    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,kind,quantity\n1,2,3\n", "a.csv")),
+                    InputError);
+}
+
+namespace {
+
+/// Points of a tilted wedge at both edges, answered by f(reference, reference at the other edge).
+template <class F> std::vector<Convention> conventions_of(const F& f) {
+    const std::string wedge = ",tilted-wedge,,,0.2,0.05,1,1,p,";
+    const char* const points[] = {"0.001", "0.01", "0.1", "0.2"};
+    std::string rows;
+    for (const char* edge : {"right", "left"}) {
+        for (const char* u : points) {
+            rows += std::string(edge) + u + wedge + edge + "," + u + ",0\n";
+        }
+    }
+    const Agreements exact = held(answered(rows));
+    const auto value = [&](std::size_t i) {
+        return exact.references[i].value.value.midpoint().convert_to<double>();
+    };
+    rows.clear();
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::string edge = i < 4 ? "right" : "left";
+        char text[40];
+        std::snprintf(text, sizeof text, "%.17g", f(edge, value(i), value((i + 4) % 8)));
+        rows += edge + std::to_string(i) + wedge + edge + "," + points[i % 4] + "," + text + "\n";
+    }
+    const Answers answers = answered(rows);
+    return infer_conventions(answers, held(answers), {});
+}
+
+} // namespace
+
+TEST_CASE("another convention is recognised and said, with how far it holds") {
+    const double pi = std::acos(-1.0);
+    const auto only = [](const std::vector<Convention>& found) {
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].digits > 14);
+        return found[0].of + ": " + found[0].relation + " in " + std::to_string(found[0].rows);
+    };
+    using S = const std::string&;
+    CHECK(conventions_of([](S, double p, double) { return p; }).empty());
+    CHECK(only(conventions_of([](S, double p, double) { return 2 * p; })) ==
+          "p: 2 times ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return p / 2; })) ==
+          "p: 1/2 times ours in 8");
+    CHECK(only(conventions_of([&](S, double p, double) { return p * pi; })) ==
+          "p: pi times ours in 8");
+    CHECK(only(conventions_of([&](S, double p, double) { return -p * pi / 180; })) ==
+          "p: -pi/180 times ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return -p; })) == "p: minus ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return 1.37 * p; })) ==
+          "p: 1.37 times ours in 8");
+    CHECK(only(conventions_of([](S, double, double other) { return other; })) ==
+          "p: ours at the other edge in 8");
+    CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
+          "p, left edge: minus ours in 4");
+    // Values that are simply wrong have no convention.
+    CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
+}

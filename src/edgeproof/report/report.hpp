@@ -3,13 +3,17 @@
 /// What people look at.
 ///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
 ///   table.hpp            any table as CSV, JSON, Markdown, LaTeX
+///   reference_table.hpp  a recipe's answers, or its questions, as a table; tables compared
+///   agreement_report.hpp other programs' answers held to the reference, for people and as JUnit
 ///   golden.hpp           an audit held against the verdicts recorded before
 ///   html_report.hpp      an audit as a page, with the paper's figures made anew
 ///   figures.hpp          a figure as data, drawn by gnuplot
 ///   files.hpp            files written aside and renamed: whole or not at all
+#include "edgeproof/report/agreement_report.hpp"
 #include "edgeproof/report/figures.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/golden.hpp"
 #include "edgeproof/report/html_report.hpp"
+#include "edgeproof/report/reference_table.hpp"
 #include "edgeproof/report/table.hpp"
 #include "edgeproof/report/verdict_writers.hpp"

@@ -11,7 +11,7 @@ function(edgeproof_own_flags target)
     # 105651, 105329 and the like). The alarm comes and goes with inlining; the sanitizers watch
     # instead.
     target_compile_options(${target} PRIVATE
-        "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>")
+        "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
     if(EDGEPROOF_PCH)
         if(target STREQUAL "edgeproof_precision")
             target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)

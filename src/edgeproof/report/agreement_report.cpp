@@ -26,7 +26,8 @@ std::string ulps_text(double ulps) {
 }
 
 std::string shortened(const std::string& text) {
-    return text.size() <= longest_value ? text : text.substr(0, longest_value) + "...";
+    return text.size() <= longest_value ? text
+                                        : fmt::format("{}...", text.substr(0, longest_value));
 }
 
 /// What is wrong with an answer, in a few words.

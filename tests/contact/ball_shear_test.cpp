@@ -63,7 +63,8 @@ TEST_CASE("balls of the traction hold the one in Real") {
                     full_stick_traction(point_at(e, edge, exact(u).to<Real>()), load);
                 const Ball q =
                     full_stick_traction(length, balls(c), edge, Ball(exact(u).rational(), bits));
-                CHECK(overlaps(q, Ball::around(value, Real(abs(value) * pow(Real(10), -55)), bits)));
+                CHECK(
+                    overlaps(q, Ball::around(value, Real(abs(value) * pow(Real(10), -55)), bits)));
                 CHECK(q.relative_accuracy_bits() > 250);
             }
         }

@@ -2,6 +2,8 @@
 #include "edgeproof/audit/ledger.hpp"
 
 #include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/ledger_family.hpp"
+#include "edgeproof/audit/ledger_names.hpp"
 #include "edgeproof/audit/toml_reader.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -29,13 +31,13 @@ public:
         ledger_.name = head.text("name");
         ledger_.source = head.text_or("source", "");
         for (const TomlTable& family : top.tables("family")) {
-            read_family(family);
+            ledger_.families.push_back(read_family(family, file_, ledger_.families));
         }
-        for (Family& family : ledger_.families) {
-            try_drawing(family);
+        for (const Family& family : ledger_.families) {
+            try_drawing(family, file_, ledger_.families);
         }
         if (top.has("define")) {
-            read_definitions(top.table("define"));
+            ledger_.definitions = read_definitions(ledger_, top.table("define"));
         }
         std::set<std::string> ids;
         for (const TomlTable& claim : top.tables("claim")) {
@@ -49,207 +51,6 @@ public:
     }
 
 private:
-    // --- families
-
-    Expr family_formula(const TomlTable& table, std::size_t line, const std::string& text,
-                        const Symbols& symbols) const {
-        try {
-            return parse(text, symbols);
-        } catch (const InputError& error) {
-            throw error.at(file_, line != 0 ? line : table.line());
-        }
-    }
-
-    void read_family(const TomlTable& table) {
-        table.allow(
-            {"name", "profile", "parameters", "knots", "slopes", "u", "count", "points", "union"});
-        Family family;
-        family.line = table.line();
-        family.name = table.text("name");
-        for (const Family& other : ledger_.families) {
-            if (other.name == family.name) {
-                table.reject("name", "the family " + family.name + " stands twice",
-                             "give each family a name of its own");
-            }
-        }
-        if (table.has("union")) {
-            table.allow({"name", "union", "count"});
-            family.union_of = table.texts("union");
-            family.count = table.has("count") ? table.count("count", 1, 1000000) : 0;
-            for (const std::string& member : family.union_of) {
-                if (std::none_of(ledger_.families.begin(), ledger_.families.end(),
-                                 [&](const Family& f) { return f.name == member; })) {
-                    table.reject("union", "there is no family '" + member + "' above",
-                                 "name families that stand above the union");
-                }
-            }
-            ledger_.families.push_back(std::move(family));
-            return;
-        }
-        family.profile = table.text("profile");
-        const TomlTable parameters = table.table("parameters");
-        Symbols names;
-        for (const std::string& name : parameters.keys()) {
-            try {
-                names.add(name);
-            } catch (const InputError& error) {
-                throw error.at(file_, parameters.line(name));
-            }
-        }
-        std::size_t longest = 1;
-        for (const std::string& name : parameters.keys()) {
-            std::vector<Expr> values;
-            for (const std::string& text : parameters.texts(name)) {
-                values.push_back(family_formula(parameters, parameters.line(name), text, names));
-            }
-            if (values.empty()) {
-                parameters.reject(name, "the parameter " + name + " has no value",
-                                  "give at least one");
-            }
-            longest = std::max(longest, values.size());
-            family.parameters.emplace_back(name, std::move(values));
-        }
-        for (const std::string_view needed : {"a", "Es"}) {
-            if (!names.has(needed)) {
-                table.reject("parameters",
-                             "the family " + family.name + " has no " + std::string(needed),
-                             "add " + std::string(needed) +
-                                 " = [\"...\"] to its parameters (a: right edge, Es: E*)");
-            }
-        }
-        for (const char* list : {"knots", "slopes"}) {
-            if (!table.has(list)) {
-                continue;
-            }
-            Symbols with_x = names;
-            if (std::string_view(list) == "slopes") {
-                with_x.add("x");
-            }
-            for (const std::string& text : table.texts(list)) {
-                (std::string_view(list) == "knots" ? family.knots : family.slopes)
-                    .push_back(family_formula(table, table.line(list), text, with_x));
-            }
-        }
-        if (table.has("u")) {
-            for (const std::string& text : table.texts("u")) {
-                const Exact u(family_formula(table, table.line("u"), text, {}));
-                if (u.sign() <= 0 || Exact(Expr::number(1) - u.expr()).sign() <= 0) {
-                    table.reject("u", "the fraction u = " + text + " is not between 0 and 1",
-                                 "give fractions of the contact's length, such as 1e-3");
-                }
-                family.u.push_back(u);
-            }
-        }
-        family.count = table.has("count") ? table.count("count", 1, 1000000)
-                                          : std::max<std::size_t>(longest, 8);
-        family.points = table.has("points") ? table.count("points", 1, 10000) : 1;
-        ledger_.families.push_back(std::move(family));
-    }
-
-    /// Every scene must be one that the mechanics admits.
-    void try_drawing(const Family& family) const {
-        try {
-            for (const SceneSpec& scene : draw_scenes(family, ledger_.families)) {
-                static_cast<void>(scene.make_profile());
-                for (const char* positive : {"a", "Es"}) {
-                    if (scene.parameter(positive).sign() <= 0) {
-                        throw InputError(std::string(positive) + " = " +
-                                             scene.parameter(positive).text() + " is not positive",
-                                         "give " + std::string(positive) + " > 0");
-                    }
-                }
-            }
-        } catch (const InputError& error) {
-            throw error.at(file_, family.line);
-        }
-    }
-
-    // --- names
-
-    /// Parameter names of a family; for a union those that all its members have.
-    [[nodiscard]] std::set<std::string> parameters_of(const Family& family) const {
-        std::set<std::string> names;
-        if (family.union_of.empty()) {
-            for (const auto& [name, values] : family.parameters) {
-                names.insert(name);
-            }
-            return names;
-        }
-        for (std::size_t i = 0; i < family.union_of.size(); ++i) {
-            const std::set<std::string> of = parameters_of(ledger_.family(family.union_of[i]));
-            if (i == 0) {
-                names = of;
-            }
-            std::erase_if(names, [&](const std::string& n) { return !of.contains(n); });
-        }
-        return names;
-    }
-
-    [[nodiscard]] static Symbols setting_names() {
-        Symbols symbols;
-        for (const std::string& name : setting_symbols()) {
-            symbols.add(name);
-        }
-        for (const auto& [name, arity] : setting_functions()) {
-            symbols.add_function(name, arity);
-        }
-        return symbols;
-    }
-
-    /// "F(s)" is a function of one argument, "gam" a name.
-    static std::pair<std::string, std::optional<std::string>> signature(const std::string& key) {
-        const std::size_t open = key.find('(');
-        if (open == std::string::npos || key.back() != ')') {
-            return {key, std::nullopt};
-        }
-        return {key.substr(0, open), key.substr(open + 1, key.size() - open - 2)};
-    }
-
-    static void add_name(Symbols& symbols, const std::string& key) {
-        const auto [name, argument] = signature(key);
-        if (argument) {
-            symbols.add_function(name, 1);
-        } else if (!symbols.has(name)) {
-            symbols.add(name);
-        }
-    }
-
-    Vocabulary::Definition definition(const std::string& key, const std::string& text,
-                                      Symbols symbols, std::size_t line) const {
-        const auto [name, argument] = signature(key);
-        try {
-            if (argument && !symbols.has(*argument)) {
-                symbols.add(*argument);
-            }
-            return {name, argument, parse_formula(text, {symbols, {}})};
-        } catch (const InputError& error) {
-            throw error.at(file_, line);
-        }
-    }
-
-    void read_definitions(const TomlTable& table) {
-        // The bodies may use each other, and the parameters of any family.
-        Symbols symbols = setting_names();
-        for (const Family& family : ledger_.families) {
-            for (const std::string& name : parameters_of(family)) {
-                add_name(symbols, name);
-            }
-        }
-        for (const std::string& key : table.keys()) {
-            try {
-                add_name(symbols, key);
-            } catch (const InputError& error) {
-                throw error.at(file_, table.line(key));
-            }
-        }
-        for (const std::string& key : table.keys()) {
-            ledger_.definitions.push_back(
-                definition(key, table.text(key), symbols, table.line(key)));
-        }
-    }
-
-    // --- claims
-
     void read_claim(const TomlTable& table) {
         Claim claim;
         claim.file = file_;
@@ -304,7 +105,7 @@ private:
             }
             claim.readings.push_back(std::move(reading));
         }
-        claim.vocabulary = vocabulary_of(claim);
+        claim.vocabulary = vocabulary_of(ledger_, claim);
         // With readings, the claim itself need not be complete.
         if (claim.readings.empty()) {
             check_fields(claim, *kind, true);
@@ -315,73 +116,6 @@ private:
             }
         }
         ledger_.claims.push_back(std::move(claim));
-    }
-
-public:
-    /// All names that the formulas of a claim may use.
-    static Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
-        LedgerReader reader(ledger);
-        return reader.vocabulary_of(claim);
-    }
-
-private:
-    explicit LedgerReader(const Ledger& ledger) : file_(ledger.file) {
-        ledger_.file = ledger.file;
-        ledger_.families = ledger.families;
-        ledger_.definitions = ledger.definitions;
-    }
-
-    Vocabulary vocabulary_of(const Claim& claim) const {
-        Vocabulary v;
-        v.symbols = setting_names();
-        v.definitions = ledger_.definitions;
-        if (claim.has("over")) {
-            const std::string& over = claim.text("over");
-            const auto it = std::find_if(ledger_.families.begin(), ledger_.families.end(),
-                                         [&](const Family& f) { return f.name == over; });
-            if (it == ledger_.families.end()) {
-                claim.reject("over", "there is no family '" + over + "'",
-                             "name a family of this ledger");
-            }
-            for (const std::string& name : parameters_of(*it)) {
-                add_name(v.symbols, name);
-            }
-        }
-        const auto add = [&](std::string_view key, const std::string& name) {
-            try {
-                add_name(v.symbols, name);
-            } catch (const InputError& error) {
-                claim.reject(key, error.problem(), error.instead());
-            }
-        };
-        if (claim.has("vary")) {
-            for (const auto& [name, values] : claim.table("vary")) {
-                add("vary", name);
-            }
-        }
-        for (const std::string& name : claim.undefined) {
-            add("undefined", name);
-        }
-        for (const auto& d : v.definitions) {
-            add("", d.argument ? d.name + "(" + *d.argument + ")" : d.name);
-        }
-        if (claim.has("with")) {
-            for (const auto& [key, values] : claim.table("with")) {
-                add("with", key);
-            }
-            std::vector<Vocabulary::Definition> own;
-            for (const auto& [key, values] : claim.table("with")) {
-                if (values.size() != 1) {
-                    claim.reject("with", key + " has " + std::to_string(values.size()) + " bodies",
-                                 "write with = { " + key + " = \"...\" }");
-                }
-                own.push_back(definition(key, values.front(), v.symbols, claim.find("with")->line));
-            }
-            // A claim's own definition comes before the ledger's of the same name.
-            own.insert(own.end(), v.definitions.begin(), v.definitions.end());
-            v.definitions = std::move(own);
-        }
-        return v;
     }
 
     void check_fields(const Claim& claim, const CheckKind& kind, bool complete) const {
@@ -490,7 +224,7 @@ Claim under_reading(const Ledger& ledger, const Claim& claim, const Claim::Readi
     for (const auto& [key, field] : reading.fields) {
         taken.fields.insert_or_assign(key, field);
     }
-    taken.vocabulary = LedgerReader::vocabulary_of(ledger, taken);
+    taken.vocabulary = vocabulary_of(ledger, taken);
     return taken;
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/claim.hpp"
+
+#include <vector>
+
+namespace edgeproof {
+
+struct Ledger;
+class TomlTable;
+
+/// The definitions of a ledger's [define]; the bodies may use each other and the parameters of any
+/// family. Throws InputError with the file and the line.
+[[nodiscard]] std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
+                                                                   const TomlTable& table);
+
+/// All names that the formulas of a claim may use: a setting's, those of its family, its free
+/// variables, what is undefined in print, the ledger's definitions and its own, which come first.
+[[nodiscard]] Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim);
+
+} // namespace edgeproof

@@ -43,6 +43,24 @@ struct Relation {
     Op op = Op::less;
     Expr rhs;
 };
+/// Whether the relation holds between two values.
+template <class Number>
+[[nodiscard]] bool compare(Relation::Op op, const Number& lhs, const Number& rhs) {
+    switch (op) {
+    case Relation::Op::less:
+        return lhs < rhs;
+    case Relation::Op::less_equal:
+        return lhs <= rhs;
+    case Relation::Op::greater:
+        return lhs > rhs;
+    case Relation::Op::greater_equal:
+        return lhs >= rhs;
+    case Relation::Op::equal:
+        break;
+    }
+    return lhs == rhs;
+}
+
 /// All of them must hold: "0 < x and x < a". "0 < x < a" is two.
 using Condition = std::vector<Relation>;
 

@@ -275,20 +275,8 @@ FormulaValue Setting::evaluate(const Expr& e, const Place* place, const Variable
 bool Setting::holds(const Condition& condition, const Place* place,
                     const Variables& variables) const {
     return std::all_of(condition.begin(), condition.end(), [&](const Relation& r) {
-        const Real lhs = evaluate(r.lhs, place, variables).value;
-        const Real rhs = evaluate(r.rhs, place, variables).value;
-        switch (r.op) {
-        case Relation::Op::less:
-            return lhs < rhs;
-        case Relation::Op::less_equal:
-            return lhs <= rhs;
-        case Relation::Op::greater:
-            return lhs > rhs;
-        case Relation::Op::greater_equal:
-            return lhs >= rhs;
-        default:
-            return lhs == rhs;
-        }
+        return compare(r.op, evaluate(r.lhs, place, variables).value,
+                       evaluate(r.rhs, place, variables).value);
     });
 }
 

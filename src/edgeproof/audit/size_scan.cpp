@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/bracketed_root.hpp"
 #include "edgeproof/contact/contact_law.hpp"
+#include "edgeproof/contact/extremum.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
 
@@ -24,29 +25,9 @@ struct Value {
     Float128 f;
 };
 
-Float128 extremum(const SizeScan::Function& f, Float128 lo, Float128 hi, bool top) {
-    const Float128 golden = (sqrt(Float128(5)) - 1) / 2;
-    const auto height = [&](const Float128& a) { return top ? f(a) : Float128(-f(a)); };
-    Float128 x = hi - golden * (hi - lo);
-    Float128 y = lo + golden * (hi - lo);
-    Float128 at_x = height(x);
-    Float128 at_y = height(y);
-    for (int k = 0; k < 30; ++k) {
-        if (at_x > at_y) {
-            hi = y;
-            y = x;
-            at_y = at_x;
-            x = hi - golden * (hi - lo);
-            at_x = height(x);
-        } else {
-            lo = x;
-            x = y;
-            at_x = at_y;
-            y = lo + golden * (hi - lo);
-            at_y = height(y);
-        }
-    }
-    return at_x > at_y ? x : y;
+Float128 extremum(const SizeScan::Function& f, const Float128& lo, const Float128& hi, bool top) {
+    const auto depth = [&](const Float128& a) { return top ? Float128(-f(a)) : f(a); };
+    return place_of_minimum(depth, lo, hi, 30);
 }
 
 /// An extremum between sizes may reach a level unseen: where three in a row say so, it is added.

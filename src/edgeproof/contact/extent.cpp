@@ -2,6 +2,7 @@
 #include "edgeproof/contact/extent.hpp"
 
 #include "edgeproof/contact/bracketed_root.hpp"
+#include "edgeproof/contact/extremum.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -208,28 +209,8 @@ private:
         in_order();
     }
     [[nodiscard]] Real extremum(Real lo, Real hi, bool top) const {
-        const Real golden = (sqrt(Real(5)) - 1) / 2;
-        const auto height = [&](const Real& u) { return top ? error_(u) : Real(-error_(u)); };
-        Real x = hi - golden * (hi - lo);
-        Real y = lo + golden * (hi - lo);
-        Real at_x = height(x);
-        Real at_y = height(y);
-        for (int k = 0; k < 40; ++k) {
-            if (at_x > at_y) {
-                hi = y;
-                y = x;
-                at_y = at_x;
-                x = hi - golden * (hi - lo);
-                at_x = height(x);
-            } else {
-                lo = x;
-                x = y;
-                at_x = at_y;
-                y = lo + golden * (hi - lo);
-                at_y = height(y);
-            }
-        }
-        return at_x > at_y ? x : y;
+        const auto depth = [&](const Real& u) { return top ? Real(-error_(u)) : error_(u); };
+        return place_of_minimum(depth, std::move(lo), std::move(hi), 40);
     }
 
     const SignedError& error_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/margin_scan.hpp"
 
+#include "edgeproof/contact/extremum.hpp"
+
 #include <algorithm>
 
 namespace edgeproof {
@@ -58,7 +60,7 @@ void MarginScan::in_order() {
 
 void MarginScan::seek_extrema() {
     const PrecisionScope scope(scan_digits);
-    const Real golden = (sqrt(Real(5)) - 1) / 2;
+    const auto reaches_zero = [](const Real& height) { return height <= 0; };
     std::vector<Real> found;
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
         const Real& l = places_[i - 1].margin.difference;
@@ -76,28 +78,8 @@ void MarginScan::seek_extrema() {
                    : dip   ? margin->difference
                            : Real(-margin->difference);
         };
-        Real lo = places_[i - 1].fraction;
-        Real hi = places_[i + 1].fraction;
-        Real x = hi - golden * (hi - lo);
-        Real y = lo + golden * (hi - lo);
-        Real at_x = height(x);
-        Real at_y = height(y);
-        for (int k = 0; k < 40 && at_x > 0 && at_y > 0; ++k) {
-            if (at_x < at_y) {
-                hi = y;
-                y = x;
-                at_y = at_x;
-                x = hi - golden * (hi - lo);
-                at_x = height(x);
-            } else {
-                lo = x;
-                x = y;
-                at_x = at_y;
-                y = lo + golden * (hi - lo);
-                at_y = height(y);
-            }
-        }
-        found.push_back(at_x < at_y ? x : y);
+        found.push_back(place_of_minimum(height, places_[i - 1].fraction, places_[i + 1].fraction,
+                                         40, reaches_zero));
     }
     for (const Real& fraction : found) {
         look(fraction);

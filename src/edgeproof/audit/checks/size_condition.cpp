@@ -40,21 +40,7 @@ private:
 };
 
 bool holds(const Relation& r, const SizeEnvironment& at) {
-    const auto lhs = evaluate<Float128>(r.lhs, at);
-    const auto rhs = evaluate<Float128>(r.rhs, at);
-    switch (r.op) {
-    case Relation::Op::less:
-        return lhs < rhs;
-    case Relation::Op::less_equal:
-        return lhs <= rhs;
-    case Relation::Op::greater:
-        return lhs > rhs;
-    case Relation::Op::greater_equal:
-        return lhs >= rhs;
-    case Relation::Op::equal:
-        break;
-    }
-    return lhs == rhs;
+    return compare(r.op, evaluate<Float128>(r.lhs, at), evaluate<Float128>(r.rhs, at));
 }
 
 std::string relation_text(const Relation& r) {

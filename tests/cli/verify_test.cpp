@@ -88,6 +88,7 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
         std::string ledger;
         const char* line;
     };
+    // What a family's scenes turn out to be is told at the family; what a line says, at the line.
     const Bad all[] = {
         {head + claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
         {head + claim("one", "Es*C/"), "own.toml:22: "},
@@ -98,12 +99,14 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
         {head + claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
         {head + "[[claim]\n", "own.toml:15: "},
         {head + claim("one", "Es*(C/2"), "own.toml:22: "},
-        {with("m = [\"1\"]", "m = [\"-1\"]"), "own.toml:"},
-        {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:"},
-        {with("a = [\"3/2\", \"0.02\"]", "a = [\"0\"]"), "own.toml:"},
-        {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:"},
-        {with("Es = [\"7/3\"]", "Es = [\"-7/3\"]"), "own.toml:"},
-        {with("m = [\"1\"]", "m = [0.12345678901234567]"), "own.toml:"},
+        {with("m = [\"1\"]", "m = [\"-1\"]"),
+         "own.toml:4: the power-law exponent m = -1 is negative; "},
+        {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:11: unknown name 'nan'"},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"0\"]"), "own.toml:4: a = 0 is not positive; "},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:13: unknown name 'inf'"},
+        {with("Es = [\"7/3\"]", "Es = [\"-7/3\"]"), "own.toml:4: Es = -7/3 is not positive; "},
+        {with("m = [\"1\"]", "m = [0.12345678901234567]"),
+         "own.toml:11: the number 0.12345678901234567 is written as a float; quote it"},
     };
     for (const Bad& bad : all) {
         CAPTURE(bad.ledger);

@@ -4,7 +4,6 @@
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/escalate.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -108,6 +107,7 @@ BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, c
     const Ball given = constant(load.value.expr());
     if (load.kind == Load::Kind::right_edge) {
         find_knots_on_edges(load.value);
+        given_a_ = load.value;
     }
     a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
     b_ = solve_left_edge(a_);
@@ -121,14 +121,21 @@ BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
     read_profile();
 }
 
+bool BallContact::is_zero(const Expr& e) {
+    try {
+        return Exact(e).sign() == 0;
+    } catch (const BudgetError&) {
+        return false;
+    }
+}
+
+bool BallContact::bends(std::size_t knot) const {
+    const auto& before = profile_.pieces()[knot].linear;
+    const auto& after = profile_.pieces()[knot + 1].linear;
+    return power_law_ || !(before->rate == after->rate) || !(before->at_origin == after->at_origin);
+}
+
 void BallContact::find_knots_on_edges(const Exact& a) {
-    const auto is_zero = [](const Expr& e) {
-        try {
-            return Exact(e).sign() == 0;
-        } catch (const BudgetError&) {
-            return false;
-        }
-    };
     for (std::size_t i = 0; i < knots_.size(); ++i) {
         const Expr knot = profile_.knots()[i].expr();
         if (overlaps(knots_[i], constant(a.expr())) && is_zero(a.expr() - knot)) {
@@ -152,6 +159,9 @@ BallContact BallContact::mirrored() const {
     BallContact m(profile_.reflected(), modulus_, bits_);
     m.a_ = b_;
     m.b_ = a_;
+    if (profile_.symmetric()) {
+        m.given_a_ = given_a_;
+    }
     for (std::size_t i = 0; i < on_edge_.size(); ++i) {
         if (on_edge_[i]) {
             m.on_edge_[on_edge_.size() - 1 - i] = opposite(*on_edge_[i]);
@@ -299,68 +309,6 @@ Ball BallContact::moment() const {
                    return (m.w * m.w * m.w - n.w * n.w * n.w) / 3 +
                           offset * (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
                });
-}
-
-Ball BallContact::pressure(Edge edge, const Exact& u) const {
-    return pressure(edge, constant(u.expr()));
-}
-
-Ball BallContact::pressure(Edge edge, const Ball& u) const {
-    const Ball D = a_ + b_;
-    const Ball other = D - u;
-    if (certainly_negative(u) || certainly_negative(other)) {
-        throw DomainError("a point lies outside the contact");
-    }
-    if (power_law_) {
-        // p = (P'(1) a^m/pi) sqrt(y) 2F1((1-m)/2, 1; 3/2; y), y = 1 - (x/a)^2 = u (2a - u)/a^2:
-        // eqn:MossakovskiiPressure with s^2 = a^2 (1 - y tau) and Euler's integral (DLMF 15.6.1).
-        const Ball y = u * other / (a_ * a_);
-        const Ball rate = power_factor_ * (exponent_ + 1) * pow(a_, exponent_);
-        return rate / Ball::pi(bits_) * sqrt(y) *
-               hypergeometric_2f1((1 - exponent_) / 2, Ball(1, bits_), Ball(Rational(3, 2), bits_),
-                                  y);
-    }
-    const Ball& right = edge == Edge::right ? u : other;
-    const Ball& left = edge == Edge::right ? other : u;
-    const Ball w_x = sqrt(right * left);
-    Ball sum(0, bits_);
-    BallMark previous = BallMark::left_end(a_, b_);
-    Ball previous_moment(0, bits_);
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const bool edge_here = i == knots_.size();
-        const BallMark next = edge_here ? BallMark::right_end(a_, b_) : mark(a_, b_, i);
-        Ball moment(0, bits_); // (v - x) G(x, v)
-        if (!edge_here && !next.outside) {
-            const Ball offset = edge == Edge::right ? u - (a_ - knots_[i]) : b_ + knots_[i] - u;
-            const BallGreen green = ball_green(next, right, left, D, offset);
-            moment = green.moment;
-            if (profile_.has_corner(i)) {
-                sum += jumps_[i] * green.value;
-            }
-        }
-        sum += pieces_[i].rate * (moment - previous_moment + w_x * (previous.h - next.h));
-        previous = next;
-        previous_moment = moment;
-    }
-    return modulus_ / (Ball::pi(bits_) * 2) * sum;
-}
-
-Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                       Edge edge, const Exact& u, unsigned digits) {
-    const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
-    return escalate(
-        [&](long bits) {
-            try {
-                return BallContact(profile, contact_modulus, load, bits).pressure(edge, u);
-            } catch (const BudgetError&) {
-                // Too few bits to isolate an edge: everything is possible yet.
-                Ball unknown(1, bits);
-                arb_indeterminate(unknown.data());
-                return unknown;
-            }
-        },
-        [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
-        {wanted + 64, 1L << 18});
 }
 
 } // namespace edgeproof

@@ -12,9 +12,9 @@
 namespace edgeproof {
 
 /// A normal contact in ball arithmetic: every value is an enclosure, proved. For profiles with a
-/// closed form: g' piecewise linear (logarithms), or a power law (Gauss's 2F1). It shares no
-/// numerical code with the routes in Real: the formulas are those of eqn:SIEPressure integrated
-/// exactly, the arithmetic is Arb's.
+/// closed form: g' piecewise linear (logarithms), or a power law (power_law_integral.hpp). It
+/// shares no numerical code with the routes in Real: the formulas are those of eqn:SIEPressure
+/// integrated exactly, the arithmetic is Arb's.
 ///
 /// The edges are enclosed by the interval form of Newton's method, which proves that the edge
 /// inside the ball exists and is the only one. Radii grow with the condition of the problem;
@@ -34,8 +34,14 @@ public:
     [[nodiscard]] Ball moment() const;
     [[nodiscard]] Ball force_rate() const;      ///< dP/da
     [[nodiscard]] Ball left_force_rate() const; ///< dP/db
-    /// p at the exact distance u from an edge. Not finite when the ball of x meets a corner.
+    /// P(a), P'(a), P''(a), ..., `count` of them, along the family of contacts that share the
+    /// profile; not finite where an edge may be on a knot.
+    [[nodiscard]] std::vector<Ball> force_derivatives(std::size_t count) const;
+    /// b(a), b'(a), b''(a), ...
+    [[nodiscard]] std::vector<Ball> left_edge_derivatives(std::size_t count) const;
+    /// p at the distance u from an edge. Not finite when the ball of x meets a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
+    /// Where the edge is given as well, the distances from the knots are exact.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
     /// c_0 ... c_{terms-1} at an edge, each enclosed. A given edge that lies on a knot exactly is
     /// expanded from inside the contact. One that may lie on a knot, as far as the bits tell, has
@@ -53,6 +59,8 @@ private:
     [[nodiscard]] BallSeries over_measure(const BallSeries& a, const BallSeries& b,
                                           const AtKnot& at_knot, const Between& between) const;
     [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
+    /// P'(a + z) along the family of contacts.
+    [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
     [[nodiscard]] BallSeries force_rate_series(const BallSeries& a, const BallSeries& b,
                                                Edge edge) const;
     struct Piece {
@@ -60,7 +68,14 @@ private:
         Ball rate;
     };
     [[nodiscard]] Ball constant(const Expr& e) const;
+    /// Of a constant; false where it is not told from zero.
+    [[nodiscard]] static bool is_zero(const Expr& e);
     void find_knots_on_edges(const Exact& a);
+    struct Place;
+    [[nodiscard]] Place place(Edge edge, const Ball& u) const;
+    [[nodiscard]] Ball pressure(const Place& at) const;
+    /// False at a knot where g' goes on by one formula (the origin of a parabola).
+    [[nodiscard]] bool bends(std::size_t knot) const;
     [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
     [[nodiscard]] Ball solve_left_edge(const Ball& a) const;
     [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P) const;
@@ -80,6 +95,7 @@ private:
     std::vector<Ball> jumps_;
     /// Knots that are known to lie on an edge exactly, which no ball tells.
     std::vector<std::optional<Edge>> on_edge_;
+    std::optional<Exact> given_a_;
     bool power_law_ = false;
     Ball exponent_;
     Ball power_factor_; ///< P = power_factor a^(m+1)

@@ -124,11 +124,39 @@ BallSeries BallContact::left_edge_series(std::size_t order) const {
     return b;
 }
 
+std::vector<Ball> BallContact::left_edge_derivatives(std::size_t count) const {
+    const BallSeries b = left_edge_series(count);
+    std::vector<Ball> all;
+    Ball factorial(1, bits_);
+    for (std::size_t k = 0; k < count; ++k) {
+        factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
+        all.push_back(b[k] * factorial);
+    }
+    return all;
+}
+
+BallSeries BallContact::total_rate_series(std::size_t order) const {
+    const BallSeries a = BallSeries::variable(a_, order);
+    return power_law_ ? pow(a, exponent_) * (power_factor_ * (exponent_ + 1))
+                      : force_rate_series(a, left_edge_series(order), Edge::right);
+}
+
+std::vector<Ball> BallContact::force_derivatives(std::size_t count) const {
+    std::vector<Ball> all{force()};
+    if (count > 1) {
+        const BallSeries rate = total_rate_series(count - 1);
+        Ball factorial(1, bits_);
+        for (std::size_t k = 0; k + 1 < count; ++k) {
+            factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
+            all.push_back(rate[k] * factorial);
+        }
+    }
+    return all;
+}
+
 std::vector<Ball> BallContact::right_expansion(std::size_t terms) const {
-    const BallSeries a = BallSeries::variable(a_, terms);
     const BallSeries b = left_edge_series(terms);
-    const BallSeries rate = power_law_ ? pow(a, exponent_) * (power_factor_ * (exponent_ + 1))
-                                       : force_rate_series(a, b, Edge::right);
+    const BallSeries rate = total_rate_series(terms);
     // (x + b(s))/D at s = a - u sigma, to the power -1/2: coefficients of u^n are polynomials in
     // sigma of degree n, by n y_n = sum (-j/2 - (n - j)) x_j y_{n-j}.
     using Poly = std::vector<Ball>;

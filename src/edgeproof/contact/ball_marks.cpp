@@ -56,6 +56,12 @@ BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
     const Ball q = right_x * v.left;
     const Ball gap = D * abs(offset);
     BallGreen g;
+    if (offset.is_exact() && contains_zero(offset)) {
+        g.value = Ball(0, offset.bits());
+        arb_pos_inf(g.value.data());
+        g.moment = Ball(0, offset.bits());
+        return g;
+    }
     // |p - q| = D |offset|, so that the argument is 1 + (2 min + 2 sqrt(pq))/gap: near an edge it
     // is near 1 and the logarithm keeps its relative digits.
     const Ball smaller = min(p, q);

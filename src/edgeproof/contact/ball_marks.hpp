@@ -20,7 +20,7 @@ struct BallMark {
 };
 
 /// G(x, v) = ln((sqrt p + sqrt q)^2/(D |v - x|)), p = right_v left_x, q = right_x left_v, and
-/// (v - x) G, which is enclosed also where the ball of v - x holds zero.
+/// (v - x) G, which is enclosed also where the ball of v - x holds zero, and is 0 where it is zero.
 struct BallGreen {
     Ball value;
     Ball moment;

@@ -43,30 +43,51 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
                            std::size_t draw, unsigned working_digits)
     : working_digits_(working_digits) {
     const PrecisionScope scope(working_digits_);
-    std::set<std::string> dependent;
     std::set<std::string> wanted = names;
     wanted.insert({"a", "b"});
     for (const std::string& name : wanted) {
         const Expr meaning = derive(Expr::symbol(name), under);
         if (meaning == Expr::symbol(name)) {
-            values_.emplace(name, from_rational<Real>(drawn(name, draw)));
+            drawn_.emplace(name, drawn(name, draw));
         } else {
-            dependent.insert(name);
+            meanings_.emplace(name, meaning);
             for (const std::string& other : free_symbols(meaning)) {
-                values_.emplace(other, from_rational<Real>(drawn(other, draw)));
+                drawn_.emplace(other, drawn(other, draw));
             }
         }
     }
+    for (const auto& [name, q] : drawn_) {
+        values_.emplace(name, from_rational<Real>(q));
+    }
     const Values<Real> environment = as_environment(values_);
-    for (const std::string& name : dependent) {
-        values_.insert_or_assign(
-            name, edgeproof::evaluate<Real>(derive(Expr::symbol(name), under), environment));
+    for (const auto& [name, meaning] : meanings_) {
+        values_.insert_or_assign(name, edgeproof::evaluate<Real>(meaning, environment));
     }
 }
 
 Real FormalValues::evaluate(const Expr& e) const {
     const PrecisionScope scope(working_digits_);
     return edgeproof::evaluate<Real>(e, as_environment(values_));
+}
+
+Ball FormalValues::enclose(const Expr& e, long bits) const {
+    struct Balls {
+        const FormalValues& values;
+        long bits;
+        [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
+        [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
+        [[nodiscard]] Ball symbol(std::string_view name) const {
+            if (const auto it = values.meanings_.find(name); it != values.meanings_.end()) {
+                return edgeproof::evaluate<Ball>(it->second, *this);
+            }
+            const auto it = values.drawn_.find(name);
+            if (it == values.drawn_.end()) {
+                throw Error("'" + std::string(name) + "' has no value here");
+            }
+            return Ball(it->second, bits);
+        }
+    };
+    return edgeproof::evaluate<Ball>(e, Balls{*this, bits});
 }
 
 } // namespace edgeproof

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/audit/setting.hpp"
 #include "edgeproof/audit/symbolic.hpp"
+#include "edgeproof/precision/ball.hpp"
 
 #include <cstddef>
 #include <map>
@@ -24,11 +25,15 @@ public:
     void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const Expr& e) const;
+    /// The same in ball arithmetic: the numbers drawn are exact, what depends on them is enclosed.
+    [[nodiscard]] Ball enclose(const Expr& e, long bits) const;
 
     static constexpr unsigned digits = 40;
 
 private:
     Variables values_;
+    std::map<std::string, Rational, std::less<>> drawn_;
+    std::map<std::string, Expr, std::less<>> meanings_; ///< of names that depend on those drawn
     unsigned working_digits_;
 };
 

@@ -72,7 +72,7 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
             last = scene;
         }
         const Setting& setting = *settings_.back();
-        Spot spot{&setting, std::nullopt, {}, sample.scene.family + ": " + sample.text()};
+        Spot spot{&setting, std::nullopt, {}, sample.scene.family + ": " + sample.text(), sample};
         if (sample.fraction) {
             spot.place = setting.place(sample.edge, *sample.fraction);
         }

@@ -15,6 +15,7 @@ struct Spot {
     std::optional<Place> place;
     Variables variables;
     std::string text;
+    Sample sample; ///< what it was made from: exact
 
     [[nodiscard]] FormulaValue evaluate(const Expr& e, IntegralCache* cache = nullptr) const {
         return setting->evaluate(e, place ? &*place : nullptr, variables, cache);

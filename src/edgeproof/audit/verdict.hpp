@@ -11,7 +11,7 @@ enum class Verdict {
     proved,         ///< symbolic identity: printed minus derived is zero
     confirmed,      ///< agrees to the digits needed at every sample, or rounds to what is quoted
     imprecise,      ///< off by one unit in the last quoted place, or true under one reading only
-    refuted,        ///< provably different
+    refuted,        ///< different: by disjoint enclosures, or the evidence says why not
     underspecified, ///< cannot be evaluated as printed
     undecided,      ///< the evidence at the budget given does not decide
     definition,     ///< nothing to check

@@ -44,7 +44,7 @@ std::string_view meaning(Verdict verdict) {
     case Verdict::imprecise:
         return "off by one unit in the last quoted place, or true under one reading only";
     case Verdict::refuted:
-        return "provably different";
+        return "different: by disjoint enclosures, or by estimates where the evidence says so";
     case Verdict::underspecified:
         return "cannot be evaluated as printed";
     case Verdict::undecided:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/verdict_writers.hpp"
 
+#include "edgeproof/audit/enclosures.hpp"
+
 #include <algorithm>
 
 namespace edgeproof {
@@ -78,6 +80,27 @@ std::string remark(const ClaimResult& r) {
     return text;
 }
 
+/// How many refutations are proved, and which are not.
+std::string refutations_line(const AuditResult& result) {
+    std::size_t refuted = 0;
+    std::string by_estimate;
+    for (const ClaimResult& r : result.claims) {
+        if (r.outcome.verdict == Verdict::refuted) {
+            ++refuted;
+            if (!rests_on_enclosures(r)) {
+                by_estimate += (by_estimate.empty() ? "" : ", ") + r.claim.id;
+            }
+        }
+    }
+    if (refuted == 0) {
+        return "";
+    }
+    return by_estimate.empty()
+               ? "all refutations rest on disjoint enclosures\n"
+               : "refuted by disjoint enclosures, but for these, by estimates: " + by_estimate +
+                     "\n";
+}
+
 } // namespace
 
 std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool colour) {
@@ -133,7 +156,7 @@ std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool
     }
     out += "\n" + std::to_string(result.claims.size()) + " claims at " +
            std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
-    return out;
+    return out + refutations_line(result);
 }
 
 } // namespace edgeproof

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/diagnosis.hpp"
+#include "edgeproof/audit/enclosures.hpp"
 #include "edgeproof/audit/ratio.hpp"
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/audit/symbolic.hpp"

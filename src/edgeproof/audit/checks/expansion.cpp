@@ -3,6 +3,7 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,31 @@ bool differ(const ExpansionComparison::Term& term, const std::vector<FormalValue
         }
     }
     return compared > 0;
+}
+
+/// Both coefficients in balls, at the first draw where both have a value: what is disjoint there
+/// is no identity.
+void enclose_term(const ExpansionComparison::Term& term, const std::vector<FormalValues>& values,
+                  unsigned digits, Outcome& outcome) {
+    Enclosed printed;
+    Enclosed derived;
+    for (const FormalValues& v : values) {
+        try {
+            const long bits = 2 * bits_for(digits);
+            Ball x = v.enclose(term.printed, bits);
+            Ball y = v.enclose(term.derived, bits);
+            if (x.is_finite() && y.is_finite()) {
+                printed.ball = std::move(x);
+                derived.ball = std::move(y);
+                break;
+            }
+            printed.problem = "no draw where both coefficients are defined";
+        } catch (const Error& error) {
+            printed.problem = error.what();
+        }
+    }
+    add_pair("printed_coefficient", printed, "derived_coefficient", derived,
+             "numbers drawn for the symbols", digits, outcome);
 }
 
 std::string power_text(const std::string& variable, const Rational& exponent) {
@@ -203,6 +229,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     outcome.verdict = Verdict::refuted;
+    enclose_term(*wrong, draw_values(names, under), context.digits(), outcome);
     const std::string first = "departs at " + power_text(variable, wrong->exponent);
     outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));
     if (!remainder.at.empty()) {

@@ -61,9 +61,11 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     // The same at samples: there the exact value comes from the contact itself, not from symbols.
     const Spots spots(claim, context, context.digits());
     const Agreement agreement = spots.compare(printed, exact);
-    const Verdict sampled =
+    outcome.verdict =
         spots.all().empty() ? Verdict::undecided : verdict_by_samples(agreement, context);
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
+    add_enclosures(agreement, spots, printed, exact, context.digits(), outcome);
+    const Verdict sampled = outcome.verdict;
     if (proved) {
         outcome.verdict = sampled == Verdict::confirmed ? Verdict::proved : Verdict::undecided;
         outcome.note = sampled == Verdict::confirmed

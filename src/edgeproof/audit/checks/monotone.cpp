@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/ladder.hpp"
+#include "edgeproof/audit/enclosures.hpp"
 
 namespace edgeproof {
 namespace {
@@ -15,6 +16,8 @@ struct Steps {
     std::size_t bad = 0;
     std::size_t unclear = 0;
     std::vector<std::string> bad_steps; ///< of the first sample that has any
+    std::size_t bad_sample = 0;
+    std::size_t bad_from = 0; ///< the value that the largest of them begins at
     std::string bad_at;
     std::vector<std::string> values; ///< of `of`, at that sample or at the first
 };
@@ -26,6 +29,8 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
     for (std::size_t k = 0; k < ladder.samples(); ++k) {
         std::vector<Real> f;
         std::vector<std::string> bad;
+        std::size_t largest = 0;
+        Real most(0);
         bool good_digits = true;
         for (std::size_t j = 0; j < ladder.values().size(); ++j) {
             const FormulaValue value = ladder.spot(j, k).evaluate(of);
@@ -41,6 +46,10 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
             } else {
                 ++steps.bad;
                 bad.push_back(step_text(ladder, j));
+                if (-rise > most) {
+                    most = -rise;
+                    largest = j;
+                }
             }
         }
         if (k == 0 || (!bad.empty() && steps.bad_steps.empty())) {
@@ -51,6 +60,8 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
         }
         if (!bad.empty() && steps.bad_steps.empty()) {
             steps.bad_steps = bad;
+            steps.bad_sample = k;
+            steps.bad_from = largest;
             steps.bad_at = ladder.spot(0, k).text;
         }
     }
@@ -79,6 +90,13 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
         outcome.note = (rising ? "falls from " : "grows from ") + steps.bad_steps.front() + " (" +
                        std::to_string(steps.bad) + " of " +
                        std::to_string(steps.bad + steps.good + steps.unclear) + " steps)";
+        const Expr of = claim.formula("of");
+        const auto at = [&](std::size_t value) {
+            return enclosed(of, ladder.spot(value, steps.bad_sample).sample, context.digits());
+        };
+        add_pair("before", at(steps.bad_from), "after", at(steps.bad_from + 1),
+                 steps.bad_at + "; " + step_text(ladder, steps.bad_from), context.digits(),
+                 outcome);
     } else if (steps.unclear > 0 || steps.good == 0) {
         outcome.note = "some steps are too small for the digits at hand";
     } else {

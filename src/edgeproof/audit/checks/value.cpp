@@ -22,6 +22,7 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     outcome.verdict = verdict_by_samples(agreement, context);
     outcome.evidence.add("of", claim.text("of"));
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
+    add_enclosures(agreement, spots, printed, exact, context.digits(), outcome);
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(spots.all().size()) + " samples";
         return outcome;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/enclosures.hpp"
 #include "edgeproof/audit/linear_loads.hpp"
 #include "edgeproof/audit/ratio.hpp"
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
 
@@ -50,6 +52,32 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
     return zero;
 }
 
+/// The ratio of the loads at which the coefficient vanishes in a scene, and the printed one, in
+/// balls: the coefficient is linear in the loads, c = c_1 first + c_2 second.
+std::pair<Enclosed, Enclosed> enclosed_zero(const SceneSpec& scene, const Claim& claim,
+                                            unsigned digits) {
+    const auto& loads = claim.list("loads");
+    std::pair<Enclosed, Enclosed> found;
+    try {
+        const long bits = 2 * bits_for(digits);
+        EnclosedSample sample(Sample{scene, std::nullopt, Edge::right, {}}, bits);
+        const Ball none(0, bits);
+        const Ball one(1, bits);
+        const auto with = [&](const Ball& first, const Ball& second, const Expr& e) {
+            sample.set(loads[0], first);
+            sample.set(loads[1], second);
+            return sample.evaluate(e);
+        };
+        const Expr of = claim.formula("of");
+        const Ball second = -(with(one, none, of) / with(none, one, of));
+        found.first.ball = with(one, second, claim.formula("ratio"));
+        found.second.ball = with(one, second, claim.formula("says"));
+    } catch (const Error& error) {
+        found.first.problem = error.what();
+    }
+    return found;
+}
+
 Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     std::vector<LinearLoads> scenes;
     std::vector<Variables> parameters;
@@ -81,6 +109,10 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     outcome.verdict = zero.agrees ? Verdict::confirmed : Verdict::refuted;
     outcome.computed = claim.text("ratio") + " = " + zero.value;
     outcome.note = zero.agrees ? claim.text("of") + " vanishes there" : "";
+    const SceneSpec first = context.scenes(claim).front();
+    const auto [at_zero, as_printed] = enclosed_zero(first, claim, context.digits());
+    add_pair("vanishes_at", at_zero, "printed", as_printed, first.family + ": " + first.text(),
+             context.digits(), outcome);
     if (!zero.agrees) {
         const auto quotient = recognise_ratio(zero.quotients, 20);
         outcome.evidence.add("printed_over_exact",

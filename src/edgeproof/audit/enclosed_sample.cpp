@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosed_sample.hpp"
+
+#include "edgeproof/audit/enclosed_integral.hpp"
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_shear.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
+
+#include <charconv>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
+/// Enough to tell what differs; all digits would cost more than they are worth in an integral that
+/// is written for the eye.
+constexpr unsigned integral_digits = 20;
+
+/// k of "P3" for the stem "P".
+std::optional<std::size_t> order_in(std::string_view name, std::string_view stem) {
+    std::size_t k = 0;
+    if (!name.starts_with(stem) || name.size() == stem.size()) {
+        return std::nullopt;
+    }
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + stem.size(), end, k);
+    return error == std::errc() && stop == end && k < most_terms ? std::optional(k) : std::nullopt;
+}
+
+} // namespace
+
+struct EnclosedSample::State {
+    State(const Sample& of, long at_bits)
+        : sample(of), bits(at_bits), profile(of.scene.make_profile()),
+          contact(profile, of.scene.parameter("Es"), Load::right_edge(of.scene.parameter("a")),
+                  at_bits) {
+        for (const auto& [name, value] : of.scene.parameters) {
+            names.emplace(name, ball_of(value, bits));
+        }
+        for (const auto& [name, value] : of.variables) {
+            names.insert_or_assign(name, ball_of(value, bits));
+        }
+        if (of.fraction) {
+            u.emplace(ball_of(*of.fraction, bits) * length());
+        }
+    }
+
+    [[nodiscard]] Ball length() const { return contact.a() + contact.b(); }
+    [[nodiscard]] Ball x() const {
+        return sample.edge == Edge::right ? contact.a() - *u : *u - contact.b();
+    }
+    [[nodiscard]] BallShearLoad load() const {
+        const auto Q = names.find("Q");
+        const auto tension = names.find("sig0");
+        if (Q == names.end() || tension == names.end()) {
+            throw Error("a scene without shear");
+        }
+        return {Q->second, tension->second};
+    }
+
+    [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
+    [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
+    [[nodiscard]] Ball symbol(std::string_view name) const;
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const;
+
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
+            return evaluate_sum<Ball>(node, scope);
+        }
+        if (node.name() != "integral") {
+            throw Error("'" + node.name() + "' has no enclosure");
+        }
+        return enclosed_integral(
+            node.arg(0), node.arg(1).name(),
+            [&](std::string_view name) { return Ball(scope.symbol(name)); },
+            edgeproof::evaluate<Ball>(node.arg(2), scope),
+            edgeproof::evaluate<Ball>(node.arg(3), scope), integral_digits);
+    }
+
+    /// A constant of the scene as it stands in a formula, if that is what e is.
+    [[nodiscard]] std::optional<Exact> constant(Expr e) const {
+        for (const auto& [name, value] : sample.variables) {
+            e = substitute(e, name, value.expr());
+        }
+        for (const auto& [name, value] : sample.scene.parameters) {
+            e = substitute(e, name, value.expr());
+        }
+        if (!free_symbols(e).empty()) {
+            return std::nullopt;
+        }
+        return Exact(e);
+    }
+    /// The distance from an edge of the place that an argument names.
+    [[nodiscard]] Ball distance(Edge edge, const Expr& written, const Ball& at) const {
+        if (u && edge == sample.edge && written == Expr::symbol("x")) {
+            return *u;
+        }
+        return edge == Edge::right ? contact.a() - at : at + contact.b();
+    }
+    [[nodiscard]] Ball pressure(const Expr& written, const Ball& at) const {
+        if (u && written == Expr::symbol("x")) {
+            return contact.pressure(sample.edge, *u);
+        }
+        const Edge edge = certainly_negative(at) ? Edge::left : Edge::right;
+        return contact.pressure(edge, distance(edge, written, at));
+    }
+    /// g'(x), where the ball of x lies in one piece.
+    [[nodiscard]] Ball slope(const Ball& at) const {
+        std::size_t piece = 0;
+        for (const Exact& knot : profile.knots()) {
+            const Ball k = ball_of(knot, bits);
+            if (overlaps(k, at)) {
+                throw BudgetError("a place that cannot be told from a knot");
+            }
+            piece += certainly_less(k, at) ? 1 : 0;
+        }
+        struct AtX {
+            const State* state;
+            const Ball& at;
+            [[nodiscard]] Ball number(const Rational& q) const { return state->number(q); }
+            [[nodiscard]] Ball pi() const { return state->pi(); }
+            [[nodiscard]] Ball symbol(std::string_view name) const {
+                return name == "x" ? at : state->symbol(name);
+            }
+        };
+        return edgeproof::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
+    }
+    [[nodiscard]] Ball local(Edge edge, const Expr& node, std::span<const Ball> args) const {
+        const Rational* n = node.arg(0).rational();
+        if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
+            throw Error(node.name() + " of a number of terms that is not written out");
+        }
+        const Ball at = distance(edge, node.arg(1), args[1]);
+        const std::vector<Ball> c = contact.expansion(edge, n->convert_to<std::size_t>());
+        Ball sum(0, bits);
+        for (std::size_t k = c.size(); k-- > 0;) {
+            sum = sum * at + c[k];
+        }
+        return sum * sqrt(at);
+    }
+
+    Sample sample;
+    long bits;
+    Profile profile;
+    BallContact contact;
+    std::optional<Ball> u;
+    std::map<std::string, Ball, std::less<>> names;
+};
+
+Ball EnclosedSample::State::symbol(std::string_view name) const {
+    if (const auto it = names.find(name); it != names.end()) {
+        return it->second;
+    }
+    if (name == "u" || name == "x") {
+        if (!u) {
+            throw Error("no place is given");
+        }
+        return name == "u" ? *u : x();
+    }
+    if (name == "b") {
+        return contact.b();
+    }
+    if (name == "L") {
+        return length();
+    }
+    if (name == "P") {
+        return contact.force();
+    }
+    if (name == "M") {
+        return contact.moment();
+    }
+    if (const auto k = order_in(name, "P")) {
+        return contact.force_derivatives(*k + 1).back();
+    }
+    if (const auto k = order_in(name, "b")) {
+        return contact.left_edge_derivatives(*k + 1).back();
+    }
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const std::string side = edge == Edge::right ? "right_" : "left_";
+        if (const auto k = order_in(name, side + "c")) {
+            return contact.expansion(edge, *k + 1).back();
+        }
+        if (const auto k = order_in(name, side + "s")) {
+            return full_stick_expansion(length(), load(), edge, *k + 1).back();
+        }
+    }
+    throw Error("'" + std::string(name) + "' has no enclosure");
+}
+
+Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) const {
+    const std::string& name = node.name();
+    if (name == "p") {
+        return pressure(node.arg(0), args[0]);
+    }
+    if (name == "q") {
+        const Edge edge = u ? sample.edge : Edge::right;
+        return full_stick_traction(length(), load(), edge, distance(edge, node.arg(0), args[0]));
+    }
+    if (name == "g1") {
+        return slope(args[0]);
+    }
+    if (name == "right_local") {
+        return local(Edge::right, node, args);
+    }
+    if (name == "left_local") {
+        return local(Edge::left, node, args);
+    }
+    if (name == "Pof" || name == "P1of" || name == "bof") {
+        const auto edge = constant(node.arg(0));
+        if (!edge || edge->sign() <= 0) {
+            throw Error(name + " of what is no number of the scene");
+        }
+        const BallContact other(profile, sample.scene.parameter("Es"), Load::right_edge(*edge),
+                                bits);
+        return name == "Pof"    ? other.force()
+               : name == "P1of" ? other.force_derivatives(2).back()
+                                : other.b();
+    }
+    throw Error("'" + name + "' has no enclosure");
+}
+
+EnclosedSample::EnclosedSample(const Sample& sample, long bits)
+    : state_(std::make_unique<State>(sample, bits)) {}
+EnclosedSample::~EnclosedSample() = default;
+EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
+
+Ball EnclosedSample::evaluate(const Expr& e) const { return edgeproof::evaluate<Ball>(e, *state_); }
+
+void EnclosedSample::set(const std::string& name, const Ball& value) {
+    state_->names.insert_or_assign(name, value);
+}
+
+Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {
+    Enclosed best;
+    const long needed = bits_for(digits);
+    for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
+        try {
+            const Ball ball = EnclosedSample(sample, bits).evaluate(e);
+            if (!ball.is_finite()) {
+                best.problem = "the balls do not exclude a point where it is undefined";
+                continue;
+            }
+            best.ball = ball;
+            if (ball.relative_accuracy_bits() >= needed) {
+                break;
+            }
+        } catch (const BudgetError& error) {
+            best.problem = error.what();
+        } catch (const Error& error) {
+            best.problem = error.what();
+            break;
+        }
+    }
+    return best;
+}
+
+std::string ball_text(const Ball& ball, unsigned digits) {
+    const std::string middle = to_decimal(ball.midpoint(), digits);
+    // What rounding the middle for the text moves it by counts, too.
+    const Ball off = abs(ball - Ball(parse_decimal(middle), ball.bits()));
+    return middle + " +- " + bound_text(off.upper());
+}
+
+} // namespace edgeproof

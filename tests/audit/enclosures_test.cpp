@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosed_integral.hpp"
+#include "edgeproof/audit/enclosures.hpp"
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
+#include "small_ledger.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::small_ledger;
+
+namespace {
+
+Expr formula(const std::string& text) {
+    Symbols symbols;
+    for (const std::string& name : setting_symbols()) {
+        symbols.add(name);
+    }
+    for (const char* name : {"Q", "sig0", "s"}) {
+        symbols.add(name);
+    }
+    for (const auto& [name, arity] : setting_functions()) {
+        symbols.add_function(name, arity);
+    }
+    return parse(text, symbols);
+}
+
+Sample tilted(Edge edge, const char* fraction) {
+    Sample sample;
+    sample.scene.family = "tilted";
+    sample.scene.profile = "tilted-flat-and-rounded";
+    for (const auto& [name, text] : std::map<std::string, const char*>{{"alpha", "pi/100"},
+                                                                       {"t", "1/2"},
+                                                                       {"R", "3"},
+                                                                       {"a", "5/4"},
+                                                                       {"Es", "7/3"},
+                                                                       {"Q", "3/10"},
+                                                                       {"sig0", "-2/7"}}) {
+        sample.scene.parameters.emplace(name, Exact::parse(text));
+    }
+    sample.fraction = Exact::parse(fraction);
+    sample.edge = edge;
+    return sample;
+}
+
+/// The route in Real must lie in the ball, but for its own error, and the ball must be narrow.
+std::string fault_of(const std::string& text, const Sample& sample) {
+    const unsigned digits = 40;
+    const Expr e = formula(text);
+    const Setting setting(sample.scene, digits);
+    const Place place = setting.place(sample.edge, *sample.fraction);
+    const Real value = setting.evaluate(e, &place).value;
+    const Enclosed ball = enclosed(e, sample, digits);
+    if (!ball.ball) {
+        return text + ": " + ball.problem;
+    }
+    const PrecisionScope scope(digits + 20);
+    const Real slack = abs(value) * pow(Real(10), -static_cast<int>(digits) + 3);
+    if (disjoint(*ball.ball, Ball::around(value, slack, 400))) {
+        return text + " = " + value_text(value, 30) + " is not in " + ball_text(*ball.ball, 30);
+    }
+    return ball.ball->relative_accuracy_bits() < bits_for(digits) ? text + " is wide" : "";
+}
+
+Ball integral(const std::string& f, const Rational& lo, const Rational& hi) {
+    const NameEnclosure none = [](std::string_view name) -> Ball {
+        throw Error(std::string(name) + " has no value");
+    };
+    return enclosed_integral(formula(f), "s", none, Ball(lo, 200), Ball(hi, 200), 30);
+}
+
+const Evidence& enclosures_of(const ClaimResult& r) {
+    const EvidenceItem* item = r.outcome.evidence.find("enclosures");
+    REQUIRE(item != nullptr);
+    return std::get<Evidence>(item->value());
+}
+
+std::string value_claim(const std::string& says) {
+    return "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n";
+}
+
+} // namespace
+
+TEST_CASE("a sample's names and functions in balls hold the values found in Real") {
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        for (const char* fraction : {"1e-20", "1/7", "2/3"}) {
+            const Sample sample = tilted(edge, fraction);
+            CAPTURE(sample.text());
+            for (const char* text : {"a",
+                                     "b",
+                                     "L",
+                                     "x",
+                                     "u",
+                                     "P",
+                                     "M",
+                                     "P1",
+                                     "P2",
+                                     "P3",
+                                     "P5",
+                                     "b1",
+                                     "b2",
+                                     "b3",
+                                     "right_c0",
+                                     "right_c2",
+                                     "left_c0",
+                                     "left_c3",
+                                     "right_s0",
+                                     "left_s1",
+                                     "p(x)",
+                                     "p(a - u/3)",
+                                     "q(x)",
+                                     "g1(x)",
+                                     "right_local(2, x)",
+                                     "left_local(3, x)",
+                                     "Pof(a*9/10)",
+                                     "P1of(a*11/10)",
+                                     "bof(a)"}) {
+                CHECK(fault_of(text, sample) == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("integrals of formulas are enclosed, roots at their ends too") {
+    const Ball pi = Ball::pi(200);
+    CHECK(contains(integral("s^2*exp(s)", 0, 1), exp(Ball(1, 400)) - 2));
+    CHECK(overlaps(integral("sqrt(1 - s^2)", 0, 1), pi / 4));
+    CHECK(integral("sqrt(1 - s^2)", 0, 1).relative_accuracy_bits() > 40);
+    // asin(1/s) branches at the lower end; by parts: 2 pi/6 + acosh(2) - pi/2
+    CHECK(overlaps(integral("asin(1/s)", 1, 2), acosh(Ball(2, 200)) - pi / 6));
+    CHECK(integral("asin(1/s)", 1, 2).relative_accuracy_bits() > 40);
+    // Without a bound on the integrand there is none on the integral.
+    CHECK_FALSE(integral("1/sqrt(1 - s^2)", 0, 1).is_finite());
+    CHECK_FALSE(integral("1/(s - 1/2)", 0, 1).is_finite());
+    CHECK_THROWS_AS(static_cast<void>(integral("p(s)", 0, 1)), Error);
+}
+
+TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint balls") {
+    const ClaimResult right = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)"));
+    CHECK(right.outcome.verdict == Verdict::confirmed);
+    CHECK(enclosures_of(right).find("digits_proved")->text() == "34.0");
+    CHECK_FALSE(std::get<bool>(enclosures_of(right).find("disjoint")->value()));
+    const ClaimResult wrong = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-25)"));
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(std::get<bool>(enclosures_of(wrong).find("disjoint")->value()));
+    CHECK(rests_on_enclosures(wrong));
+    CHECK_FALSE(rests_on_enclosures(right));
+}
+
+TEST_CASE("a refutation that the enclosures do not bear out is none") {
+    Outcome outcome;
+    outcome.verdict = Verdict::refuted;
+    const Ball third(Rational(1, 3), 100);
+    add_pair("printed", {third, ""}, "exact", {third, ""}, "anywhere", 20, outcome);
+    CHECK(outcome.verdict == Verdict::undecided);
+    Outcome without;
+    without.verdict = Verdict::refuted;
+    add_pair("printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere", 20,
+             without);
+    CHECK(without.verdict == Verdict::refuted);
+    CHECK(std::get<Evidence>(without.evidence.find("enclosures")->value()).find("none")->text() ==
+          "no closed form");
+}
+
+TEST_CASE("a ball's text holds all of the ball") {
+    const Ball ball = Ball::around(Real(2) / 3, Real("0.001"), 200);
+    CHECK(ball_text(ball, 2) == "0.67 +- 0.0044");
+    CHECK(ball_text(Ball(5, 100), 3) == "5.00 +- 0");
+}

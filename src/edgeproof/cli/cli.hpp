@@ -19,6 +19,7 @@ void add_explain(CLI::App& app, int& code);
 void add_table(CLI::App& app, int& code);
 void add_points(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
+void add_bounds(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/bounds_tables.hpp"
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/conformance/program.hpp"
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/files.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr std::size_t most_threads = 1024;
+constexpr std::size_t most_digits = 1000;
+constexpr std::size_t most_values = 100'000'000;
+
+struct Output {
+    bool csv = false;
+    bool json = false;
+    bool md = false;
+};
+
+void add_output(CLI::App& sub, Output& o) {
+    auto* csv = sub.add_flag("--csv", o.csv, "write CSV");
+    auto* json = sub.add_flag("--json", o.json, "write JSON");
+    auto* md = sub.add_flag("--md", o.md, "write Markdown");
+    csv->excludes(json)->excludes(md);
+    json->excludes(md);
+}
+
+std::string written(const Table& table, const Output& o) {
+    return o.csv    ? write_table(table, TableFormat::csv)
+           : o.json ? write_table(table, TableFormat::json)
+           : o.md   ? write_table(table, TableFormat::markdown)
+                    : aligned_text(table);
+}
+
+unsigned threads_of(const std::string& text) {
+    return text.empty() ? 0
+                        : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
+}
+
+unsigned digits_of_option(const std::string& text) {
+    return static_cast<unsigned>(whole_number("--digits", text, 2, most_digits));
+}
+
+struct CasesOptions {
+    std::string file = "reference/hard-cases.toml";
+    std::string digits = "50";
+    std::string threads;
+    bool classes = false;
+    Output output;
+};
+
+int hard_cases(const CasesOptions& o) {
+    const auto cases = parse_hard_cases(read_text(o.file, "file of hard cases (TOML)"), o.file);
+    CaseOptions options;
+    options.digits = digits_of_option(o.digits);
+    options.threads = threads_of(o.threads);
+    options.stop = &interrupted();
+    std::vector<CaseOutcome> outcomes;
+    {
+        Progress progress("cases");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        outcomes = run_cases(cases, options);
+    }
+    const bool text = !o.output.csv && !o.output.json && !o.output.md;
+    if (!o.classes || text) {
+        Table table = case_table(cases, outcomes, options.digits);
+        if (text) {
+            // A line is to stay one: what went wrong is told below.
+            table.columns.erase(table.columns.begin() + 3, table.columns.begin() + 5);
+            table.columns.pop_back();
+            for (auto& row : table.rows) {
+                row.erase(row.begin() + 3, row.begin() + 5);
+                row.pop_back();
+            }
+        }
+        if (!o.classes) {
+            std::printf("%s%s", written(table, o.output).c_str(), text ? "\n" : "");
+        }
+    }
+    if (o.classes || text) {
+        std::printf("%s", written(family_table(cases, outcomes, options.digits), o.output).c_str());
+    }
+    std::size_t faults = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!outcomes[i].fault.empty()) {
+            ++faults;
+            std::fprintf(stderr, "%s:%zu: %s: %s\n", o.file.c_str(), cases[i].line,
+                         cases[i].name.c_str(), outcomes[i].fault.c_str());
+        }
+    }
+    if (text) {
+        std::printf("\n%zu cases: %zu by ball and two routes alike, %zu not\n", cases.size(),
+                    cases.size() - faults, faults);
+    }
+    return faults == 0 ? 0 : 1;
+}
+
+struct CountingOptions {
+    std::string values = "100000";
+    std::string seed = "1";
+    std::string digits = "50";
+    std::string threads;
+    std::string state;
+    Output output;
+};
+
+int count(const CountingOptions& o) {
+    CountOptions options;
+    options.values = whole_number("--values", o.values, 1, most_values);
+    options.seed = whole_number("--seed", o.seed, 0, most_values);
+    options.digits = digits_of_option(o.digits);
+    options.threads = threads_of(o.threads);
+    options.stop = &interrupted();
+    CountState state;
+    state.seed = options.seed;
+    state.values = options.values;
+    state.digits = options.digits;
+    if (!o.state.empty()) {
+        if (std::filesystem::exists(o.state)) {
+            state = parse_count_state(read_text(o.state, "state of a count"), o.state, state);
+        }
+        options.checkpoint = [&](const CountState& now) {
+            write_whole(o.state, write_count_state(now));
+        };
+    }
+    CountResult result;
+    {
+        Progress progress("values");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        result = count_values(options, state);
+    }
+    if (!result.finished) {
+        throw Error("interrupted after " + std::to_string(result.total.values) + " values" +
+                    (o.state.empty() ? "; with --state FILE a count can be gone on with"
+                                     : ", kept in " + o.state));
+    }
+    std::printf("%s", written(count_table(options, result), o.output).c_str());
+    for (const CountFinding& f : result.findings) {
+        std::fprintf(stderr, "%s\n", finding_text(f).c_str());
+    }
+    return result.total.failures() == 0 ? 0 : 1;
+}
+
+struct HonestyChoice {
+    std::string digits = "50";
+    std::string scripts = "bench/honesty";
+    Output output;
+};
+
+constexpr double script_seconds = 600;
+
+/// Another program of the same task, where its interpreter and its script are there.
+struct Peer {
+    const char* name;
+    const char* needs; ///< a command that succeeds where the interpreter can do it
+    const char* script;
+    const char* run; ///< of the shell; $0 is the script
+};
+constexpr Peer peers[] = {
+    {"mpmath quad", "python3 -c 'import mpmath' 2>/dev/null", "mpmath_quad.py", "python3 \"$0\""},
+    {"PARI intnum", "command -v gp >/dev/null", "pari_intnum.gp",
+     "gp -q -f \"$0\" 3<&0 </dev/null"},
+};
+
+std::string shell_quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) {
+        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return out + "'";
+}
+
+int honesty_of_routes(const HonestyChoice& o) {
+    HonestyOptions options;
+    options.digits = digits_of_option(o.digits);
+    options.stop = &interrupted();
+    const auto points = honesty_points();
+    std::vector<std::pair<std::string, ClaimedValues>> others;
+    std::vector<std::string> skipped;
+    for (const Peer& peer : peers) {
+        const auto script = std::filesystem::path(o.scripts) / peer.script;
+        if (!std::filesystem::exists(script)) {
+            skipped.push_back(std::string(peer.name) + " is left out: there is no " +
+                              script.string());
+            continue;
+        }
+        if (run_program(peer.needs, "", script_seconds, &interrupted()).exit_code != 0) {
+            skipped.push_back(std::string(peer.name) + " is left out: its interpreter is not here");
+            continue;
+        }
+        const ProgramRun run =
+            run_program("sh -c " + shell_quoted(peer.run) + " " + shell_quoted(script.string()),
+                        integral_questions(points, options.digits), script_seconds, &interrupted());
+        others.emplace_back(peer.name, integral_answers(run.output));
+    }
+    std::vector<HonestyRow> rows;
+    {
+        Progress progress("values");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        rows = honesty(points, others, options);
+    }
+    Table table = honesty_table(rows, options.digits);
+    table.notes.insert(table.notes.end(), skipped.begin(), skipped.end());
+    std::printf("%s", written(table, o.output).c_str());
+    return 0;
+}
+
+} // namespace
+
+void add_bounds(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand("bounds", "evidence that the bounds hold");
+    sub->require_subcommand(1);
+
+    CLI::App* cases = sub->add_subcommand(
+        "hard-cases", "values that are hard to get right, by ball and by two routes; exit 1 where "
+                      "they differ");
+    auto c = std::make_shared<CasesOptions>();
+    cases->add_option("file", c->file, "the cases (TOML)")->capture_default_str();
+    cases->add_option("--digits", c->digits, "digits asked for")->capture_default_str();
+    cases->add_option("--threads", c->threads, "threads (default: one a processor)");
+    cases->add_flag("--classes", c->classes, "a row a class only");
+    add_output(*cases, c->output);
+    cases->callback([c, &code] { code = hard_cases(*c); });
+
+    CLI::App* counting = sub->add_subcommand(
+        "count",
+        "values drawn from a seed, each tested: enclosed, rounded correctly, tight; exit 1 "
+        "where one fails");
+    auto n = std::make_shared<CountingOptions>();
+    counting->add_option("--values", n->values, "how many")->capture_default_str();
+    counting->add_option("--seed", n->seed, "what they are drawn from")->capture_default_str();
+    counting->add_option("--digits", n->digits, "digits asked for")->capture_default_str();
+    counting->add_option("--threads", n->threads, "threads (default: one a processor)");
+    counting->add_option("--state", n->state,
+                         "keep what is done in this file, and go on from it where it is there");
+    add_output(*counting, n->output);
+    counting->callback([n, &code] { code = count(*n); });
+
+    CLI::App* honest = sub->add_subcommand(
+        "honesty", "the errors that routes claim beside those that they have: ours, and other "
+                   "libraries' used plainly");
+    auto h = std::make_shared<HonestyChoice>();
+    honest->add_option("--digits", h->digits, "digits asked for")->capture_default_str();
+    honest->add_option("--scripts", h->scripts, "folder of the scripts for mpmath and PARI")
+        ->capture_default_str();
+    add_output(*honest, h->output);
+    honest->callback([h, &code] { code = honesty_of_routes(*h); });
+}
+
+} // namespace edgeproof::cli

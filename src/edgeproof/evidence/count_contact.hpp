@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/evidence/count.hpp"
+#include "edgeproof/scene/vouched.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace edgeproof {
+
+/// One contact of a count, done.
+struct CountedContact {
+    std::map<std::size_t, CountCell> cells; ///< as in CountState
+    std::vector<CountFinding> findings;
+};
+
+/// False where it was stopped: nothing of it counts.
+[[nodiscard]] bool count_contact(const CountOptions& options, std::size_t number,
+                                 std::size_t values, CountedContact& found);
+
+/// What is wrong with one value, empty where nothing is. `error` is what `second` may owe to its
+/// own rounding. Adds to the cell.
+[[nodiscard]] std::string held_to(const Vouched& first, const Vouched& finer, const Real& second,
+                                  const Real& error, unsigned digits, CountCell& cell);
+
+} // namespace edgeproof

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/evidence/hard_cases.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/toml_section.hpp"
+
+namespace edgeproof {
+namespace {
+
+constexpr long most_terms = 1000;
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    }
+    return out + "\"";
+}
+
+std::string list_of(const std::vector<std::string>& items) {
+    std::string out = "[";
+    for (const std::string& item : items) {
+        out += (out.size() > 1 ? ", " : "") + quoted(item);
+    }
+    return out + "]";
+}
+
+/// The section as a scene has it.
+std::string scene_section(const TomlSection& section, const std::string& name) {
+    std::string text = "[" + name + "]\n";
+    for (const std::string& key : section.keys()) {
+        text += key + " = ";
+        if (key == "symmetric") {
+            text += section.flag(key) ? "true" : "false";
+        } else if (key == "slopes") {
+            text += list_of(section.texts(key));
+        } else if (section.is_list(key)) {
+            std::vector<std::string> items;
+            for (const auto& item : section.exacts(key)) {
+                items.push_back(item.value.text());
+            }
+            text += list_of(items);
+        } else {
+            text += quoted(section.written(key));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+Scene read_case_scene(const TomlSection& section) {
+    std::string text = scene_section(section.section("profile"), "profile") +
+                       scene_section(section.section("load"), "load");
+    if (section.has("shear")) {
+        text += scene_section(section.section("shear"), "shear");
+    }
+    try {
+        return parse_scene(text, section.file());
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()).at(section.file(), section.line());
+    }
+}
+
+AskedValue read_asked(const TomlSection& section, const Scene& scene) {
+    using Kind = AskedValue::Kind;
+    AskedValue asked;
+    const std::string quantity = section.text("quantity");
+    const auto kind = asked_kind(quantity);
+    if (!kind) {
+        section.reject("quantity", "unknown quantity '" + quantity + "'",
+                       "write pressure, coefficient, residual, shear, shear-coefficient, load, "
+                       "left-edge, tilt-difference or extent");
+    }
+    asked.kind = *kind;
+    if (section.has("edge")) {
+        const std::string edge = section.text("edge");
+        if (edge != "right" && edge != "left") {
+            section.reject("edge", "there is no edge '" + edge + "'", "write right or left");
+        }
+        asked.edge = edge == "right" ? Edge::right : Edge::left;
+    }
+    if (asked.at_point()) {
+        asked.u = section.exact("u");
+    }
+    if (asked.kind == Kind::extent) {
+        asked.tolerance = parse_tolerance(section.text("tolerance"));
+    }
+    if (asked.kind == Kind::coefficient || asked.kind == Kind::shear_coefficient) {
+        asked.n = section.count("n", 0, most_terms);
+    } else if (asked.kind == Kind::residual || asked.kind == Kind::extent) {
+        asked.n = section.count("n", 1, most_terms);
+    }
+    if ((asked.kind == Kind::shear || asked.kind == Kind::shear_coefficient) && !scene.shear) {
+        section.reject(section.line(), "a shear is asked for and there is none",
+                       "add shear = { Q = \"...\" }");
+    }
+    if (!scene.profile) {
+        section.reject("load", "the tilt is not given",
+                       "give alpha: what is solved for by an estimate proves nothing");
+    }
+    return asked;
+}
+
+} // namespace
+
+std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string& file) {
+    const TomlSection top = TomlSection::parse(text, file);
+    top.allow({"cases"});
+    std::vector<HardCase> cases;
+    const TomlSection all = top.section("cases");
+    for (const std::string& name : all.keys()) {
+        const TomlSection section = all.section(name);
+        section.allow({"class", "reason", "quantity", "edge", "u", "n", "tolerance", "profile",
+                       "load", "shear"});
+        HardCase c;
+        c.line = section.line();
+        c.family = section.text("class");
+        c.reason = section.text("reason");
+        c.name = name;
+        c.scene = read_case_scene(section);
+        c.asked = read_asked(section, c.scene);
+        cases.push_back(std::move(c));
+    }
+    return cases;
+}
+
+} // namespace edgeproof

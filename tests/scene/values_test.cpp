@@ -111,6 +111,7 @@ TEST_CASE("Hertz within 1 %: u = 2a (1 - 1.01^-2) for one term") {
           to_decimal(exit, 30, Rounding::nearest));
     CHECK(printed(result.extents[0].first_exit_fraction, scene.ask.digits).text ==
           to_decimal(Rational(exit / 2), 30, Rounding::nearest));
+    CHECK(result.extents[0].first_exit.proved);
     CHECK(result.extents[0].covers_zone == true); // 0.0394... > 0.039
     scene.ask.process_zone = Exact::parse("0.0395");
     CHECK(run_scene(scene).extents[0].covers_zone == false);
@@ -257,6 +258,32 @@ TEST_CASE("on a knot the pressure is proved, and is what it is 1e-60 beside it")
     const SceneResult hertz_middle = run_scene(parsed(hertz("1", "u = \"1\"\n")));
     CHECK(contains(hertz_middle.points[0].values.p->value, Rational(1, 2)));
     CHECK(hertz_middle.points[0].values.p->proved);
+}
+
+TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
+    // moore-hills.tex line 303: P = E* phi a sqrt(gamma), gamma = b/a. A tilt of 0 has M = 0.
+    const auto text = [](const char* M) {
+        return std::string("[profile]\nkind = \"tilted-wedge\"\nphi = \"pi/16\"\n[load]\nP = "
+                           "\"1/10\"\nM = \"") +
+               M +
+               "\"\ncontact_modulus = \"1\"\n[ask]\nu = \"1e-6\"\nterms = 1\nquantities = "
+               "[\"contact\", \"pressure\", \"coefficients\"]\n";
+    };
+    const Scene scene = parsed(text("-1/50"));
+    const SceneResult result = run_scene(scene);
+    const ContactValues& contact = result.contact;
+    for (const Vouched* v :
+         {&*contact.alpha, &contact.a, &contact.b, &*contact.force, &*contact.moment,
+          &*result.points[0].values.p, &result.coefficients[0].c[0]}) {
+        CHECK(v->proved);
+        CHECK(printed(*v, scene.ask.digits).complete);
+    }
+    const Ball P = Ball::pi(300) / 16 * sqrt(contact.a.value * contact.b.value);
+    CHECK(overlaps(P, Ball(Rational(1, 10), 300)));
+    const SceneResult upright = run_scene(parsed(text("0")));
+    CHECK(printed(*upright.contact.alpha, scene.ask.digits).text == "0");
+    CHECK(upright.contact.alpha->proved);
+    CHECK(overlaps(upright.contact.a.value, upright.contact.b.value));
 }
 
 TEST_CASE("a load that no contact carries, and points that have no pressure, name their lines") {

@@ -50,7 +50,7 @@ int extent(const Options& o) {
         "first_exit: the first distance from the edge at which n terms are off by the tolerance; "
         "measure: the length of all places where they are not; the fractions are of a + b",
         "crossings: every distance at which the error passes the tolerance; that there are no more "
-        "is sampled, not proved, so that the bounds are estimates"};
+        "is proved, unless the route says scan: then it is sampled, and the bounds are estimates"};
     if (scene.ask.process_zone) {
         table.notes.push_back("covers_zone: yes where n terms stay within the tolerance all "
                               "through the process zone");

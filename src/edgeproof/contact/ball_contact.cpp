@@ -78,7 +78,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     }
     // The proof.
     Ball radius = abs(step) * 4 + abs(x) * tiny;
-    for (int k = 0; k < 24; ++k) {
+    for (long k = 0; 5 * k < bits; ++k) {
         const Ball candidate = Ball::around(x.midpoint(), radius.upper(), bits);
         const Ball image = x - f(x) / rate(candidate);
         if (image.is_finite() && certainly_positive(image) && contains(candidate, image)) {
@@ -96,21 +96,54 @@ bool BallContact::has_closed_form(const Profile& profile) {
     return profile.piecewise_linear() || profile.kind() == Profile::Kind::power_law;
 }
 
+Ball enclosed_constant(const Exact& x, long bits) {
+    return evaluate<Ball>(x.expr(), ConstantEnvironment{bits});
+}
+
 Ball BallContact::constant(const Expr& e) const {
     return evaluate<Ball>(e, ConstantEnvironment{bits_});
 }
 
 BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
                          long bits)
-    : BallContact(profile, evaluate<Ball>(contact_modulus.expr(), ConstantEnvironment{bits}),
-                  bits) {
-    const Ball given = constant(load.value.expr());
+    : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
     if (load.kind == Load::Kind::right_edge) {
         find_knots_on_edges(load.value);
         given_a_ = load.value;
     }
+    solve(load);
+}
+
+BallContact::BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
+                         const Load& load, long bits)
+    : BallContact(near, enclosed_constant(contact_modulus, bits), bits) {
+    tilt_by(alpha);
+    solve(load);
+}
+
+void BallContact::solve(const Load& load) {
+    const Ball given = constant(load.value.expr());
     a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
     b_ = solve_left_edge(a_);
+}
+
+/// g' of Profile::tilted_wedge and Profile::tilted_flat_and_rounded, alpha > 0 in the latter.
+void BallContact::tilt_by(const Ball& alpha) {
+    const auto given = [&](const char* name) {
+        return constant(profile_.parameters().at(name).expr());
+    };
+    if (profile_.kind() == Profile::Kind::tilted_wedge) {
+        pieces_[0].at_origin = -(given("phi") + alpha);
+        pieces_[1].at_origin = given("phi") - alpha;
+    } else if (profile_.kind() == Profile::Kind::tilted_flat_and_rounded && knots_.size() == 3) {
+        const Ball flat_end = -(alpha * given("R"));
+        knots_[0] = flat_end - given("t") * 2;
+        knots_[1] = flat_end;
+        pieces_[1].at_origin = -alpha;
+    } else {
+        throw DomainError("only a tilted wedge or a tilted flat has a tilt");
+    }
+    find_jumps();
 }
 
 BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
@@ -162,6 +195,17 @@ BallContact BallContact::mirrored() const {
     if (profile_.symmetric()) {
         m.given_a_ = given_a_;
     }
+    // A tilt that is known by a ball is in these, and not in the profile.
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        m.knots_[i] = -knots_[knots_.size() - 1 - i];
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Piece& p = pieces_[pieces_.size() - 1 - i];
+        m.pieces_[i] = {-p.at_origin, p.rate};
+    }
+    if (!power_law_) {
+        m.find_jumps();
+    }
     for (std::size_t i = 0; i < on_edge_.size(); ++i) {
         if (on_edge_[i]) {
             m.on_edge_[on_edge_.size() - 1 - i] = opposite(*on_edge_[i]);
@@ -187,11 +231,16 @@ void BallContact::read_profile() {
         for (const SlopePiece& piece : profile.pieces()) {
             pieces_.push_back({constant(piece.linear->at_origin), constant(piece.linear->rate)});
         }
-        for (std::size_t i = 0; i < knots_.size(); ++i) {
-            const auto at = [&](const Piece& p) { return p.at_origin + p.rate * knots_[i]; };
-            jumps_.push_back(profile.has_corner(i) ? at(pieces_[i + 1]) - at(pieces_[i])
-                                                   : Ball(0, bits_));
-        }
+        find_jumps();
+    }
+}
+
+void BallContact::find_jumps() {
+    jumps_.clear();
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const auto at = [&](const Piece& p) { return p.at_origin + p.rate * knots_[i]; };
+        jumps_.push_back(profile_.has_corner(i) ? at(pieces_[i + 1]) - at(pieces_[i])
+                                                : Ball(0, bits_));
     }
 }
 

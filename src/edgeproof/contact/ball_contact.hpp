@@ -24,6 +24,9 @@ public:
     /// Throws DomainError for a profile without a closed form, or when `bits` are too few to
     /// separate the edges from the knots (ask for more).
     BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
+    /// Of a tilted wedge or punch whose tilt is known by a ball; `near` is one of a tilt in it.
+    BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
+                const Load& load, long bits);
 
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
 
@@ -43,6 +46,19 @@ public:
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
     /// Where the edge is given as well, the distances from the knots are exact.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
+    /// A ball whose lower end no pressure over u is below, finite where the ball of x meets a
+    /// corner.
+    [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const;
+    /// p(u + z) in powers of z: coefficients that hold for every u of a ball, so that the last one
+    /// bounds Taylor's remainder over it. Not finite when the ball of x meets a knot.
+    [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u, std::size_t order) const;
+    /// The distances of the corners, where p is infinite.
+    [[nodiscard]] std::vector<Ball> corners(Edge edge) const;
+    /// p/sqrt(u) has a power series at least up to this distance from the edge: to the next knot,
+    /// or (a power law) to where its majorant still converges.
+    [[nodiscard]] Ball reach(Edge edge) const;
+    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach.
+    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const;
     /// c_0 ... c_{terms-1} at an edge, each enclosed. A given edge that lies on a knot exactly is
     /// expanded from inside the contact. One that may lie on a knot, as far as the bits tell, has
     /// no enclosed expansion: the coefficients are not finite.
@@ -53,6 +69,9 @@ public:
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);
     void read_profile();
+    void tilt_by(const Ball& alpha);
+    void find_jumps();
+    void solve(const Load& load);
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     /// The integral of a kernel over dg' as a power series in z, the edges being a + z and b(z).
     template <class AtKnot, class Between>
@@ -73,7 +92,7 @@ private:
     void find_knots_on_edges(const Exact& a);
     struct Place;
     [[nodiscard]] Place place(Edge edge, const Ball& u) const;
-    [[nodiscard]] Ball pressure(const Place& at) const;
+    [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
     /// False at a knot where g' goes on by one formula (the origin of a parabola).
     [[nodiscard]] bool bends(std::size_t knot) const;
     [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
@@ -102,6 +121,9 @@ private:
     Ball a_;
     Ball b_;
 };
+
+/// A constant in a ball.
+[[nodiscard]] Ball enclosed_constant(const Exact& x, long bits);
 
 /// c_0 ... c_{terms-1} to `digits` correct digits each (a coefficient that vanishes: to that many
 /// digits of its natural size |c_0|/length^k). Throws BudgetError as below.

@@ -2,9 +2,7 @@
 #include "edgeproof/contact/ball_marks.hpp"
 
 namespace edgeproof {
-namespace {
 
-/// max(x, 0), as a ball.
 Ball clamped(const Ball& x) {
     if (certainly_positive(x)) {
         return x;
@@ -15,14 +13,11 @@ Ball clamped(const Ball& x) {
     return Ball::from_interval(Real(0), x.upper(), x.bits());
 }
 
-/// The root of a number that is known not to be negative although its ball may reach below zero.
 Ball root(const Ball& x) {
     Ball r(0, x.bits());
     arb_sqrtpos(r.data(), x.data(), x.bits());
     return r;
 }
-
-} // namespace
 
 BallMark BallMark::at(const Ball& a, const Ball& b, const Ball& v) {
     if (certainly_negative(a - v)) {
@@ -60,16 +55,20 @@ BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
         g.value = Ball(0, offset.bits());
         arb_pos_inf(g.value.data());
         g.moment = Ball(0, offset.bits());
+        g.least = g.moment;
         return g;
     }
     // |p - q| = D |offset|, so that the argument is 1 + (2 min + 2 sqrt(pq))/gap: near an edge it
     // is near 1 and the logarithm keeps its relative digits.
     const Ball smaller = min(p, q);
-    g.value = log1p((smaller * 2 + root(p * q) * 2) / gap);
+    const Ball beyond = smaller * 2 + root(p * q) * 2;
+    g.value = log1p(beyond / gap);
     if (!contains_zero(offset)) {
         g.moment = offset * g.value;
+        g.least = g.value;
         return g;
     }
+    g.least = log1p(clamped(beyond) / Ball(gap.upper(), offset.bits()));
     // |t ln(C/t)| grows with t up to C/e: over |offset| <= t it is at most t ln(C/t).
     const Ball sum = root(p) + root(q);
     const Ball C(Ball(sum * sum / D).upper(), offset.bits());

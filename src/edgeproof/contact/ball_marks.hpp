@@ -19,11 +19,17 @@ struct BallMark {
     [[nodiscard]] static BallMark left_end(const Ball& a, const Ball& b);
 };
 
+/// max(x, 0), as a ball.
+[[nodiscard]] Ball clamped(const Ball& x);
+/// The root of a number that is known not to be negative although its ball may reach below zero.
+[[nodiscard]] Ball root(const Ball& x);
+
 /// G(x, v) = ln((sqrt p + sqrt q)^2/(D |v - x|)), p = right_v left_x, q = right_x left_v, and
 /// (v - x) G, which is enclosed also where the ball of v - x holds zero, and is 0 where it is zero.
 struct BallGreen {
     Ball value;
     Ball moment;
+    Ball least; ///< below G everywhere in the balls, and finite where the value is not
 };
 [[nodiscard]] BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
                                    const Ball& D, const Ball& offset);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/power_law_integral.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
@@ -18,7 +19,9 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
     if (certainly_negative(u) || certainly_negative(other)) {
         throw DomainError("a point lies outside the contact");
     }
-    Place at{edge == Edge::right ? u : other, edge == Edge::right ? other : u, {}};
+    // A ball that reaches beyond an edge stands for its part inside.
+    Place at{
+        clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
     for (const Ball& knot : knots_) {
         at.offsets.push_back(edge == Edge::right ? u - (a_ - knot) : b_ + knot - u);
     }
@@ -45,7 +48,11 @@ Ball BallContact::pressure(Edge edge, const Exact& u) const {
 
 Ball BallContact::pressure(Edge edge, const Ball& u) const { return pressure(place(edge, u)); }
 
-Ball BallContact::pressure(const Place& at) const {
+Ball BallContact::least_pressure(Edge edge, const Ball& u) const {
+    return pressure(place(edge, u), true);
+}
+
+Ball BallContact::pressure(const Place& at, bool least) const {
     if (power_law_) {
         // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
         const Ball rate = power_factor_ * (exponent_ + 1) * pow(a_, exponent_);
@@ -54,7 +61,7 @@ Ball BallContact::pressure(const Place& at) const {
                power_law_integral(profile_.parameters().at("m"), exponent_, abs(at.offsets[0]) / a_,
                                   y);
     }
-    const Ball w_x = sqrt(at.right * at.left);
+    const Ball w_x = root(at.right * at.left);
     Ball sum(0, bits_);
     BallMark previous = BallMark::left_end(a_, b_);
     Ball previous_moment(0, bits_);
@@ -66,7 +73,7 @@ Ball BallContact::pressure(const Place& at) const {
             const BallGreen green = ball_green(next, at.right, at.left, a_ + b_, at.offsets[i]);
             moment = green.moment;
             if (profile_.has_corner(i)) {
-                sum += jumps_[i] * green.value;
+                sum += jumps_[i] * (least ? green.least : green.value);
             }
         }
         sum += pieces_[i].rate * (moment - previous_moment + w_x * (previous.h - next.h));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/power_law_integral.hpp"
 
+#include "edgeproof/contact/ball_marks.hpp"
+
 #include <algorithm>
 
 namespace edgeproof {
@@ -35,7 +37,7 @@ Ball edge_series(const Ball& n, const Ball& q, const Ball& y) {
         const Ball share = term / (2 * k + 1);
         if (certainly_less(ratio, Ball(1, bits)) && k > 0 && negligible(share, sum)) {
             const Ball factor = pow(q, n);
-            return sqrt(y) * factor * (sum + from_zero(share / (1 - ratio)));
+            return root(y) * factor * (sum + from_zero(share / (1 - ratio)));
         }
         sum += share;
         term *= ratio;
@@ -89,7 +91,10 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
         m.is_rational()
             ? static_cast<long>(Integer(numerator(m.rational()) / (2 * denominator(m.rational()))))
             : static_cast<long>(about_m / 2);
-    const Ball root = sqrt(y);
+    const Ball root = edgeproof::root(y);
+    // Of a wide ball neither series may converge.
+    const Ball most(Rational(99, 100), bits);
+    const bool by_edge = certainly_less(y, most);
     const auto few = [&](const Ball& n) {
         const Rational left = m.is_rational() ? Rational(m.rational() - 2 * steps) : Rational(1, 3);
         if (left == 1) {
@@ -98,7 +103,10 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
         if (left == 0) {
             return asinh(root / q);
         }
-        return about_y <= 0.75 ? edge_series(n, q, y) : apex_series(n, q);
+        if (by_edge && (about_y <= 0.75 || !certainly_less(q, most))) {
+            return edge_series(n, q, y);
+        }
+        return certainly_less(q, most) ? apex_series(n, q) : unknown(bits);
     };
     if (steps == 0) {
         return few(enclosed_m);
@@ -110,7 +118,7 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
     if (std::min(near_edge, downwards) > most_terms) {
         return unknown(bits);
     }
-    if (near_edge < downwards) {
+    if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
         return edge_series(enclosed_m, q, y);
     }
     // m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, by parts; and 0 <= I_n <= sqrt(y) for n >= 1.

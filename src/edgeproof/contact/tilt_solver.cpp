@@ -21,10 +21,11 @@ Exact decimal(const Real& v, unsigned digits) {
     return Exact::parse(v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific));
 }
 
-int sign_or_zero(const Exact& x) {
+int sign_or_zero(const Exact& x, bool& certain) {
     try {
         return x.sign();
     } catch (const BudgetError&) {
+        certain = false;
         return 0; // equal as far as can be told
     }
 }
@@ -138,8 +139,13 @@ SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near
     const Branch& branch = is_near ? near : far;
     const unsigned full = digits + 15;
     const Real v = solver.solve(branch, target(branch), full);
-    const Exact alpha = branch.tilt(decimal(v, full + 5));
-    return {alpha, punch.at(alpha), solver.contacts()};
+    const Exact found = decimal(v, full + 5);
+    const Exact alpha = branch.tilt(found);
+    const auto beside = [found, tilt = branch.tilt](unsigned k, int sense) {
+        const Rational part(sense, pow(Integer(10), k));
+        return tilt(Exact::of(Rational(found.rational() * (1 + part))));
+    };
+    return {alpha, punch.at(alpha), solver.contacts(), beside};
 }
 
 SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const Exact& modulus, const Exact& P,
@@ -147,16 +153,16 @@ SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const Exact& modulus, const E
     const int sense = M.sign();
     if (sense == 0) {
         const Exact upright = Exact::of(Rational(0));
-        return {upright, punch.at(upright), 0};
+        return {upright, punch.at(upright), 0, {}, true};
     }
     const Exact zero;
     const Exact half(punch.phi.expr() / number(2));
     const Branch near{half, [sense](const Exact& v) { return sense > 0 ? v : Exact(-v.expr()); },
                       zero, sense};
     const Branch far{half,
-                     [sense, &punch](const Exact& v) {
-                         return sense > 0 ? Exact(punch.phi.expr() - v.expr())
-                                          : Exact(v.expr() - punch.phi.expr());
+                     [sense, phi = punch.phi](const Exact& v) {
+                         return sense > 0 ? Exact(phi.expr() - v.expr())
+                                          : Exact(v.expr() - phi.expr());
                      },
                      zero, sense};
     Solver solver(punch, modulus, P);
@@ -170,10 +176,11 @@ SolvedTilt tilt_of_punch(const TiltedPunch& punch, const Exact& modulus, const E
                          "give alpha, or P alone with kind = \"power-law\", m = \"1\"");
     }
     const Exact upright(-(punch.t.expr() * P.expr()));
-    const int above = sign_or_zero(Exact(M.expr() - upright.expr()));
+    bool certain = true;
+    const int above = sign_or_zero(Exact(M.expr() - upright.expr()), certain);
     if (above == 0) {
         const Exact alpha = Exact::of(Rational(0));
-        return {alpha, punch.at(alpha), 0};
+        return {alpha, punch.at(alpha), 0, {}, certain};
     }
     if (above < 0) {
         throw InputError("no tilt alpha >= 0 has the moment M = " + M.text() +

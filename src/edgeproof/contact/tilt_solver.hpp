@@ -3,6 +3,7 @@
 #include "edgeproof/contact/normal_contact.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace edgeproof {
@@ -24,6 +25,10 @@ struct SolvedTilt {
     Exact alpha;
     Profile profile;
     std::size_t contacts = 0; ///< solved on the way
+    /// The tilt, and a little less and more of it: by about 10^-k of its distance from the end of
+    /// its range that it is near. For the exact tilts 0 there is none.
+    std::function<Exact(unsigned k, int sense)> beside = {};
+    bool certain = true; ///< false: 0 as far as can be told
 };
 
 /// The tilt at which a punch carries the normal force P > 0 and the moment M, both per unit length.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_extent.hpp"
 #include "edgeproof/contact/ball_shear.hpp"
+#include "edgeproof/contact/ball_tilt.hpp"
 #include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
@@ -24,7 +26,15 @@ class Level {
 public:
     Level(const Scene& scene, const Plan& plan, long bits)
         : scene_(scene), plan_(plan), bits_(bits) {
-        if (BallContact::has_closed_form(*scene.profile)) {
+        if (scene.punch) {
+            tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
+                                 *scene.moment, bits);
+            if (tilt_->exactly_zero) {
+                closed_.emplace(tilt_->near, scene.contact_modulus, scene.load, bits);
+            } else {
+                closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
+            }
+        } else if (BallContact::has_closed_form(*scene.profile)) {
             closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
         } else {
             curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
@@ -34,6 +44,9 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
     [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
+    [[nodiscard]] const BallContact& closed_form() const { return *closed_; }
+    /// Where it was solved for.
+    [[nodiscard]] const EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
@@ -99,6 +112,7 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     long bits_;
+    std::optional<EnclosedTilt> tilt_;
     std::optional<BallContact> closed_;
     std::optional<IntegratedContact> curved_; ///< of g' that has no closed form
     std::optional<Last> last_;
@@ -113,6 +127,7 @@ public:
         : scene_(scene), plan_(plan), work_(work),
           last_bits_(std::max(least_last_bits, 8 * plan.bits)), last_curved_bits_(8 * plan.bits) {
         work.counts.consistency += scene.symmetric() ? 0 : 1;
+        work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
         // No contact at any precision: the routes in Real say why.
         if (!settle([](Level& level) { return level.length(); }, plan.digits)) {
@@ -135,6 +150,14 @@ public:
                 values.b.exactly = values.a.exactly;
             }
         }
+        if (scene_.punch) {
+            values.alpha = vouched([](Level& level) { return level.tilt().alpha; }, "tilt",
+                                   [&](ValueRoute& other) { return *other.contact().alpha; });
+            const Level* first = at_level(plan_.bits);
+            if (first != nullptr && first->tilt().exactly_zero) {
+                values.alpha->exactly = Rational(0);
+            }
+        }
         if (plan_.resultants) {
             work_.counts.resultants += 2;
             values.force =
@@ -143,8 +166,12 @@ public:
             if (!given) {
                 values.force->exactly = rational_of(scene_.load.value);
             }
-            values.moment = vouched([](Level& level) { return level.moment(); }, "contact-law",
+            values.moment = vouched([](Level& level) { return level.moment(); },
+                                    scene_.moment ? "given" : "contact-law",
                                     [&](ValueRoute& other) { return *other.contact().moment; });
+            if (scene_.moment) {
+                values.moment->exactly = rational_of(*scene_.moment);
+            }
         }
         return values;
     }
@@ -226,11 +253,72 @@ public:
     }
 
     ExtentValues extent(Edge edge, std::size_t n) override {
+        if (closed()) {
+            if (auto found = enclosed_extent(edge, n)) {
+                ++work_.counts.extents;
+                return std::move(*found);
+            }
+        }
         ++work_.counts.extents;
-        return others().extent(edge, n);
+        ExtentValues sampled = others().extent(edge, n);
+        if (closed()) {
+            for (Vouched* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
+                               &sampled.measure_fraction}) {
+                v->route = "scan, undecided in balls";
+            }
+        }
+        return sampled;
     }
 
 private:
+    /// Nothing where the budget does not decide.
+    [[nodiscard]] std::optional<ExtentValues> enclosed_extent(Edge edge, std::size_t n) {
+        BallExtentSearch search(
+            [&](long bits) -> const BallContact& {
+                Level* level = at_level(bits);
+                if (level == nullptr) {
+                    throw BudgetError("so few bits do not enclose the edges");
+                }
+                return level->closed_form();
+            },
+            edge, n, *scene_.ask.tolerance, scene_.ask.part);
+        const auto settled = [&](const Ball& x) { return settles(x, plan_.digits); };
+        std::optional<EnclosedExtents> best;
+        for (long bits = plan_.bits; bits <= last_bits_; bits *= 2) {
+            try {
+                best = search.at(bits);
+            } catch (const BudgetError&) {
+                if (search.evaluations() > BallExtentSearch::most_evaluations) {
+                    break;
+                }
+                continue;
+            }
+            if (settled(best->first_exit) && settled(best->measure) &&
+                std::all_of(best->crossings.begin(), best->crossings.end(), settled)) {
+                break;
+            }
+        }
+        if (!best) {
+            return {};
+        }
+        const auto proved = [](const Ball& x) { return Vouched{x, true, "sign changes"}; };
+        ExtentValues values;
+        values.edge = edge;
+        values.n = n;
+        values.leaves = best->leaves;
+        values.first_exit = proved(best->first_exit);
+        values.measure = proved(best->measure);
+        values.first_exit_fraction = proved(best->first_exit / best->length);
+        values.measure_fraction = proved(best->measure / best->length);
+        for (const Ball& u : best->crossings) {
+            values.crossings.push_back(proved(u));
+        }
+        if (scene_.ask.process_zone) {
+            values.covers_zone = certainly_less(
+                ball_of(*scene_.ask.process_zone, best->length.bits()), best->first_exit);
+        }
+        return values;
+    }
     [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
     /// f at more and more bits, until its digits are settled, or it cannot be told from zero, or
     /// the bits are used up. Nothing where it has no finite value.
@@ -352,7 +440,14 @@ private:
 } // namespace
 
 std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan, Work& work) {
-    return std::make_unique<BallRoute>(scene, plan, work);
+    try {
+        return std::make_unique<BallRoute>(scene, plan, work);
+    } catch (const InputError& error) {
+        if (error.file().empty()) {
+            throw error.at(scene.file, scene.load_line);
+        }
+        throw;
+    }
 }
 
 } // namespace edgeproof

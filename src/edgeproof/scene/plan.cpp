@@ -97,15 +97,14 @@ private:
     }
 
     void proof() {
-        const bool closed = scene_.profile && plan_.route == Route::closed_form;
+        const bool closed = plan_.route == Route::closed_form;
         const bool integrated = scene_.profile && ask_.route == Route::automatic && !closed &&
                                 IntegratedContact::handles(*scene_.profile, scene_.load);
         plan_.proved = closed || integrated;
         plan_.proved_why =
-            closed ? "closed forms in ball arithmetic: every value but extents is enclosed"
+            closed ? "closed forms in ball arithmetic: every value is enclosed"
             : integrated
                 ? "rigorous integration in ball arithmetic: every value but extents is enclosed"
-            : scene_.punch ? "the tilt is solved for, and known by an estimate"
             : ask_.route != Route::automatic
                 ? "the route " + route_name(plan_.route) + " is asked for"
                 : "g' or the load is beyond the rigorous integration";

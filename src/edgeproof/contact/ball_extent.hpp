@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/extent.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace edgeproof {
+
+/// Where n terms are within a tolerance of the pressure (extent.hpp), proved: every u of the range
+/// is shown to be on one side of the tolerance, or lies in a crossing.
+struct EnclosedExtents {
+    Ball first_exit; ///< no u of the range before it reaches the tolerance; the range's end if none
+    Ball measure;
+    std::vector<Ball> crossings; ///< in order; beside a corner a crossing may stand for 1, 3, ...
+    bool leaves = true;
+    Ball length; ///< a + b
+};
+
+/// The search. Next to the edge the omitted terms are bounded by a majorant of the expansion; from
+/// there on p and its Taylor remainder are enclosed over intervals, halved until f = p_local/p - 1
+/// is certainly within the tolerance, certainly beyond it, or certainly monotone, when the signs at
+/// the interval's ends tell how often the tolerance is crossed. For profiles with a closed form.
+class BallExtentSearch {
+public:
+    /// A contact at a number of bits; throws BudgetError where they are too few.
+    using Contact = std::function<const BallContact&(long bits)>;
+
+    /// Throws InputError as within_tolerance does. `contact` outlives the object.
+    BallExtentSearch(Contact contact, Edge edge, std::size_t n, const Exact& tolerance,
+                     ExtentRange range);
+    ~BallExtentSearch();
+    BallExtentSearch(const BallExtentSearch&) = delete;
+    BallExtentSearch& operator=(const BallExtentSearch&) = delete;
+
+    /// Throws BudgetError, saying why, where so many bits, or `most_evaluations`, do not decide: an
+    /// error that touches the tolerance, or a crossing on an end of the range.
+    [[nodiscard]] EnclosedExtents at(long bits);
+    /// Of f over intervals and at points, so far.
+    [[nodiscard]] std::size_t evaluations() const;
+
+    static constexpr std::size_t most_evaluations = 60'000;
+
+private:
+    class Search;
+    std::unique_ptr<Search> search_;
+};
+
+} // namespace edgeproof

@@ -139,15 +139,17 @@ Table honesty_table(const std::vector<HonestyRow>& rows, unsigned digits) {
                                      std::to_string(r.none),
                                      std::to_string(r.understated)};
         if (r.none < r.points) {
+            const bool all = r.least_claimed >= most_digits_right && r.least_right == 0;
             const unsigned lost =
                 r.least_claimed > r.least_right ? r.least_claimed - r.least_right : 0;
             const long tenths = std::lround(10 * r.worst_ratio);
-            row.push_back(std::string(tenths < 0 ? "-" : "") +
-                          std::to_string(std::labs(tenths) / 10) + "." +
-                          std::to_string(std::labs(tenths) % 10));
+            row.push_back(all ? "infinite"
+                              : std::string(tenths < 0 ? "-" : "") +
+                                    std::to_string(std::labs(tenths) / 10) + "." +
+                                    std::to_string(std::labs(tenths) % 10));
             row.push_back(capped(r.least_claimed));
             row.push_back(capped(r.least_right));
-            row.push_back(std::to_string(lost));
+            row.push_back(all ? "all" : std::to_string(lost));
         } else {
             row.insert(row.end(), 4, "");
         }

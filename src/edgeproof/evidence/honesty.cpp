@@ -68,9 +68,11 @@ void judge(HonestyRow& row, const Claimed* claimed, const Ball& exact) {
     const double ratio =
         counts ? decades(least) - decades(claimed->error) : -static_cast<double>(most_digits_right);
     const unsigned right = digits_right(claimed->value, exact);
-    const unsigned said = digits_right(
-        claimed->value,
-        Ball::around(claimed->value, counts ? Real(abs(claimed->error)) : Real(1), bits));
+    // A claim of no error at all claims every digit.
+    const Ball around =
+        Ball::around(claimed->value, counts ? Real(abs(claimed->error)) : Real(1), bits);
+    const unsigned said =
+        counts && claimed->error == 0 ? most_digits_right : digits_right(claimed->value, around);
     if (row.points - row.none == 1 || ratio > row.worst_ratio) {
         row.worst_ratio = ratio;
         row.least_right = right;

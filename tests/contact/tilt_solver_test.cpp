@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/tilt_solver.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_tilt.hpp"
 #include "edgeproof/contact/forward.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/scenes.hpp"
@@ -39,6 +41,26 @@ void check_carries(const TiltedPunch& punch, const char* modulus, const Exact& P
     } else {
         CHECK(agree(contact.moment(), M.to<Real>(), d));
     }
+}
+
+/// What is wrong with the enclosure of the tilt of a punch under P and M.
+std::string fault_of_enclosure(const TiltedPunch& punch, const char* P, const char* M) {
+    const Exact modulus = exact("7/3");
+    const EnclosedTilt tilt = enclose_tilt(punch, modulus, exact(P), exact(M), 340);
+    const SolvedTilt other = solve_tilt(punch, modulus, exact(P), exact(M), 40);
+    const PrecisionScope scope(200);
+    if (!agree(other.alpha.to<Real>(), tilt.alpha.midpoint(), 30)) {
+        return "not the tilt found in Real";
+    }
+    if (tilt.alpha.relative_accuracy_bits() < 120) {
+        return "too wide";
+    }
+    // A contact of every tilt in the ball, P being held, has a moment around M.
+    const BallContact contact(tilt.near, tilt.alpha, modulus, Load::force(exact(P)), 340);
+    if (!overlaps(contact.moment(), enclosed_constant(exact(M), 340))) {
+        return "another moment";
+    }
+    return overlaps(contact.mirrored().force(), contact.force()) ? "" : "another force in a mirror";
 }
 
 } // namespace
@@ -144,4 +166,31 @@ TEST_CASE("where no tilt exists, the error says why") {
     fails(TiltedPunch::flat_and_rounded(exact("0"), exact("2")), "1", "0", "t = 0");
     fails(TiltedPunch::flat_and_rounded(exact("1"), exact("-2")), "1", "0", "R");
     fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi");
+}
+
+TEST_CASE("the tilt is enclosed, narrowly, and the enclosure holds what it was made from") {
+    // A wedge of known tilt: its force and moment are constants of the balls of another contact, so
+    // they are put in as what the Real route rounds them to, and the tilt must come back as near.
+    const NormalContact leaning(Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), exact("7/3"),
+                                Load::right_edge(exact("3/2")), 70);
+    const EnclosedTilt back =
+        enclose_tilt(TiltedPunch::wedge(exact("pi/16")), exact("7/3"), exactly(leaning.force()),
+                     exactly(leaning.moment()), 340);
+    const Ball expected = Ball::pi(400) / 20;
+    CHECK(certainly_less(abs(Ball(back.alpha - expected)), Ball(Real("1e-68"), 400)));
+    CHECK(back.alpha.relative_accuracy_bits() > 200);
+    const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    CHECK(fault_of_enclosure(TiltedPunch::wedge(exact("pi/16")), "2", "-0.7") == "");
+    CHECK(fault_of_enclosure(flat, "0.3", "-0.2") == "");
+    const EnclosedTilt upright = enclose_tilt(flat, exact("7/3"), exact("0.3"), exact("-0.3"), 300);
+    CHECK(upright.exactly_zero);
+}
+
+TEST_CASE("the tilt is enclosed over extreme ratios" * doctest::test_suite("slow")) {
+    const TiltedPunch wedge = TiltedPunch::wedge(exact("pi/16"));
+    const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    CHECK(fault_of_enclosure(wedge, "2", "1e-30") == "");
+    CHECK(fault_of_enclosure(wedge, "1e-12", "1e-3") == "");
+    CHECK(fault_of_enclosure(flat, "0.3", "-0.3 + 1e-25") == "");
+    CHECK(fault_of_enclosure(flat, "1e4", "-1e-21") == "");
 }

@@ -61,7 +61,7 @@ TEST_CASE("the same seed draws the same contacts, another seed others; every val
     CHECK(sampled_contact(1, 399, 5).profile == 5);
     std::size_t profiles[6] = {};
     std::size_t regimes[8] = {};
-    for (std::size_t n = 0; n < 40; ++n) {
+    for (std::size_t n = 0; n < 100; ++n) {
         const SampledContact c = sampled_contact(1, n);
         ++profiles[c.profile];
         for (const SampledValue& v : c.values) {

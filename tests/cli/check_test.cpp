@@ -34,16 +34,19 @@ TEST_CASE("check: pass and fail against a target, the worst case of each regime 
     const Outcome fail = run(folder, "check a.csv --digits 7.1 --junit j.xml");
     CHECK(fail.code == 1);
     CHECK(lines(fail.out).front() == "a.csv:3: two: 7.0 digits, 7.2e+08 ulps: 0.40000004 for "
-                                     "0.40000000000000000000");
+                                     "0.40000000000000000000 (condition number 2.9: which does not "
+                                     "explain it)");
     CHECK(lines(fail.out).back() == "FAIL: 2 answers, 1 failures");
-    CHECK(has(fail.out, "interior          2       1"));
+    CHECK(has(fail.out, "interior          2       1          0"));
     const std::string junit = file_text(folder.path() / "j.xml");
     CHECK(has(junit, "tests=\"3\" failures=\"1\""));
     CHECK(has(junit, "name=\"two\">\n    <failure message=\"7.0 digits"));
     CHECK(run(folder, "check a.csv --ulps 1").code == 1);
+    // Without a target a wrong number fails all the same: 12 digits are the least.
     const Outcome none = run(folder, "check a.csv");
-    CHECK(none.code == 0);
-    CHECK(has(none.out, "target: none stated"));
+    CHECK(none.code == 1);
+    CHECK(has(none.out, "target: 12 digits, or an error that the conditioning explains (none is "
+                        "stated: --digits or --ulps)"));
 }
 
 TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors caps the list") {

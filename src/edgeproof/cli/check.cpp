@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/check_kinds.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/conformance/program.hpp"
+#include "edgeproof/conformance/interview.hpp"
 #include "edgeproof/conformance/recipe.hpp"
 #include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
+#include "edgeproof/report/agreement_figure.hpp"
 #include "edgeproof/report/agreement_report.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"
@@ -25,12 +27,20 @@ struct CheckOptions {
     std::string answers;
     std::string recipe;
     std::string command;
+    std::string ledger;
+    std::string lines = "csv";
+    std::string batch = "500";
+    std::string runs = "200";
     std::string timeout = "600";
     std::string digits;
     std::string ulps;
     std::string errors = "20";
     std::string junit;
+    std::string figure;
     std::string threads;
+    bool conditioned = false;
+    bool self_test = false;
+    SelfTestOptions self;
 };
 
 double positive(const std::string& option, const std::string& text, double most) {
@@ -54,6 +64,7 @@ Target target_of(const CheckOptions& o) {
     if (!o.ulps.empty()) {
         target.ulps = positive("--ulps", o.ulps, most_ulps);
     }
+    target.conditioned = o.conditioned;
     return target;
 }
 
@@ -70,11 +81,24 @@ Answers ask_program(const CheckOptions& o) {
     if (!o.recipe.empty()) {
         throw InputError("--recipe is given with --exec", "give the recipe alone, as the first");
     }
-    const double seconds = positive("--timeout", o.timeout, 1e9);
+    InterviewOptions options;
+    options.command = o.command;
+    options.seconds = positive("--timeout", o.timeout, 1e9);
+    options.batch = whole_number("--batch", o.batch, 1, 1'000'000);
+    options.runs = whole_number("--runs", o.runs, 1, 1'000'000);
+    if (o.lines != "csv" && o.lines != "json") {
+        throw InputError("--lines " + o.lines + " is no way to speak", "write csv or json");
+    }
+    options.lines = o.lines == "json" ? Lines::json : Lines::csv;
+    options.stop = &interrupted();
+    Progress progress("answers");
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     const Recipe recipe = read_recipe(o.answers);
     const Questions asked = rounded_to_binary64(recipe.questions);
-    const std::string text = write_table(question_table(asked, recipe.title), TableFormat::csv);
-    return answers_of_program(asked, run_program(o.command, text, seconds, &interrupted()));
+    options.write_csv = [&](const Questions& part) {
+        return write_table(question_table(part, recipe.title), TableFormat::csv);
+    };
+    return interview(asked, options);
 }
 
 Answers answers_of(const CheckOptions& o) {
@@ -87,6 +111,16 @@ Answers answers_of(const CheckOptions& o) {
 }
 
 int check(const CheckOptions& o) {
+    if (!o.ledger.empty()) {
+        return check_ledger(o.ledger, o.threads);
+    }
+    if (o.answers.empty()) {
+        throw InputError("there is nothing to check",
+                         "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
+    }
+    if (o.self_test) {
+        return self_test(o.answers, o.self, o.threads);
+    }
     Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
@@ -105,6 +139,9 @@ int check(const CheckOptions& o) {
     if (!o.junit.empty()) {
         write_whole(o.junit, conformance_junit(result));
     }
+    if (!o.figure.empty()) {
+        write_agreement_figure(result, o.figure);
+    }
     std::fputs(conformance_text(result, errors).c_str(), stdout);
     return result.pass() ? 0 : 1;
 }
@@ -116,20 +153,34 @@ void add_check(CLI::App& app, int& code) {
     auto o = std::make_shared<CheckOptions>();
     sub->add_option("answers", o->answers,
                     "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
-                    "with --exec the recipe")
-        ->required();
+                    "with --exec and --self-test the recipe");
     sub->add_option("--recipe", o->recipe,
                     "what was asked: names what is missing, twice, out of order; rows may then "
                     "hold id and value alone");
     sub->add_option("--exec", o->command,
-                    "run this command: it reads the questions (CSV) and writes rows with id and "
-                    "value");
-    sub->add_option("--timeout", o->timeout, "with --exec: seconds after which it is stopped")
+                    "run this command: it reads the questions and writes rows with id and value");
+    sub->add_option("--lines", o->lines, "with --exec: speak csv, or json (an object a line)")
+        ->capture_default_str();
+    sub->add_option("--batch", o->batch, "with --exec: questions that one run is asked")
+        ->capture_default_str();
+    sub->add_option("--runs", o->runs, "with --exec: start it at most so often")
+        ->capture_default_str();
+    sub->add_option("--timeout", o->timeout, "with --exec: seconds after which a run is stopped")
         ->capture_default_str();
     sub->add_option("--digits", o->digits, "pass with |value/exact - 1| <= 10^-D");
     sub->add_option("--ulps", o->ulps, "pass within N binary64 units in the last place");
+    sub->add_flag("--conditioned", o->conditioned,
+                  "let errors pass that the rounding of the inputs explains");
     sub->add_option("--errors", o->errors, "show at most so many failures")->capture_default_str();
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
+    sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
+    sub->add_option("--ledger", o->ledger, "hold the formulas of this ledger to the mechanics");
+    sub->add_flag("--self-test", o->self_test,
+                  "answer the recipe rightly, spoil the answers in many ways, and count what is "
+                  "found");
+    sub->add_option("--seed", o->self.seed, "of --self-test")->capture_default_str();
+    sub->add_option("--files", o->self.files, "of --self-test: spoilt files")
+        ->capture_default_str();
     sub->add_option("--threads", o->threads, "threads (default: one a processor)");
     sub->callback([o, &code] { code = check(*o); });
 }

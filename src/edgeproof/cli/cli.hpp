@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <string>
 
 namespace edgeproof::cli {
@@ -19,12 +21,14 @@ void add_explain(CLI::App& app, int& code);
 void add_table(CLI::App& app, int& code);
 void add_points(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
+void add_mutate(CLI::App& app, int& code);
 void add_bounds(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();
 
-/// A count of work done, on stderr, only where that is a terminal; wiped when it ends.
+/// A count of work done, with its rate and what is left, on stderr, only where that is a terminal;
+/// wiped when it ends.
 class Progress {
 public:
     explicit Progress(std::string what);
@@ -37,7 +41,11 @@ public:
 private:
     std::string what_;
     bool terminal_;
-    std::atomic<std::size_t> shown_{0};
+    std::mutex showing_;
+    std::chrono::steady_clock::time_point begun_;
+    std::chrono::steady_clock::time_point last_;
+    std::size_t first_ = 0; ///< done already when it was first told
+    std::size_t shown_ = 0;
 };
 
 /// Columns of the terminal on stdout, 100 where it is none.

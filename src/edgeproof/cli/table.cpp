@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/table_in_parts.hpp"
 #include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
@@ -89,6 +90,13 @@ int table(const TableOptions& o, const std::string& version) {
     if (!o.out.empty() && !std::filesystem::path(o.out).parent_path().empty()) {
         make_folder(std::filesystem::path(o.out).parent_path());
     }
+    if (!o.out.empty()) {
+        TableInParts(recipe, o.out, *table_format(o.format), version)
+            .make(o.threads.empty() ? 0
+                                    : static_cast<unsigned>(
+                                          whole_number("--threads", o.threads, 1, most_threads)));
+        return 0;
+    }
     std::vector<Reference> values;
     {
         Progress progress("values");
@@ -104,7 +112,9 @@ void add_table(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand("table", "a table of reference values from a recipe");
     auto o = std::make_shared<TableOptions>();
     sub->add_option("recipe", o->recipe, "the recipe (TOML)")->required();
-    sub->add_option("--out", o->out, "write to this file, whole or not at all");
+    sub->add_option("--out", o->out,
+                    "write to this file, whole or not at all; what is done of a long table is "
+                    "kept beside it (.part), and the same command goes on from there");
     sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
     sub->add_option("--threads", o->threads, "threads (default: one a processor)");
     sub->add_flag("--check", o->check,

@@ -9,6 +9,10 @@
 
 namespace edgeproof::cli {
 
+namespace {
+constexpr std::chrono::milliseconds shown_every{100};
+}
+
 Progress::Progress(std::string what)
     : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -22,8 +26,23 @@ void Progress::operator()(std::size_t done, std::size_t total) {
     if (!terminal_) {
         return;
     }
+    const std::lock_guard lock(showing_);
+    const auto now = std::chrono::steady_clock::now();
+    if (shown_ == 0) {
+        begun_ = now;
+        first_ = done;
+    } else if (done < total && now - last_ < shown_every) {
+        return;
+    }
+    last_ = now;
     shown_ = done;
     std::fprintf(stderr, "\r\033[K%s %zu of %zu", what_.c_str(), done, total);
+    const double seconds = std::chrono::duration<double>(now - begun_).count();
+    if (seconds > 1 && done > first_) {
+        const double rate = static_cast<double>(done - first_) / seconds;
+        std::fprintf(stderr, ", %.3g a second, %.0f s left", rate,
+                     static_cast<double>(total - done) / rate);
+    }
     std::fflush(stderr);
 }
 

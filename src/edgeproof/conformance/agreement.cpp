@@ -37,7 +37,7 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
     }
     for (const auto& [contact, at] : line) {
         for (const auto kind : {Wanted::Kind::a, Wanted::Kind::b, Wanted::Kind::P}) {
-            sizes.list.push_back({"", contact, {kind}, Edge::right, {}, at});
+            sizes.list.push_back({"", contact, {kind}, Edge::right, {}, {}, at});
         }
     }
     options.digits.count = 20;
@@ -74,7 +74,31 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
             }
         }
     }
-    return Regime::interior;
+    return u > length / 2 ? Regime::far_field : Regime::interior;
+}
+
+/// What a value of that kind is to be measured by where it is zero itself.
+double scale_of(const Wanted& wanted, const Sizes& s) {
+    const double length = s.a + s.b;
+    const double force = std::abs(s.force);
+    const auto k = static_cast<double>(wanted.k);
+    switch (wanted.kind) {
+    case Wanted::Kind::p:
+    case Wanted::Kind::q:
+        return force / length;
+    case Wanted::Kind::c:
+        return force / std::pow(length, k + 1.5);
+    case Wanted::Kind::s:
+        return force / std::pow(length, k + 0.5);
+    case Wanted::Kind::P:
+        return force;
+    case Wanted::Kind::M:
+        return force * length;
+    case Wanted::Kind::alpha:
+        return 1;
+    default:
+        return length;
+    }
 }
 
 /// The unit in the last place of the binary64 of x.
@@ -113,9 +137,25 @@ CaseAgreement held(const Answer& answer, const Reference& reference, double scal
     const Real relative = off / size;
     result.digits = digits_of(relative, digits);
     result.ulps = Real(off / ulp(size)).convert_to<double>();
-    result.pass = (!target.digits || relative <= Real(pow(Real(10), Real(-*target.digits)))) &&
-                  (!target.ulps || result.ulps <= *target.ulps);
+    result.relative = relative.convert_to<double>();
+    const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
+    result.within =
+        ((target.stated() && !target.digits) || relative <= Real(pow(Real(10), Real(-needed)))) &&
+        (!target.ulps || result.ulps <= *target.ulps);
+    result.pass = result.within;
     return result;
+}
+
+/// Which cases to find the conditioning of.
+std::vector<std::size_t> to_condition(const Agreements& agreements) {
+    std::vector<std::size_t> which;
+    const bool all = agreements.cases.size() <= most_conditioned;
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        if (all || !agreements.cases[i].pass) {
+            which.push_back(i);
+        }
+    }
+    return which;
 }
 
 } // namespace
@@ -130,6 +170,8 @@ std::string regime_name(Regime regime) {
         return "knot";
     case Regime::interior:
         return "interior";
+    case Regime::far_field:
+        return "far field";
     case Regime::coefficient:
         return "coefficient";
     case Regime::contact:
@@ -153,12 +195,19 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
     for (std::size_t i = 0; i < questions.list.size(); ++i) {
         const Question& q = questions.list[i];
         const Sizes& s = sizes[q.contact];
-        const double scale =
-            q.wanted.kind == Wanted::Kind::M ? std::abs(s.force) * (s.a + s.b) : 1.0;
-        result.cases.push_back(
-            held(answers.given[i], result.references[i], scale, target, result.digits));
+        result.cases.push_back(held(answers.given[i], result.references[i], scale_of(q.wanted, s),
+                                    target, result.digits));
         result.cases.back().regime = regime_of(q, questions.contacts[q.contact], s);
         result.estimates += result.references[i].value.proved ? 0 : 1;
+    }
+    const auto conditions =
+        conditioning(questions, result.references, to_condition(result), options);
+    for (std::size_t i = 0; i < result.cases.size(); ++i) {
+        CaseAgreement& held = result.cases[i];
+        held.conditioning = conditions[i];
+        held.explained = answers.given[i].state == Answer::State::number && conditions[i] &&
+                         held.relative <= explained_by_conditioning * conditions[i]->moved;
+        held.pass = held.pass || (held.explained && target.forgives());
     }
     return result;
 }

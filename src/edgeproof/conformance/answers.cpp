@@ -43,6 +43,7 @@ public:
         quantity_ = csv.column("quantity");
         edge_ = csv.column("edge");
         u_ = csv.column("u");
+        tolerance_ = csv.column("tolerance");
     }
     [[nodiscard]] bool possible() const { return quantity_ && !keys_.empty(); }
 
@@ -67,6 +68,13 @@ public:
         }
         if (q.wanted.at_point()) {
             q.u = point_of(row);
+        }
+        if (q.wanted.of_terms()) {
+            try {
+                q.tolerance = parse_tolerance(tolerance_ ? row.cells[*tolerance_] : "");
+            } catch (const InputError& error) {
+                reject(row, error.problem(), "repeat the tolerance of the question");
+            }
         }
         return q;
     }
@@ -111,6 +119,7 @@ private:
     std::optional<std::size_t> quantity_;
     std::optional<std::size_t> edge_;
     std::optional<std::size_t> u_;
+    std::optional<std::size_t> tolerance_;
     std::map<std::string, std::size_t> known_;
 };
 
@@ -144,6 +153,14 @@ bool whole(const Csv& csv, const Csv::Row& row, std::vector<std::string>& faults
     faults.push_back(place(csv, row.line) + "garbage: " + std::to_string(row.cells.size()) +
                      " cells, not " + std::to_string(needed) + ": \"" + begins + "\"");
     return false;
+}
+
+/// But for the rounding of u, in single precision at worst.
+bool same_question(const Question& echoed, const Question& asked) {
+    constexpr double rounding = 1e-6;
+    const double u = asked.u ? asked.u->to<double>() : 0;
+    return echoed.wanted == asked.wanted && echoed.edge == asked.edge &&
+           (u == 0 || std::abs(echoed.u->to<double>() / u - 1) <= rounding);
 }
 
 } // namespace
@@ -263,10 +280,9 @@ Answers answers_to(const Questions& asked, const Csv& csv) {
         answer.line = row.line;
         if (echo.possible()) {
             answers.questions.list[i] = echo.read(row, id);
-            if (answers.questions.list[i].wanted != asked.list[i].wanted ||
-                answers.questions.list[i].edge != asked.list[i].edge) {
+            if (!same_question(answers.questions.list[i], asked.list[i])) {
                 answers.faults.push_back(place(csv, row.line) + id +
-                                         " repeats another quantity or edge than was asked");
+                                         " repeats another quantity, edge or u than was asked");
             }
         }
     }

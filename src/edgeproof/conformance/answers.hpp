@@ -13,10 +13,10 @@ namespace edgeproof {
 
 /// One answer as it was given.
 struct Answer {
-    enum class State { number, missing, nan, infinite, garbage };
+    enum class State { number, missing, nan, infinite, garbage, died };
     State state = State::missing;
-    Rational value; ///< exactly what is written, for State::number
-    std::string text;
+    Rational value;       ///< exactly what is written, for State::number
+    std::string text;     ///< as written; for State::died how the program ended when asked it
     std::size_t line = 0; ///< of the answers; 0: there is no row
 };
 

@@ -6,16 +6,24 @@
 ///   recipe.hpp         Recipe: grids of contacts and what is asked of each, from TOML
 ///   reference.hpp      references: the answers, by threads, the same on any number of them
 ///   answers.hpp        what another program answered, whatever that is
-///   program.hpp        another program run, questions in and answers out
+///   program.hpp        another program run, text in and text out
+///   interview.hpp      a program asked batch by batch, in CSV or JSON lines, however it ends
+///   conditioning.hpp   how much of an error the inputs' rounding explains
 ///   agreement.hpp      digits right, ulps, and where in the contact
 ///   convention.hpp     failures that another convention explains
+///   misreading.hpp     failures that another reading of the question explains
+///   corruption.hpp     right answers made wrong, to see that it is found
 ///   csv.hpp            CSV with the line of each row
 ///   text_file.hpp      files as text, and a checksum
 #include "edgeproof/conformance/agreement.hpp"
 #include "edgeproof/conformance/answers.hpp"
 #include "edgeproof/conformance/asked_contact.hpp"
+#include "edgeproof/conformance/conditioning.hpp"
 #include "edgeproof/conformance/convention.hpp"
+#include "edgeproof/conformance/corruption.hpp"
 #include "edgeproof/conformance/csv.hpp"
+#include "edgeproof/conformance/interview.hpp"
+#include "edgeproof/conformance/misreading.hpp"
 #include "edgeproof/conformance/program.hpp"
 #include "edgeproof/conformance/question.hpp"
 #include "edgeproof/conformance/recipe.hpp"

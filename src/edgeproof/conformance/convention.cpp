@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/convention.hpp"
 
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/conformance/misreading.hpp"
 
 #include <fmt/format.h>
 
@@ -44,24 +44,27 @@ constexpr const char* degree_hint = "degrees for radians";
 constexpr const char* other_hint =
     "a constant of proportionality that differs; scale by its inverse";
 
-constexpr Factor factors[] = {
-    {"1", 1, 1, 0, 0, ""},
-    {"2", 2, 1, 0, 0, modulus_hint},
-    {"1/2", 1, 2, 0, 0, half_hint},
-    {"4", 4, 1, 0, 0, modulus_hint},
-    {"1/4", 1, 4, 0, 0, half_hint},
-    {"pi", 1, 1, 1, 0, pi_hint},
-    {"1/pi", 1, 1, -1, 0, pi_hint},
-    {"2 pi", 2, 1, 1, 0, pi_hint},
-    {"1/(2 pi)", 1, 2, -1, 0, pi_hint},
-    {"pi/2", 1, 2, 1, 0, pi_hint},
-    {"2/pi", 2, 1, -1, 0, pi_hint},
-    {"sqrt(2)", 1, 1, 0, 1, root_hint},
-    {"1/sqrt(2)", 1, 1, 0, -1, root_hint},
-    {"2 sqrt(2)", 2, 1, 0, 1, root_hint},
-    {"180/pi", 180, 1, -1, 0, degree_hint},
-    {"pi/180", 1, 180, 1, 0, degree_hint},
-};
+const std::vector<Factor>& all_factors() {
+    static const std::vector<Factor> factors{
+        {"1", 1, 1, 0, 0, ""},
+        {"2", 2, 1, 0, 0, modulus_hint},
+        {"1/2", 1, 2, 0, 0, half_hint},
+        {"4", 4, 1, 0, 0, modulus_hint},
+        {"1/4", 1, 4, 0, 0, half_hint},
+        {"pi", 1, 1, 1, 0, pi_hint},
+        {"1/pi", 1, 1, -1, 0, pi_hint},
+        {"2 pi", 2, 1, 1, 0, pi_hint},
+        {"1/(2 pi)", 1, 2, -1, 0, pi_hint},
+        {"pi/2", 1, 2, 1, 0, pi_hint},
+        {"2/pi", 2, 1, -1, 0, pi_hint},
+        {"sqrt(2)", 1, 1, 0, 1, root_hint},
+        {"1/sqrt(2)", 1, 1, 0, -1, root_hint},
+        {"2 sqrt(2)", 2, 1, 0, 1, root_hint},
+        {"180/pi", 180, 1, -1, 0, degree_hint},
+        {"pi/180", 1, 180, 1, 0, degree_hint},
+    };
+    return factors;
+}
 
 /// A failing row: the answer over the reference, and over what stands at the other edge.
 struct Row {
@@ -105,7 +108,8 @@ std::optional<Fit> fit(const std::vector<Row>& rows, const Real& factor, const R
     return enough ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Convention> explain(const std::string& of, const std::vector<Row>& rows) {
+/// `named`: by a factor that has a meaning; else by any.
+std::optional<Convention> explain(const std::string& of, const std::vector<Row>& rows, bool named) {
     if (rows.size() < least_rows) {
         return {};
     }
@@ -114,7 +118,7 @@ std::optional<Convention> explain(const std::string& of, const std::vector<Row>&
     const auto say = [&](const Fit& f, std::string relation, std::string hint) {
         return Convention{of, std::move(relation), f.digits, f.rows, rows.size(), std::move(hint)};
     };
-    for (const Factor& factor : factors) {
+    for (const Factor& factor : named ? all_factors() : std::vector<Factor>{}) {
         for (const int sign : {1, -1}) {
             const Real value = value_of(factor) * sign;
             const bool unit = std::string_view(factor.text) == "1";
@@ -134,6 +138,9 @@ std::optional<Convention> explain(const std::string& of, const std::vector<Row>&
                            "right one, u = b + x at the left one; swap the edges");
             }
         }
+    }
+    if (named) {
+        return {};
     }
     std::vector<Real> ratios;
     for (const Row& row : rows) {
@@ -170,13 +177,11 @@ std::map<std::size_t, Ball> mirrored_references(const Answers& answers,
     }
     options.digits = {most_digits, Rounding::nearest, false};
     std::map<std::size_t, Ball> balls;
-    try {
-        const auto values = references(mirrored, options);
-        for (std::size_t k = 0; k < of.size(); ++k) {
-            balls.emplace(of[k], values[k].value.value);
+    const auto values = references_where_any(mirrored, options);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        if (values[k]) { // else a corner, seen from the other edge
+            balls.emplace(of[k], values[k]->value.value);
         }
-    } catch (const InputError&) { // a point that is a corner, seen from the other edge
-    } catch (const BudgetError&) {
     }
     return balls;
 }
@@ -194,8 +199,9 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
             failing.push_back(i);
         }
     }
+    std::vector<Convention> found = infer_few_digits(answers, agreements);
     if (failing.size() < least_rows) {
-        return {};
+        return found;
     }
     const auto mirrored = mirrored_references(answers, failing, options);
     // Each failing row belongs to its quantity (c_k and s_k together, and each), at both edges and
@@ -218,8 +224,7 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
             row.mirrored = value / other->second.midpoint();
         }
         const std::string name = wanted_name(q.wanted);
-        const std::string family =
-            q.wanted.at_edge() && !q.wanted.at_point() ? name.substr(0, 2) + "k" : name;
+        const std::string family = family_name(q.wanted);
         group(family).push_back(row);
         if (q.wanted.at_edge()) {
             group(family + ", " + edge_name(q.edge) + " edge").push_back(row);
@@ -236,19 +241,31 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
         return x.second.size() != y.second.size() ? x.second.size() > y.second.size()
                                                   : says(x.first) > says(y.first);
     });
-    std::vector<Convention> found;
     std::set<std::size_t> explained;
-    for (const auto& [name, rows] : groups) {
-        const bool known = std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-            return explained.contains(row.question);
-        });
-        if (const auto convention = known ? std::nullopt : explain(name, rows)) {
-            found.push_back(*convention);
-            for (const Row& row : rows) {
-                explained.insert(row.question);
+    const auto look = [&](bool named) {
+        for (const auto& [name, rows] : groups) {
+            const bool known = std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+                return explained.contains(row.question);
+            });
+            if (const auto convention = known ? std::nullopt : explain(name, rows, named)) {
+                found.push_back(*convention);
+                for (const Row& row : rows) {
+                    explained.insert(row.question);
+                }
             }
         }
+    };
+    look(true);
+    std::erase_if(failing, [&](std::size_t i) { return explained.contains(i); });
+    for (Convention& reading : infer_misreadings(answers, agreements, failing, options)) {
+        for (const std::size_t i : failing) {
+            if (family_name(answers.questions.list[i].wanted) == reading.of) {
+                explained.insert(i);
+            }
+        }
+        found.push_back(std::move(reading));
     }
+    look(false);
     return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/program.hpp"
 
+#include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fcntl.h>
@@ -20,7 +21,6 @@ namespace {
 
 constexpr std::size_t most_output = 200'000'000;
 constexpr int look_every_ms = 100;
-const std::string program_name = "the program";
 
 [[noreturn]] void cannot(const char* what) {
     throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
@@ -158,21 +158,20 @@ bool drain(int fd, std::string& output) {
     }
 }
 
-std::string ending(const ProgramRun& run) {
-    if (run.timed_out) {
+} // namespace
+
+std::string ProgramRun::ending() const {
+    if (timed_out) {
         return "was stopped: it took longer than --timeout allows";
     }
-    if (run.too_much) {
+    if (too_much) {
         return "was stopped: it wrote without end";
     }
-    if (run.signal != 0) {
-        return "was ended by signal " + std::to_string(run.signal) + " (" +
-               ::strsignal(run.signal) + ")";
+    if (signal != 0) {
+        return "was ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
     }
-    return run.exit_code != 0 ? "ended with exit code " + std::to_string(run.exit_code) : "";
+    return exit_code != 0 ? "ended with exit code " + std::to_string(exit_code) : "";
 }
-
-} // namespace
 
 ProgramRun run_program(const std::string& command, const std::string& input, double seconds,
                        const std::atomic<bool>* stop) {
@@ -200,7 +199,7 @@ ProgramRun run_program(const std::string& command, const std::string& input, dou
         run.too_much = run.output.size() > most_output;
         run.timed_out = open && Clock::now() >= last;
         if (stop != nullptr && *stop) {
-            throw Error("interrupted: nothing is written");
+            throw Stopped("interrupted: nothing is written");
         }
         if (run.too_much || run.timed_out) {
             child.end();
@@ -224,35 +223,6 @@ ProgramRun run_program(const std::string& command, const std::string& input, dou
     run.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     return run;
-}
-
-Answers answers_of_program(const Questions& asked, const ProgramRun& run) {
-    Answers answers;
-    answers.questions = asked;
-    answers.given.resize(asked.list.size());
-    try {
-        Csv csv = parse_csv(run.output, program_name);
-        const auto id = csv.column("id");
-        const auto value = csv.column("value");
-        if (id && value) {
-            const std::size_t cells = csv.header.cells.size();
-            csv.header.cells = {"id", "value"};
-            for (Csv::Row& row : csv.rows) {
-                // A row that is not whole must not look as if it were.
-                row.cells = row.cells.size() == cells
-                                ? std::vector{row.cells[*id], row.cells[*value]}
-                                : std::vector{row.cells.front()};
-            }
-        }
-        answers = answers_to(asked, csv);
-    } catch (const InputError& error) {
-        answers.faults.emplace_back(error.what());
-    }
-    answers.questions.file = program_name;
-    if (const std::string end = ending(run); !end.empty()) {
-        answers.faults.insert(answers.faults.begin(), program_name + " " + end);
-    }
-    return answers;
 }
 
 } // namespace edgeproof

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/answers.hpp"
-
 #include <atomic>
 #include <string>
 
@@ -14,6 +12,9 @@ struct ProgramRun {
     int signal = 0; ///< that ended it; 0: none
     bool timed_out = false;
     bool too_much = false; ///< more output than anyone can have been asked for
+
+    /// "ended with exit code 3", "was ended by signal 11 (...)"; empty where it ended well.
+    [[nodiscard]] std::string ending() const;
 };
 
 /// Runs a command of the shell with `input` on its standard input until it ends, or until the
@@ -21,9 +22,5 @@ struct ProgramRun {
 /// error goes where ours goes. Throws Error where it cannot be started or was stopped.
 [[nodiscard]] ProgramRun run_program(const std::string& command, const std::string& input,
                                      double seconds, const std::atomic<bool>* stop = nullptr);
-
-/// What the program answered, whatever it wrote: only id and value of each row are read. How it
-/// ended, where that was not well, is a fault. Never throws for what the program did.
-[[nodiscard]] Answers answers_of_program(const Questions& asked, const ProgramRun& run);
 
 } // namespace edgeproof

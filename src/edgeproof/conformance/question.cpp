@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 
@@ -20,6 +21,12 @@ constexpr Name names[] = {
     {Wanted::Kind::b, "b"},         {Wanted::Kind::P, "P"}, {Wanted::Kind::M, "M"},
     {Wanted::Kind::alpha, "alpha"},
 };
+constexpr Name numbered[] = {
+    {Wanted::Kind::c, "c_"},
+    {Wanted::Kind::s, "s_"},
+    {Wanted::Kind::extent, "extent_"},
+    {Wanted::Kind::measure, "measure_"},
+};
 
 } // namespace
 
@@ -29,17 +36,17 @@ std::optional<Wanted> wanted_named(std::string_view name) {
             return Wanted{known.kind};
         }
     }
-    const bool c = name.starts_with("c_");
-    if (!c && !name.starts_with("s_")) {
-        return {};
+    for (const Name& known : numbered) {
+        if (!name.starts_with(known.text)) {
+            continue;
+        }
+        Wanted wanted{known.kind};
+        const char* const end = name.data() + name.size();
+        const auto [stop, error] = std::from_chars(name.data() + known.text.size(), end, wanted.k);
+        const bool read = error == std::errc{} && stop == end && wanted.k <= most_k;
+        return read && (wanted.k > 0 || !wanted.of_terms()) ? std::optional(wanted) : std::nullopt;
     }
-    std::size_t k = 0;
-    const char* const end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data() + 2, end, k);
-    if (error != std::errc{} || stop != end || k > most_k) {
-        return {};
-    }
-    return Wanted{c ? Wanted::Kind::c : Wanted::Kind::s, k};
+    return {};
 }
 
 std::string wanted_name(const Wanted& wanted) {
@@ -48,7 +55,12 @@ std::string wanted_name(const Wanted& wanted) {
             return std::string(known.text);
         }
     }
-    return (wanted.kind == Wanted::Kind::c ? "c_" : "s_") + std::to_string(wanted.k);
+    for (const Name& known : numbered) {
+        if (known.kind == wanted.kind) {
+            return std::string(known.text) + std::to_string(wanted.k);
+        }
+    }
+    return {};
 }
 
 std::string parameter_text(const AskedContact& contact, std::string_view key) {
@@ -76,6 +88,10 @@ std::vector<std::string> Questions::columns() const {
     return keys;
 }
 
+bool Questions::has_tolerances() const {
+    return std::any_of(list.begin(), list.end(), [](const Question& q) { return q.tolerance; });
+}
+
 Questions rounded_to_binary64(const Questions& questions) {
     Questions rounded;
     rounded.file = questions.file;
@@ -87,6 +103,9 @@ Questions rounded_to_binary64(const Questions& questions) {
     for (Question& q : rounded.list) {
         if (q.u) {
             q.u = rounded_to_binary64(*q.u);
+        }
+        if (q.tolerance) {
+            q.tolerance = rounded_to_binary64(*q.tolerance);
         }
     }
     return rounded;

@@ -11,17 +11,22 @@
 namespace edgeproof {
 
 /// A number that may be asked for: p and q at a point, c_k and s_k (the coefficients of u^(k+1/2)
-/// in p, and those of q from its lowest power on) at an edge, a, b, P, M and alpha of a contact.
+/// in p, and those of q from its lowest power on) at an edge, a, b, P, M and alpha of a contact;
+/// of the first k terms at an edge, the distance at which their relative error first reaches a
+/// tolerance (extent_k) and the length of all that lies within it (measure_k).
 struct Wanted {
-    enum class Kind { p, q, c, s, a, b, P, M, alpha };
+    enum class Kind { p, q, c, s, a, b, P, M, alpha, extent, measure };
     Kind kind = Kind::p;
-    std::size_t k = 0; ///< of c and s
+    std::size_t k = 0; ///< of c and s; terms of extent and measure
 
     [[nodiscard]] bool at_point() const { return kind == Kind::p || kind == Kind::q; }
-    [[nodiscard]] bool at_edge() const { return at_point() || kind == Kind::c || kind == Kind::s; }
+    [[nodiscard]] bool of_terms() const { return kind == Kind::extent || kind == Kind::measure; }
+    [[nodiscard]] bool at_edge() const {
+        return at_point() || of_terms() || kind == Kind::c || kind == Kind::s;
+    }
     friend bool operator==(const Wanted&, const Wanted&) = default;
 };
-/// "p", "c_0", "alpha", ... Nothing for other names, and for c_k beyond k = 399.
+/// "p", "c_0", "alpha", "extent_1", ... Nothing for other names, for k > 399 and for no terms.
 [[nodiscard]] std::optional<Wanted> wanted_named(std::string_view name);
 [[nodiscard]] std::string wanted_name(const Wanted& wanted);
 
@@ -29,9 +34,10 @@ struct Question {
     std::string id;
     std::size_t contact = 0; ///< index into Questions::contacts
     Wanted wanted;
-    Edge edge = Edge::right; ///< where wanted.at_edge()
-    std::optional<Exact> u;  ///< where wanted.at_point()
-    std::size_t line = 0;    ///< of the file that asks it
+    Edge edge = Edge::right;             ///< where wanted.at_edge()
+    std::optional<Exact> u;              ///< where wanted.at_point()
+    std::optional<Exact> tolerance = {}; ///< where wanted.of_terms()
+    std::size_t line = 0;                ///< of the file that asks it
 };
 
 /// Questions, in the order that they are asked in.
@@ -42,6 +48,7 @@ struct Questions {
 
     /// The keys of parameters that any contact has.
     [[nodiscard]] std::vector<std::string> columns() const;
+    [[nodiscard]] bool has_tolerances() const;
 };
 
 /// The text of a parameter, empty where the contact does not have it.

@@ -136,8 +136,24 @@ struct Asked {
     std::vector<Edge> edges;
     std::vector<AskedPoint> u;
     std::vector<Wanted> wanted;
+    std::vector<Exact> tolerances;
     std::size_t line = 0; ///< of the quantities
 };
+
+std::vector<Exact> read_tolerances(const TomlSection& scene) {
+    std::vector<Exact> tolerances;
+    for (const std::string& text : !scene.has("tolerance") ? std::vector<std::string>{}
+                                   : scene.is_list("tolerance")
+                                       ? scene.texts("tolerance")
+                                       : std::vector{scene.written("tolerance")}) {
+        try {
+            tolerances.push_back(parse_tolerance(text));
+        } catch (const InputError& error) {
+            scene.reject("tolerance", error.problem(), error.instead());
+        }
+    }
+    return tolerances;
+}
 
 Asked read_asked(const TomlSection& scene) {
     Asked asked;
@@ -146,7 +162,8 @@ Asked read_asked(const TomlSection& scene) {
         const auto wanted = wanted_named(name);
         if (!wanted) {
             scene.reject("quantities", "unknown quantity '" + name + "'",
-                         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M or alpha");
+                         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, extent_1 or "
+                         "measure_1");
         }
         asked.wanted.push_back(*wanted);
     }
@@ -158,6 +175,13 @@ Asked read_asked(const TomlSection& scene) {
         asked.edges.push_back(name == "right" ? Edge::right : Edge::left);
     }
     asked.u = read_points(scene);
+    asked.tolerances = read_tolerances(scene);
+    const auto of_terms = [](const Wanted& w) { return w.of_terms(); };
+    if (asked.tolerances.empty() &&
+        std::any_of(asked.wanted.begin(), asked.wanted.end(), of_terms)) {
+        scene.reject("quantities", "an extent is asked for and there is no tolerance",
+                     "add tolerance = \"1%\"");
+    }
     const auto at_point = [](const Wanted& w) { return w.at_point(); };
     if (asked.u.empty() && std::any_of(asked.wanted.begin(), asked.wanted.end(), at_point)) {
         scene.reject("quantities", "p or q is asked for and there are no points",
@@ -175,7 +199,7 @@ public:
     Expansion(const std::string& file, Questions& questions) : file_(file), to_(questions) {}
 
     void add(const std::string& name, const TomlSection& scene) {
-        scene.allow({"profile", "load", "shear", "edges", "u", "quantities"});
+        scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
         const std::vector<Axis> axes = read_axes(scene);
         const Asked asked = read_asked(scene);
         std::vector<std::size_t> at(axes.size(), 0);
@@ -206,38 +230,44 @@ private:
         for (const Wanted& w : asked.wanted) {
             check_askable(to_.contacts.back(), w, file_, asked.line);
             if (!w.at_edge()) {
-                add(id, w, Edge::right, nullptr, asked.line);
+                add(id, {{}, 0, w, Edge::right, {}, {}, asked.line});
             }
         }
         for (const Edge edge : asked.edges) {
             const std::string from = id + ":" + edge_name(edge);
             for (const Wanted& w : asked.wanted) {
-                if (w.at_edge() && !w.at_point()) {
-                    add(from, w, edge, nullptr, asked.line);
+                if (w.at_edge() && !w.at_point() && !w.of_terms()) {
+                    add(from, {{}, 0, w, edge, {}, {}, asked.line});
+                }
+            }
+            for (const Exact& tolerance : asked.tolerances) {
+                for (const Wanted& w : asked.wanted) {
+                    if (w.of_terms()) {
+                        add(from + ":tolerance=" + tolerance.text(),
+                            {{}, 0, w, edge, {}, tolerance, asked.line});
+                    }
                 }
             }
             for (const AskedPoint& point : asked.u) {
                 for (const Wanted& w : asked.wanted) {
                     if (w.at_point()) {
-                        add(from + ":u=" + point.u.text(), w, edge, &point.u, point.line);
+                        add(from + ":u=" + point.u.text(),
+                            {{}, 0, w, edge, point.u, {}, point.line});
                     }
                 }
             }
         }
     }
-    void add(const std::string& from, const Wanted& w, Edge edge, const Exact* u,
-             std::size_t line) {
-        Question q{from + ":" + wanted_name(w), to_.contacts.size() - 1, w, edge, {}, line};
-        if (u != nullptr) {
-            q.u = *u;
-        }
+    void add(const std::string& from, Question q) {
+        q.id = from + ":" + wanted_name(q.wanted);
+        q.contact = to_.contacts.size() - 1;
         if (!ids_.insert(q.id).second) {
             throw InputError("the question " + q.id + " is asked twice",
                              "leave one out, or give the second scene another name")
-                .at(file_, line);
+                .at(file_, q.line);
         }
         if (ids_.size() > most_questions) {
-            throw InputError("more than a million questions", "split the recipe").at(file_, line);
+            throw InputError("more than a million questions", "split the recipe").at(file_, q.line);
         }
         to_.list.push_back(std::move(q));
     }

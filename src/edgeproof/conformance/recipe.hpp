@@ -17,7 +17,8 @@ namespace edgeproof {
 ///     [scenes.hertz]                    # any name: ids begin with it
 ///     edges = ["right", "left"]
 ///     u = ["1e-30", "0.1"]              # or { from, to, per_decade } or { from, to, points }
-///     quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha
+///     quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha, extent_k, measure_k
+///     tolerance = ["1%", "5%"]          # of extents
 ///     [scenes.hertz.profile]            # as in a scene, but a list is a grid of values
 ///     kind = "power-law"
 ///     m = ["1", "2"]
@@ -29,7 +30,8 @@ namespace edgeproof {
 /// The id of a question is the scene's name, the parameters that are given as a grid, the edge, u
 /// and the quantity ("hertz:m=2:right:u=0.1:p"): it stays the same when the recipe grows. Order:
 /// scenes as in the file; grids with the last key running fastest; in each contact first what has
-/// no point, then edge by edge and point by point, quantities as listed.
+/// no point, then edge by edge: coefficients, extents by tolerance, and point by point; quantities
+/// as listed.
 struct Recipe {
     std::string file;
     std::string title;

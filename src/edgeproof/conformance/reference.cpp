@@ -5,6 +5,7 @@
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -12,46 +13,30 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof {
 namespace {
 
-/// Questions of one contact that one thread answers; cut alike however many threads there are.
-constexpr std::size_t most_in_a_task = 48;
+/// Questions of one contact that one thread answers.
+constexpr std::size_t most_in_a_piece = 48;
 
-struct Task {
-    std::size_t contact;
-    bool points;
-    std::vector<std::size_t> questions;
-};
-
-std::vector<Task> tasks_of(const Questions& questions) {
-    std::vector<Task> tasks;
-    std::map<std::pair<std::size_t, bool>, std::size_t> open;
-    for (std::size_t i = 0; i < questions.list.size(); ++i) {
-        const Question& q = questions.list[i];
-        const std::pair key{q.contact, q.wanted.at_point()};
-        const auto found = open.find(key);
-        if (found == open.end() || tasks[found->second].questions.size() >= most_in_a_task) {
-            open[key] = tasks.size();
-            tasks.push_back({key.first, key.second, {}});
-        }
-        tasks[open[key]].questions.push_back(i);
-    }
-    return tasks;
-}
-
-/// The answers to one task.
+/// The answers to one piece.
 class Answering {
 public:
-    Answering(const Questions& questions, const Task& task, const ReferenceOptions& options)
-        : questions_(questions), task_(task), scene_(questions.contacts[task.contact].scene) {
+    Answering(const Questions& questions, const Piece& piece, const ReferenceOptions& options)
+        : questions_(questions),
+          scene_(questions.contacts[questions.list[piece.front()].contact].scene) {
         scene_.file = questions.file;
         scene_.ask.digits = options.digits;
         std::size_t terms = 0;
         bool shear = false;
-        for (const std::size_t i : task.questions) {
+        std::set<std::size_t> numbers_of_terms;
+        for (const std::size_t i : piece) {
             const Question& q = questions.list[i];
             const auto kind = q.wanted.kind;
             shear = shear || kind == Wanted::Kind::q || kind == Wanted::Kind::s;
@@ -59,6 +44,10 @@ public:
                 scene_.ask.quantities.insert(kind == Wanted::Kind::p ? Quantity::pressure
                                                                      : Quantity::shear);
                 scene_.ask.u.push_back({*q.u, q.line});
+            } else if (q.wanted.of_terms()) {
+                scene_.ask.quantities.insert(Quantity::extent);
+                scene_.ask.tolerance = q.tolerance;
+                numbers_of_terms.insert(q.wanted.k);
             } else if (q.wanted.at_edge()) {
                 scene_.ask.quantities.insert(Quantity::coefficients);
                 terms = std::max(terms, q.wanted.k + 1);
@@ -71,6 +60,9 @@ public:
         }
         if (terms > 0) {
             scene_.ask.terms = {terms};
+        }
+        if (!numbers_of_terms.empty()) {
+            scene_.ask.terms.assign(numbers_of_terms.begin(), numbers_of_terms.end());
         }
         scene_.ask.edges = {Edge::right, Edge::left};
         plan_ = make_plan(scene_);
@@ -96,6 +88,10 @@ public:
             return {contact_values().force.value(), {}};
         case Wanted::Kind::M:
             return {contact_values().moment.value(), {}};
+        case Wanted::Kind::extent:
+            return {extent(q).first_exit, {}};
+        case Wanted::Kind::measure:
+            return {extent(q).measure, {}};
         case Wanted::Kind::alpha:
             break;
         }
@@ -132,6 +128,14 @@ private:
         }
         return found->second;
     }
+    const ExtentValues& extent(const Question& q) {
+        const std::pair key{q.edge, q.wanted.k};
+        auto found = extents_.find(key);
+        if (found == extents_.end()) {
+            found = extents_.emplace(key, route_->extent(q.edge, q.wanted.k)).first;
+        }
+        return found->second;
+    }
     const ContactValues& contact_values() {
         if (!contact_) {
             contact_ = route_->contact();
@@ -140,51 +144,150 @@ private:
     }
 
     const Questions& questions_;
-    const Task& task_;
     Scene scene_;
     Plan plan_;
     Work work_;
     std::unique_ptr<ValueRoute> route_;
     std::map<std::pair<Edge, std::string>, PointValues> points_;
     std::map<Edge, EdgeValues> expansions_;
+    std::map<std::pair<Edge, std::size_t>, ExtentValues> extents_;
     std::optional<ContactValues> contact_;
+};
+
+void throw_if_stopped(const ReferenceOptions& options) {
+    if (options.stop != nullptr && *options.stop) {
+        throw Stopped("interrupted: nothing is written");
+    }
+}
+
+/// Runs f(0), ..., f(n - 1) on the threads asked for.
+template <class F> void in_parallel(std::size_t n, const ReferenceOptions& options, const F& f) {
+    tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                               : static_cast<int>(options.threads));
+    arena.execute([&] {
+        // Piece by piece: in about their order, so that what is begun is soon done.
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, n, 1),
+            [&](const auto& range) {
+                for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                    f(i);
+                }
+            },
+            tbb::simple_partitioner{});
+    });
+}
+
+/// Counts questions, and tells of them.
+class Count {
+public:
+    Count(const ReferenceOptions& options, std::size_t total) : options_(options), total_(total) {}
+    void one() {
+        const std::size_t n = ++done_;
+        if (options_.progress) {
+            options_.progress(n, total_);
+        }
+    }
+
+private:
+    const ReferenceOptions& options_;
+    std::size_t total_;
+    std::atomic<std::size_t> done_{0};
 };
 
 } // namespace
 
+std::vector<Piece> pieces_of(const Questions& questions) {
+    std::vector<Piece> pieces;
+    std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
+    for (std::size_t i = 0; i < questions.list.size(); ++i) {
+        const Question& q = questions.list[i];
+        const int kind = q.wanted.at_point() ? 1 : q.wanted.of_terms() ? 2 : 0;
+        const std::tuple key{q.contact, kind, q.tolerance ? q.tolerance->text() : ""};
+        const auto found = open.find(key);
+        if (found == open.end() || pieces[found->second].size() >= most_in_a_piece) {
+            open[key] = pieces.size();
+            pieces.emplace_back();
+        }
+        pieces[open[key]].push_back(i);
+    }
+    return pieces;
+}
+
+void answer_pieces(const Questions& questions, const std::vector<Piece>& pieces,
+                   const std::vector<std::size_t>& wanted, const ReferenceOptions& options,
+                   const std::function<void(std::size_t, std::vector<Reference>)>& take) {
+    std::size_t total = 0;
+    for (const std::size_t p : wanted) {
+        total += pieces[p].size();
+    }
+    Count count(options, total);
+    std::mutex taking;
+    std::exception_ptr error;
+    std::atomic<std::size_t> failed{wanted.size()}; // the first that failed
+    in_parallel(wanted.size(), options, [&](std::size_t w) {
+        if (w > failed) {
+            return;
+        }
+        try {
+            throw_if_stopped(options);
+            Answering answering(questions, pieces[wanted[w]], options);
+            std::vector<Reference> values;
+            for (const std::size_t i : pieces[wanted[w]]) {
+                throw_if_stopped(options);
+                values.push_back(answering.answer(i));
+                count.one();
+            }
+            const std::lock_guard lock(taking);
+            take(wanted[w], std::move(values));
+        } catch (...) {
+            const std::lock_guard lock(taking);
+            if (w < failed) {
+                failed = w;
+                error = std::current_exception();
+            }
+        }
+    });
+    if (error) {
+        std::rethrow_exception(error);
+    }
+}
+
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {
     std::vector<Reference> results(questions.list.size());
-    const std::vector<Task> tasks = tasks_of(questions);
-    std::vector<std::exception_ptr> errors(tasks.size());
-    std::atomic<std::size_t> done{0};
-    const auto run = [&](std::size_t t) {
-        try {
-            if (options.stop != nullptr && *options.stop) {
-                throw Error("interrupted: nothing is written");
-            }
-            Answering answering(questions, tasks[t], options);
-            for (const std::size_t i : tasks[t].questions) {
-                if (options.stop != nullptr && *options.stop) {
-                    throw Error("interrupted: nothing is written");
-                }
-                results[i] = answering.answer(i);
-                const std::size_t n = ++done;
-                if (options.progress) {
-                    options.progress(n, results.size());
-                }
-            }
-        } catch (...) {
-            errors[t] = std::current_exception();
+    const std::vector<Piece> pieces = pieces_of(questions);
+    std::vector<std::size_t> all(pieces.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    answer_pieces(questions, pieces, all, options,
+                  [&](std::size_t p, std::vector<Reference> values) {
+                      for (std::size_t k = 0; k < values.size(); ++k) {
+                          results[pieces[p][k]] = std::move(values[k]);
+                      }
+                  });
+    return results;
+}
+
+std::vector<std::optional<Reference>> references_where_any(const Questions& questions,
+                                                           const ReferenceOptions& options) {
+    std::vector<std::optional<Reference>> results(questions.list.size());
+    const std::vector<Piece> pieces = pieces_of(questions);
+    Count count(options, questions.list.size());
+    in_parallel(pieces.size(), options, [&](std::size_t p) {
+        if (options.stop != nullptr && *options.stop) {
+            return;
         }
-    };
-    tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                               : static_cast<int>(options.threads));
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks.size(), run); });
-    for (const std::exception_ptr& error : errors) {
-        if (error) {
-            std::rethrow_exception(error);
+        std::optional<Answering> answering;
+        for (const std::size_t i : pieces[p]) {
+            try {
+                if (!answering) {
+                    answering.emplace(questions, pieces[p], options);
+                }
+                results[i] = answering->answer(i);
+            } catch (const Error&) { // there is none
+            }
+            count.one();
         }
-    }
+    });
+    throw_if_stopped(options);
     return results;
 }
 

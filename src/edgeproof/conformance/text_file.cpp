@@ -23,8 +23,8 @@ std::string read_text(const std::filesystem::path& file, const std::string& what
     return text.str();
 }
 
-std::uint64_t fnv1a(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
+std::uint64_t fnv1a(std::string_view text, std::uint64_t before) {
+    std::uint64_t hash = before;
     for (const char c : text) {
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     }

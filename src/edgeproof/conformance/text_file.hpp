@@ -12,6 +12,8 @@ namespace edgeproof {
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what);
 
 /// 64-bit FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv): tells an edited table, not a forged one.
-[[nodiscard]] std::uint64_t fnv1a(std::string_view text);
+/// With the hash of what came before, that of both.
+[[nodiscard]] std::uint64_t fnv1a(std::string_view text,
+                                  std::uint64_t before = 0xcbf29ce484222325U);
 
 } // namespace edgeproof

@@ -43,12 +43,19 @@ std::string complaint(const Conformance& c, std::size_t i) {
         return "inf";
     case Answer::State::garbage:
         return "garbage: \"" + shortened(answer.text) + "\"";
+    case Answer::State::died:
+        return "the program " + answer.text;
     case Answer::State::number:
         break;
     }
-    return fmt::format("{} digits, {} ulps: {} for {}",
+    std::string why;
+    if (held.conditioning) {
+        why = fmt::format(" (condition number {:.2g}: {})", held.conditioning->number(),
+                          held.explained ? "which explains it" : "which does not explain it");
+    }
+    return fmt::format("{} digits, {} ulps: {} for {}{}",
                        digits_text(held.digits, c.agreements.digits), ulps_text(held.ulps),
-                       shortened(answer.text), held.reference);
+                       shortened(answer.text), held.reference, why);
 }
 
 std::string placed(const Conformance& c, std::size_t i) {
@@ -60,6 +67,7 @@ std::string placed(const Conformance& c, std::size_t i) {
 struct Tally {
     std::size_t rows = 0;
     std::size_t failed = 0;
+    std::size_t explained = 0; ///< short of the target's digits, by what the conditioning explains
     std::optional<std::size_t> worst; ///< of the answers that are numbers
     std::vector<double> digits;
 };
@@ -75,6 +83,7 @@ std::map<Regime, Tally> tallies_of(const Conformance& c) {
             continue;
         }
         t.digits.push_back(held.digits);
+        t.explained += held.explained && !held.within ? 1 : 0;
         if (!t.worst || held.digits < c.agreements.cases[*t.worst].digits) {
             t.worst = i;
         }
@@ -83,18 +92,22 @@ std::map<Regime, Tally> tallies_of(const Conformance& c) {
 }
 
 std::string regimes_text(const Conformance& c) {
-    std::string out = fmt::format("{:<12}{:>7}{:>8}{:>9}{:>8}{:>11}  {}\n", "regime", "rows",
-                                  "failed", "median", "worst", "ulps", "worst case");
+    std::string out =
+        fmt::format("{:<12}{:>7}{:>8}{:>11}{:>9}{:>8}{:>11}{:>9}  {}\n", "regime", "rows", "failed",
+                    "explained", "median", "worst", "ulps", "cond", "worst case");
     for (auto& [regime, t] : tallies_of(c)) {
-        out += fmt::format("{:<12}{:>7}{:>8}", regime_name(regime), t.rows, t.failed);
+        out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), t.rows, t.failed,
+                           t.explained);
         if (t.worst) {
             std::vector<double> digits = t.digits;
             const auto middle = digits.begin() + static_cast<long>(digits.size() / 2);
             std::nth_element(digits.begin(), middle, digits.end());
             const CaseAgreement& worst = c.agreements.cases[*t.worst];
-            out += fmt::format("{:>9}{:>8}{:>11}  {}", digits_text(*middle, c.agreements.digits),
-                               digits_text(worst.digits, c.agreements.digits),
-                               ulps_text(worst.ulps), c.answers.questions.list[*t.worst].id);
+            out += fmt::format(
+                "{:>9}{:>8}{:>11}{:>9}  {}", digits_text(*middle, c.agreements.digits),
+                digits_text(worst.digits, c.agreements.digits), ulps_text(worst.ulps),
+                worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
+                c.answers.questions.list[*t.worst].id);
         }
         out += "\n";
     }
@@ -106,7 +119,12 @@ std::string target_text(const Target& target) {
     if (target.ulps) {
         text += (text.empty() ? "" : " and ") + fmt::format("{:g} ulps", *target.ulps);
     }
-    return text.empty() ? "none stated (give --digits or --ulps)" : text;
+    if (!target.stated()) {
+        return fmt::format("{:g} digits, or an error that the conditioning explains (none is "
+                           "stated: --digits or --ulps)",
+                           Target::default_digits);
+    }
+    return text + (target.conditioned ? ", or an error that the conditioning explains" : "");
 }
 
 std::string convention_text(const Convention& k) {

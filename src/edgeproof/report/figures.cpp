@@ -104,10 +104,14 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     bool first = true;
     for (const Curve& curve : plot.curves) {
         const auto colour = okabe_ito[static_cast<std::size_t>(curve.pen.colour)];
-        script += fmt::format("{}$data using 1:{} with {} lw {} dt {} lc rgb \"{}\"",
+        const bool joined = curve.pen.dash != 0;
+        script += fmt::format("{}$data using 1:{} with {} lw {}{} lc rgb \"{}\"",
                               first ? "" : ", \\\n     ", column_index(plot, curve.column) + 1,
-                              curve.pen.point ? "linespoints" : "lines", curve.pen.width,
-                              curve.pen.dash, colour);
+                              !joined           ? "points"
+                              : curve.pen.point ? "linespoints"
+                                                : "lines",
+                              curve.pen.width, joined ? fmt::format(" dt {}", curve.pen.dash) : "",
+                              colour);
         if (curve.pen.point) {
             script += fmt::format(" pt {} ps 0.6", *curve.pen.point);
         }

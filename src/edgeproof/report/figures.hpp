@@ -16,7 +16,7 @@ namespace edgeproof {
 struct Pen {
     enum class Colour { black, orange, sky_blue, green, yellow, blue, vermilion, purple };
     Colour colour = Colour::black;
-    unsigned dash = 1; ///< 1 is solid
+    unsigned dash = 1; ///< 1 is solid; 0: points that no line joins
     std::optional<unsigned> point = {};
     double width = 2;
 };

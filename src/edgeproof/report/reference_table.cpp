@@ -15,21 +15,16 @@ namespace {
 
 constexpr std::string_view checksum_key = "checksum";
 
-/// The header and the rows as CSV has them, without notes.
+std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
+
+/// Of the header and the rows as CSV has them, without notes.
 std::string checksum(const std::vector<std::string>& columns,
                      const std::vector<const std::vector<std::string>*>& rows) {
-    std::string text;
-    const auto add = [&](const std::vector<std::string>& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
-        }
-        text += "\n";
-    };
-    add(columns);
+    std::uint64_t hash = fnv1a(csv_line(columns));
     for (const auto* row : rows) {
-        add(*row);
+        hash = fnv1a(csv_line(*row), hash);
     }
-    return fmt::format("fnv1a-64 {:016x}", fnv1a(text));
+    return checksum_text(hash);
 }
 
 std::vector<std::string> names_of(const std::vector<Column>& columns) {
@@ -58,53 +53,68 @@ std::string exact_place(const AskedContact& contact, const Question& q) {
 
 } // namespace
 
-Table reference_table(const Recipe& recipe, const std::vector<Reference>& values,
-                      const std::string& version) {
-    const Questions& questions = recipe.questions;
-    const std::vector<std::string> keys = questions.columns();
+std::string csv_line(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+    }
+    return text + "\n";
+}
+
+ReferenceRows::ReferenceRows(const Recipe& recipe)
+    : recipe_(recipe), keys_(recipe.questions.columns()),
+      tolerances_(recipe.questions.has_tolerances()) {}
+
+std::vector<std::string> ReferenceRows::row(std::size_t i, const Reference& reference) const {
+    const Question& q = recipe_.questions.list[i];
+    std::vector<std::string> row{q.id};
+    for (const std::string& key : keys_) {
+        row.push_back(parameter_text(recipe_.questions.contacts[q.contact], key));
+    }
+    row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
+    if (tolerances_) {
+        row.push_back(q.tolerance ? q.tolerance->text() : "");
+    }
+    row.push_back(q.u ? q.u->text() : "");
+    row.push_back(reference.x ? printed(*reference.x, recipe_.digits).text : "");
+    row.push_back(wanted_name(q.wanted));
+    const PrintedValue value = printed(reference.value, recipe_.digits);
+    row.push_back(value.text);
+    row.push_back(value.bound);
+    row.push_back(value.binary64 ? fmt::format("{:.17g}", *value.binary64) : "");
+    row.push_back(reference.value.how());
+    return row;
+}
+
+Table ReferenceRows::table(const std::string& version, std::size_t rows, std::size_t estimates,
+                           const std::function<std::string(std::size_t)>& line) const {
     Table table;
-    table.title = recipe.title;
+    table.title = recipe_.title;
     table.columns = {{"id", Column::Kind::text}};
-    for (const std::string& key : keys) {
+    for (const std::string& key : keys_) {
         table.columns.push_back({key, Column::Kind::text});
     }
-    for (const char* name : {"edge", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
+    for (const char* name :
+         {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
         const std::string_view n = name;
-        const bool word = n == "edge" || n == "quantity" || n == "route" || n == "u";
-        table.columns.push_back({name, word ? Column::Kind::text : Column::Kind::number});
-    }
-    std::size_t estimates = 0;
-    for (std::size_t i = 0; i < questions.list.size(); ++i) {
-        const Question& q = questions.list[i];
-        std::vector<std::string> row{q.id};
-        for (const std::string& key : keys) {
-            row.push_back(parameter_text(questions.contacts[q.contact], key));
+        const bool number = n == "x" || n == "value" || n == "bound" || n == "binary64";
+        if (n != "tolerance" || tolerances_) {
+            table.columns.push_back({name, number ? Column::Kind::number : Column::Kind::text});
         }
-        row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
-        row.push_back(q.u ? q.u->text() : "");
-        row.push_back(values[i].x ? printed(*values[i].x, recipe.digits).text : "");
-        row.push_back(wanted_name(q.wanted));
-        const PrintedValue value = printed(values[i].value, recipe.digits);
-        row.push_back(value.text);
-        row.push_back(value.bound);
-        row.push_back(value.binary64 ? fmt::format("{:.17g}", *value.binary64) : "");
-        row.push_back(values[i].value.how());
-        estimates += values[i].value.proved ? 0 : 1;
-        table.rows.push_back(std::move(row));
+    }
+    std::uint64_t hash = fnv1a(csv_line(names_of(table.columns)));
+    for (std::size_t i = 0; i < rows; ++i) {
+        hash = fnv1a(line(i), hash);
     }
     table.facts = {
-        {"recipe", std::filesystem::path(recipe.file).filename().string()},
+        {"recipe", std::filesystem::path(recipe_.file).filename().string()},
         {"program", version},
-        {"digits", std::to_string(recipe.digits.count)},
-        {"rounding", rounding_name(recipe.digits.rounding)},
-        {"rows", std::to_string(table.rows.size())},
+        {"digits", std::to_string(recipe_.digits.count)},
+        {"rounding", rounding_name(recipe_.digits.rounding)},
+        {"rows", std::to_string(rows)},
         {"estimates", std::to_string(estimates)},
+        {std::string(checksum_key), checksum_text(hash)},
     };
-    std::vector<const std::vector<std::string>*> rows;
-    for (const auto& row : table.rows) {
-        rows.push_back(&row);
-    }
-    table.facts.push_back({std::string(checksum_key), checksum(names_of(table.columns), rows)});
     table.notes = {
         "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
         "of q, from its lowest power on",
@@ -112,6 +122,42 @@ Table reference_table(const Recipe& recipe, const std::vector<Reference>& values
         "(estimate): then bound and digits are what the quadrature estimates of itself",
         "binary64: the one nearest to the exact value, in 17 digits",
     };
+    if (tolerances_) {
+        table.notes.push_back("extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
+                              "the tolerance; measure_n: the length of all that lies within it");
+    }
+    return table;
+}
+
+std::uint64_t ReferenceRows::fingerprint(const std::string& program) const {
+    std::uint64_t hash = fnv1a(program);
+    const auto add = [&](const std::string& text) { hash = fnv1a(text + "\n", hash); };
+    add(recipe_.title);
+    add(std::to_string(recipe_.digits.count));
+    add(rounding_name(recipe_.digits.rounding));
+    for (const Question& q : recipe_.questions.list) {
+        add(q.id);
+        for (const Parameter& p : recipe_.questions.contacts[q.contact].parameters) {
+            add(p.key + "=" + p.text);
+        }
+        add(wanted_name(q.wanted) + " " + edge_name(q.edge));
+        add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
+    }
+    return hash;
+}
+
+Table reference_table(const Recipe& recipe, const std::vector<Reference>& values,
+                      const std::string& version) {
+    const ReferenceRows rows(recipe);
+    std::vector<std::vector<std::string>> cells;
+    std::size_t estimates = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        cells.push_back(rows.row(i, values[i]));
+        estimates += values[i].value.proved ? 0 : 1;
+    }
+    Table table = rows.table(version, cells.size(), estimates,
+                             [&](std::size_t i) { return csv_line(cells[i]); });
+    table.rows = std::move(cells);
     return table;
 }
 
@@ -127,8 +173,11 @@ Table question_table(const Questions& questions, const std::string& title) {
     for (const std::string& key : keys) {
         table.columns.push_back({key, Column::Kind::text});
     }
-    for (const char* name : {"quantity", "edge", "u", "x"}) {
-        table.columns.push_back({name, Column::Kind::text});
+    const bool tolerances = questions.has_tolerances();
+    for (const char* name : {"quantity", "edge", "tolerance", "u", "x"}) {
+        if (std::string_view(name) != "tolerance" || tolerances) {
+            table.columns.push_back({name, Column::Kind::text});
+        }
     }
     for (const Question& q : questions.list) {
         const AskedContact& contact = questions.contacts[q.contact];
@@ -138,6 +187,9 @@ Table question_table(const Questions& questions, const std::string& title) {
         }
         row.push_back(wanted_name(q.wanted));
         row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
+        if (tolerances) {
+            row.push_back(q.tolerance ? q.tolerance->text() : "");
+        }
         row.push_back(q.u ? q.u->text() : "");
         row.push_back(exact_place(contact, q));
         table.rows.push_back(std::move(row));

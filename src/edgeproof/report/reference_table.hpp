@@ -5,10 +5,33 @@
 #include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/report/table.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace edgeproof {
+
+/// Cells as a line of CSV, with its end.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
+
+/// The rows of a reference table, one by one: none is kept.
+class ReferenceRows {
+public:
+    /// Keeps a reference to the recipe.
+    explicit ReferenceRows(const Recipe& recipe);
+    [[nodiscard]] std::vector<std::string> row(std::size_t i, const Reference& reference) const;
+    /// The table without its rows: head, columns, and the checksum of them and of the lines.
+    [[nodiscard]] Table table(const std::string& version, std::size_t rows, std::size_t estimates,
+                              const std::function<std::string(std::size_t)>& line) const;
+    /// Tells this recipe, made by that program, from any other.
+    [[nodiscard]] std::uint64_t fingerprint(const std::string& program) const;
+
+private:
+    const Recipe& recipe_;
+    std::vector<std::string> keys_;
+    bool tolerances_;
+};
 
 /// A recipe's answers as a table, a row a question: id, parameters, edge, u, x, quantity, value,
 /// bound, binary64 (17 digits), route. `version` names the program. The checksum is over the

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/run.hpp"
+#include "edgeproof/cli/check_kinds.hpp"
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/report/verdict_writers.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace edgeproof::cli {
+
+int check_ledger(const std::string& ledger, const std::string& threads) {
+    const Ledger formulas = read_ledger(ledger);
+    AuditOptions options;
+    options.threads =
+        threads.empty() ? 0 : static_cast<int>(whole_number("--threads", threads, 1, 1024));
+    options.stop = &interrupted();
+    AuditResult result;
+    {
+        Progress progress("formulas");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        result = run_audit(formulas, options);
+    }
+    std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
+    const auto wrong = std::count_if(result.claims.begin(), result.claims.end(),
+                                     [](const auto& c) { return !holds(c.outcome.verdict); });
+    std::printf("%s: %zu formulas, %zu do not hold\n", wrong == 0 ? "pass" : "FAIL",
+                result.claims.size(), static_cast<std::size_t>(wrong));
+    return wrong == 0 ? 0 : 1;
+}
+
+} // namespace edgeproof::cli

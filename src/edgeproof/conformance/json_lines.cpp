@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/interview.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads `id` and `value` of one object: a number as its own text, so that no digit is lost.
+class Row : public nlohmann::json_sax<nlohmann::json> {
+public:
+    std::string id;
+    std::string value;
+    bool has_id = false;
+    bool has_value = false;
+
+    bool null() override { return take(""); }
+    bool boolean(bool b) override { return take(b ? "true" : "false"); }
+    bool number_integer(number_integer_t n) override { return take(std::to_string(n)); }
+    bool number_unsigned(number_unsigned_t n) override { return take(std::to_string(n)); }
+    bool number_float(number_float_t, const string_t& text) override { return take(text); }
+    bool string(string_t& text) override { return take(text); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return ++depth_ == 1 || take("an object"); }
+    bool end_object() override { return depth_-- > 0; }
+    bool start_array(std::size_t) override { return ++depth_ > 1 && take("a list"); }
+    bool end_array() override { return depth_-- > 0; }
+    bool key(string_t& name) override {
+        if (depth_ == 1) {
+            key_ = name;
+        }
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+        return false;
+    }
+
+private:
+    bool take(const std::string& text) {
+        if (key_ == "id" && !has_id) {
+            id = text;
+            has_id = true;
+        } else if (key_ == "value" && !has_value) {
+            value = text;
+            has_value = true;
+        }
+        return depth_ > 0;
+    }
+    std::string key_;
+    int depth_ = 0;
+};
+
+bool read(const std::string& line, Row& row) {
+    row = {};
+    return nlohmann::json::sax_parse(line, &row) && row.has_id && row.has_value;
+}
+
+/// NaN, Infinity and -Infinity, which Python writes and JSON does not have, in quotes.
+std::string with_quotes(std::string line) {
+    for (const std::string word : {"-Infinity", "Infinity", "NaN"}) {
+        for (std::size_t at = 0; (at = line.find(word, at)) != std::string::npos;) {
+            const bool bare = at > 0 && (line[at - 1] == ':' || line[at - 1] == ' ');
+            if (bare) {
+                line.replace(at, word.size(), "\"" + word + "\"");
+            }
+            at += word.size() + (bare ? 2 : 0);
+        }
+    }
+    return line;
+}
+
+} // namespace
+
+std::string json_lines(const Questions& questions) {
+    std::string out;
+    for (const Question& q : questions.list) {
+        Json object = Json::object();
+        object["id"] = q.id;
+        for (const Parameter& p : questions.contacts[q.contact].parameters) {
+            object[p.key] = p.text;
+        }
+        object["quantity"] = wanted_name(q.wanted);
+        if (q.wanted.at_edge()) {
+            object["edge"] = edge_name(q.edge);
+        }
+        if (q.tolerance) {
+            object["tolerance"] = q.tolerance->text();
+        }
+        if (q.u) {
+            object["u"] = q.u->text();
+        }
+        out += object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+    return out;
+}
+
+Csv parse_json_lines(std::string_view text, const std::string& file) {
+    Csv csv;
+    csv.file = file;
+    csv.header = {1, {"id", "value"}};
+    std::size_t number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string line(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++number;
+        if (line.find_first_not_of(" \t\r") == std::string::npos) {
+            continue;
+        }
+        Row row;
+        if (read(line, row) || read(with_quotes(line), row)) {
+            csv.rows.push_back({number, {row.id, row.value}});
+        } else {
+            csv.rows.push_back({number, {line}});
+        }
+    }
+    return csv;
+}
+
+} // namespace edgeproof

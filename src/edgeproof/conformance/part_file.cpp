@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/part_file.hpp"
+
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <optional>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t write_at_once = 1 << 20;
+const std::string make_room = "give a folder that can be written to, with room in it";
+
+/// 0, or what went wrong.
+int write_all(int fd, const std::string& text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const ssize_t n = ::write(fd, text.data() + at, text.size() - at);
+        if (n > 0) {
+            at += static_cast<std::size_t>(n);
+        } else if (n == 0 || errno != EINTR) {
+            return n == 0 ? ENOSPC : errno;
+        }
+    }
+    return 0;
+}
+
+/// Numbers, a blank between two, to the end of the line.
+template <std::size_t N>
+std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int base_of_last) {
+    std::array<std::uint64_t, N> all{};
+    const char* at = line.data();
+    const char* const end = line.data() + line.size();
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto [stop, error] = std::from_chars(at, end, all[i], i + 1 < N ? 10 : base_of_last);
+        if (error != std::errc{} || (i + 1 < N ? stop == end || *stop != ' ' : stop != end)) {
+            return {};
+        }
+        at = stop + 1;
+    }
+    return all;
+}
+
+} // namespace
+
+PartFile::PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t entries,
+                   std::size_t pieces)
+    : file_(std::move(file)), head_(fmt::format("edgeproof part file 1, {:016x}\n", fingerprint)),
+      done_(pieces), places_(entries) {
+    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd_ < 0) {
+        cannot("write", errno);
+    }
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+        ::close(fd_);
+        throw InputError(file_.string() + " is in use", "wait for the other run, or name another "
+                                                        "file");
+    }
+    try {
+        read();
+    } catch (...) {
+        ::close(fd_);
+        throw;
+    }
+}
+
+PartFile::~PartFile() {
+    if (fd_ >= 0) {
+        ::close(fd_);
+    }
+}
+
+void PartFile::cannot(const char* what, int error) const {
+    throw InputError(fmt::format("cannot {} {}: {}", what, file_.string(), std::strerror(error)),
+                     make_room);
+}
+
+std::string PartFile::at(std::uint64_t offset, std::size_t size) const {
+    std::string text(size, '\0');
+    std::size_t have = 0;
+    while (have < size) {
+        const ssize_t n =
+            ::pread(fd_, text.data() + have, size - have, static_cast<off_t>(offset + have));
+        if (n > 0) {
+            have += static_cast<std::size_t>(n);
+        } else if (n == 0 || errno != EINTR) {
+            text.resize(have);
+            break;
+        }
+    }
+    return text;
+}
+
+// A piece is a line "piece BYTES CHECKSUM", then for each entry a line "INDEX MARK BYTES" and its
+// text with a line's end.
+void PartFile::read() {
+    end_ = head_.size();
+    constexpr std::size_t longest_head = 80;
+    const bool ours = at(0, head_.size()) == head_;
+    while (ours) {
+        const std::string line = at(end_, longest_head);
+        const std::size_t newline = line.find('\n');
+        const auto head = newline == std::string::npos
+                              ? std::nullopt
+                              : numbers<3>(std::string_view(line).substr(0, newline), 16);
+        if (!head || (*head)[0] >= done_.size() || done_[(*head)[0]]) {
+            break;
+        }
+        const std::uint64_t begin = end_ + newline + 1;
+        const std::string body = at(begin, (*head)[1]);
+        if (body.size() != (*head)[1] || fnv1a(body) != (*head)[2]) {
+            break;
+        }
+        for (std::size_t i = 0; i < body.size();) {
+            const std::size_t stop = body.find('\n', i);
+            const auto entry = numbers<3>(std::string_view(body).substr(i, stop - i), 10);
+            if (!entry || (*entry)[0] >= places_.size()) {
+                cannot("read", EINVAL);
+            }
+            places_[(*entry)[0]] = {begin + stop + 1, (*entry)[2]};
+            marked_ += (*entry)[1];
+            ++count_;
+            i = stop + 1 + (*entry)[2] + 1;
+        }
+        done_[(*head)[0]] = true;
+        end_ = begin + body.size();
+    }
+    const std::uint64_t keep = ours ? end_ : 0;
+    if (::ftruncate(fd_, static_cast<off_t>(keep)) != 0 ||
+        ::lseek(fd_, static_cast<off_t>(keep), SEEK_SET) < 0) {
+        cannot("write", errno);
+    }
+    if (!ours) {
+        if (const int error = write_all(fd_, head_); error != 0) {
+            ::unlink(file_.c_str());
+            cannot("write", error);
+        }
+    }
+}
+
+void PartFile::add(std::size_t piece, const std::vector<Entry>& entries) {
+    std::string body;
+    std::vector<std::size_t> offsets;
+    for (const Entry& entry : entries) {
+        body += fmt::format("{} {} {}\n", entry.index, entry.mark ? 1 : 0, entry.text.size());
+        offsets.push_back(body.size());
+        body += entry.text + "\n";
+    }
+    const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), fnv1a(body));
+    struct stat now {};
+    if (::fstat(fd_, &now) != 0 || now.st_nlink == 0) {
+        throw InputError(file_.string() + " has been removed while it was written", make_room);
+    }
+    if (const int error = write_all(fd_, head + body); error != 0) {
+        (void)::ftruncate(fd_, static_cast<off_t>(end_));
+        cannot("write", error);
+    }
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        places_[entries[k].index] = {end_ + head.size() + offsets[k], entries[k].text.size()};
+        marked_ += entries[k].mark ? 1 : 0;
+        ++count_;
+    }
+    end_ += head.size() + body.size();
+    done_[piece] = true;
+}
+
+std::string PartFile::text(std::size_t index) const {
+    std::string text = at(places_[index].first, places_[index].second);
+    if (text.size() != places_[index].second) {
+        cannot("read", EIO);
+    }
+    return text;
+}
+
+void PartFile::remove() { ::unlink(file_.c_str()); }
+
+WholeFile::WholeFile(std::filesystem::path file)
+    : file_(std::move(file)), aside_(file_.string() + "." + std::to_string(::getpid()) + ".tmp") {
+    fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd_ < 0) {
+        cannot(errno);
+    }
+}
+
+WholeFile::~WholeFile() {
+    if (fd_ >= 0) {
+        ::close(fd_);
+        ::unlink(aside_.c_str());
+    }
+}
+
+void WholeFile::cannot(int error) {
+    throw InputError("cannot write " + file_.string() + ": " + std::strerror(error), make_room);
+}
+
+void WholeFile::write(const std::string& text) {
+    waiting_ += text;
+    if (waiting_.size() >= write_at_once) {
+        flush();
+    }
+}
+
+void WholeFile::flush() {
+    if (const int error = write_all(fd_, waiting_); error != 0) {
+        cannot(error);
+    }
+    waiting_.clear();
+}
+
+void WholeFile::commit() {
+    flush();
+    if (::fsync(fd_) != 0 || ::rename(aside_.c_str(), file_.c_str()) != 0) {
+        cannot(errno);
+    }
+    ::close(fd_);
+    fd_ = -1;
+}
+
+} // namespace edgeproof

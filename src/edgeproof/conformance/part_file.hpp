@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+
+/// What is done of long work, kept beside its target: entries are added piece by piece, each piece
+/// with a checksum and in one go, and found again after the program was stopped or killed. The last
+/// piece, where it is torn, is dropped. Only entries' places are kept in memory.
+class PartFile {
+public:
+    /// One entry: where it belongs in the whole, a mark, and its text.
+    struct Entry {
+        std::size_t index = 0;
+        bool mark = false;
+        std::string text;
+    };
+
+    /// Opens what there is of the work that `fingerprint` tells from any other, of `entries`
+    /// entries in `pieces` pieces; else begins anew. Throws InputError where the file cannot be
+    /// written, and where another run holds it.
+    PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t entries,
+             std::size_t pieces);
+    ~PartFile();
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return file_; }
+    [[nodiscard]] bool has(std::size_t piece) const { return done_[piece]; }
+    [[nodiscard]] std::size_t entries() const { return count_; } ///< that there are
+    [[nodiscard]] std::size_t marked() const { return marked_; }
+
+    /// Adds a piece. Throws InputError where it cannot be written (what was whole before is kept)
+    /// and where the file is no longer in its folder.
+    void add(std::size_t piece, const std::vector<Entry>& entries);
+    /// The text of an entry that there is.
+    [[nodiscard]] std::string text(std::size_t index) const;
+    /// Deletes the file.
+    void remove();
+
+private:
+    void read();
+    [[nodiscard]] std::string at(std::uint64_t offset, std::size_t size) const;
+    [[noreturn]] void cannot(const char* what, int error) const;
+
+    std::filesystem::path file_;
+    int fd_ = -1;
+    std::string head_;
+    std::uint64_t end_ = 0; ///< of what is whole
+    std::vector<bool> done_;
+    std::vector<std::pair<std::uint64_t, std::size_t>> places_;
+    std::size_t count_ = 0;
+    std::size_t marked_ = 0;
+};
+
+/// A file written in parts, seen by others only when it is whole. Throws InputError where it cannot
+/// be written; what was written is removed then, and where it is not committed.
+class WholeFile {
+public:
+    explicit WholeFile(std::filesystem::path file);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    void write(const std::string& text);
+    void commit();
+
+private:
+    void flush();
+    [[noreturn]] void cannot(int error);
+
+    std::filesystem::path file_;
+    std::filesystem::path aside_;
+    std::string waiting_;
+    int fd_ = -1;
+};
+
+} // namespace edgeproof

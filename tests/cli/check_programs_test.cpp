@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::test;
+
+namespace {
+
+bool have(const char* command) {
+    const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
+    if (!there) {
+        MESSAGE("skipped: not here: ", command);
+    }
+    return there;
+}
+
+std::filesystem::path third_party() { return source_dir() / "examples" / "third-party"; }
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// `edgeproof check QUESTIONS --exec COMMAND OPTIONS`, in the folder of the programs' copies.
+Outcome ask(const Folder& folder, const std::string& command, const std::string& options) {
+    return run(folder, "check questions.toml --exec '" + command + "' " + options);
+}
+
+/// The folder of the programs, so that nothing is built or cached in the source.
+struct Programs {
+    Folder folder;
+    Programs() {
+        for (const auto& entry : std::filesystem::directory_iterator(third_party())) {
+            if (entry.is_regular_file()) {
+                std::filesystem::copy(entry.path(), folder.path() / entry.path().filename());
+            }
+        }
+    }
+    /// A command of the shell, in the folder.
+    bool shell(const std::string& command) const {
+        return std::system(("cd " + quoted(folder.path()) + " && " + command).c_str()) == 0;
+    }
+};
+
+const std::string all_pass = "pass: 220 answers, 0 failures";
+
+std::string last_line(const std::string& text) {
+    const auto all = edgeproof::test::lines(text);
+    return all.empty() ? "" : all.back();
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("third-party programs: C in double") {
+    const Programs programs;
+    if (have("cc --version")) {
+        REQUIRE(programs.shell("cc -std=c99 -O2 -o closed_forms closed_forms.c -lm"));
+        CHECK(last_line(ask(programs.folder, "./closed_forms", "--digits 13").out) == all_pass);
+        // In double there are not 17 digits: the check can fail.
+        CHECK(ask(programs.folder, "./closed_forms", "--digits 17").code == 1);
+    }
+}
+
+TEST_CASE("third-party programs: Fortran, quadrature in real*8") {
+    const Programs programs;
+    if (have("gfortran --version")) {
+        REQUIRE(programs.shell("gfortran -O2 -o quadrature quadrature.f90"));
+        const Outcome o = ask(programs.folder, "./quadrature", "--digits 13");
+        CAPTURE(o.out);
+        CHECK(last_line(o.out) == all_pass);
+    }
+}
+
+TEST_CASE("third-party programs: 30 digits by mpmath and by PARI/GP") {
+    const Programs programs;
+    if (have("python3 -c 'import mpmath'")) {
+        const Outcome o = ask(programs.folder, "python3 thirty_digits.py", "--digits 30");
+        CAPTURE(o.out);
+        CHECK(last_line(o.out) == all_pass);
+    }
+    if (have("gp --version")) {
+        const Outcome o = ask(programs.folder, "gp -q closed_forms.gp", "--digits 30");
+        CAPTURE(o.out);
+        CHECK(last_line(o.out) == all_pass);
+    }
+}
+
+TEST_CASE("third-party programs: JSON lines, a pipe of the shell, a figure") {
+    const Programs programs;
+    if (!have("python3 -c 'import json'")) {
+        return;
+    }
+    const Outcome json =
+        ask(programs.folder, "python3 json_lines.py", "--lines json --digits 13 --batch 50");
+    CHECK(last_line(json.out) == all_pass);
+    const std::string program = quoted(edgeproof::test::program());
+    CHECK(programs.shell(program + " points questions.toml | python3 closed_forms.py | " + program +
+                         " check - --digits 13 --figure f.csv >piped"));
+    CHECK(last_line(file_text(programs.folder.path() / "piped")) == all_pass);
+    const std::string figure = file_text(programs.folder.path() / "f.csv");
+    CHECK(has(figure, "u,p,q,inputs\n"));
+    CHECK(lines(figure).size() > 176);
+    if (have("gnuplot --version")) {
+        CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.svg").code == 0);
+        CHECK(has(file_text(programs.folder.path() / "f.svg"), "distance u from the edge"));
+    }
+    CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.png").code == 2);
+}
+
+TEST_CASE("third-party programs: the six faults of the one that is wrong on purpose, each named") {
+    const Programs programs;
+    if (!have("python3 -c 'import csv'")) {
+        return;
+    }
+    const Outcome o = ask(programs.folder, "python3 wrong_on_purpose.py", "--errors 100");
+    CHECK(o.code == 1);
+    for (const char* part :
+         {"P: yours are 2 times ours, to 15.", "c_k: yours are minus ours, to 15.",
+          "p: yours are in single precision (binary32), to 7.", ":right:u=0.999:p: nan\n",
+          ":right:u=0.9:p: missing\n", " is answered twice, first in line 10\n"}) {
+        CAPTURE(part);
+        CHECK((has(o.out, part) || has(o.out, "c_1: yours are minus ours, to 15.")));
+        CHECK((has(o.out, part) || std::string(part).rfind("c_k", 0) == 0));
+    }
+}
+
+TEST_CASE("check --self-test: spoilt answers are found, the right ones pass") {
+    const Folder folder;
+    folder.write("r.toml", "[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"0.1\", \"0.01\"]\n"
+                           "quantities = [\"p\", \"c_0\", \"P\", \"b\"]\n[scenes.w.profile]\n"
+                           "kind = \"tilted-wedge\"\nphi = \"0.2\"\nalpha = [\"0.05\", \"-0.1\"]\n"
+                           "[scenes.w.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
+    const Outcome o = run(folder, "check r.toml --self-test --files 48 --seed 3");
+    CAPTURE(o.out);
+    CHECK(o.code == 0);
+    CHECK(last_line(o.out) == "the right answers pass; 48 of 48 spoilt files found (seed 3, 16 "
+                              "answers a file, target 0.5 ulps)");
+    CHECK(has(o.out, "left and right exchanged                           2       2"));
+}
+
+TEST_CASE("check --self-test: 400 spoilt files of the examples" * doctest::test_suite("slow")) {
+    const Folder folder;
+    const Outcome o = run(folder, "check " + quoted(third_party() / "questions.toml") +
+                                      " --self-test --files 400");
+    CAPTURE(o.out);
+    CHECK(o.code == 0);
+}
+
+TEST_CASE("check --ledger: formulas of one's own; the wrong one is named and mended") {
+    const Folder folder;
+    const Outcome o = run(folder, "check --ledger " + quoted(third_party() / "formulas.toml"));
+    CAPTURE(o.out);
+    CHECK(o.code == 1);
+    CHECK(has(o.out, "pressure  "));
+    CHECK(has(o.out, "FAIL: 3 formulas, 1 do not hold"));
+    std::string text = file_text(third_party() / "formulas.toml");
+    text.resize(text.rfind("[[claim]]"));
+    folder.write("right.toml", text);
+    const Outcome right = run(folder, "check --ledger right.toml");
+    CHECK(right.code == 0);
+    CHECK(last_line(right.out) == "pass: 2 formulas, 0 do not hold");
+    folder.write("bad.toml", text + "[[claim]]\nid = \"x\"\nkind = \"value\"\nsays = \"nobody\"\n"
+                                    "of = \"P\"\nover = \"cylinder\"\n");
+    const Outcome bad = run(folder, "check --ledger bad.toml");
+    CHECK(bad.code == 2);
+    CHECK(lines(bad.err).size() == 1);
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+
+using namespace edgeproof::test;
+
+namespace {
+
+/// Some hundred contacts of a curved profile: about a second of work.
+std::string recipe(int values) {
+    std::string grid;
+    for (int i = 1; i <= values; ++i) {
+        grid += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "/7\"";
+    }
+    return "digits = 40\n[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"1e-9\", \"1/9\"]\n"
+           "quantities = [\"p\", \"c_0\", \"c_1\", \"P\", \"M\", \"b\"]\n[scenes.w.profile]\n"
+           "kind = \"tilted-flat-and-rounded\"\nalpha = \"pi/64\"\nt = \"1/10\"\nR = \"1\"\n"
+           "[scenes.w.load]\na = [" +
+           grid + "]\ncontact_modulus = \"1\"\n";
+}
+
+std::string shell(const Folder& folder, const std::string& command) {
+    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } 2>&1";
+    std::string out;
+    FILE* const pipe = ::popen(all.c_str(), "r");
+    char buffer[4096];
+    while (pipe != nullptr && std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
+        out += buffer;
+    }
+    if (pipe != nullptr) {
+        ::pclose(pipe);
+    }
+    return out;
+}
+
+std::string table_command(const std::string& options) {
+    return "'" + program().string() + "' table r.toml --out t.csv " + options;
+}
+
+/// Kills the run after so many milliseconds, again and again, until one ends by itself: how often.
+int kill_and_resume(const Folder& folder, int first_ms, int step_ms, const std::string& options) {
+    for (int runs = 0;; ++runs) {
+        const std::string milliseconds = std::to_string(first_ms + runs * step_ms);
+        (void)shell(folder,
+                    "timeout -s KILL 0." +
+                        std::string(4 - std::min<std::size_t>(4, milliseconds.size()), '0') +
+                        milliseconds + " " + table_command(options) + " || true");
+        if (std::filesystem::exists(folder.path() / "t.csv") || runs > 200) {
+            return runs;
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("table --out: killed at many moments and begun again, the same bytes in the end") {
+    const Folder folder;
+    folder.write("r.toml", recipe(40));
+    const std::string whole = run(folder, "table r.toml --threads 1").out;
+    REQUIRE(lines(whole).size() > 400);
+    // 0.0040 s, 0.0047 s, ...: the program is killed while it starts, computes, writes.
+    const int killed = kill_and_resume(folder, 40, 7, "--threads 2");
+    CHECK(killed > 0);
+    CHECK(file_text(folder.path() / "t.csv") == whole);
+    CHECK(folder.files() == 2); // and no part file
+}
+
+TEST_CASE("table --out: killed hundreds of times" * doctest::test_suite("slow")) {
+    const Folder folder;
+    folder.write("r.toml", recipe(300));
+    const std::string whole = run(folder, "table r.toml --threads 1").out;
+    int killed = 0;
+    for (int round = 0; round < 10; ++round) {
+        killed += kill_and_resume(folder, 100 + 13 * round, 11 + round, "--threads 2");
+        CHECK(file_text(folder.path() / "t.csv") == whole);
+        std::filesystem::remove(folder.path() / "t.csv");
+    }
+    CHECK(killed > 50);
+}
+
+TEST_CASE(
+    "table --out: an interrupt keeps what is done and says so; every format goes on from it") {
+    const Folder folder;
+    folder.write("r.toml", recipe(600));
+    const std::string said =
+        shell(folder, "timeout -s INT 0.3 " + table_command("--threads 1 --format md"));
+    if (said.empty()) {
+        MESSAGE("done before it could be interrupted");
+        return;
+    }
+    CHECK(said.find("interrupted: ") == 0);
+    CHECK(said.find(" rows are kept in t.csv.part; the same command goes on from there\n") !=
+          std::string::npos);
+    CHECK(lines(said).size() == 1);
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "t.csv"));
+    CHECK(std::filesystem::exists(folder.path() / "t.csv.part"));
+    CHECK(run(folder, "table r.toml --out t.csv --format md").code == 0);
+    CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml --format md").out);
+}
+
+TEST_CASE("table --out: a full disk is one line, no half file, and the run goes on later") {
+    const Folder folder;
+    folder.write("r.toml", recipe(20));
+    folder.write("t.csv", "old\n");
+    // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
+    for (const char* blocks : {"0", "1", "40"}) {
+        CAPTURE(blocks);
+        const std::string said = shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks +
+                                                   "; " + table_command("--threads 1"));
+        CHECK(said.rfind("cannot write t.csv", 0) == 0);
+        CHECK(lines(said).size() == 1);
+        CHECK(file_text(folder.path() / "t.csv") == "old\n");
+    }
+    CHECK(run(folder, "table r.toml --out t.csv").code == 0);
+    CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml").out);
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("table --out: a folder that is gone is one line; a recipe that is wrong leaves nothing") {
+    const Folder folder;
+    folder.write("r.toml", recipe(600));
+    const std::string said =
+        shell(folder, "mkdir d; (sleep 0.2; rm -r d) & '" + program().string() +
+                          "' table r.toml --out d/t.csv --threads 1; wait");
+    CHECK(lines(said).size() == 1);
+    CHECK(said.find("d/t.csv") != std::string::npos);
+    CHECK(folder.files() == 1);
+    folder.write("r.toml", recipe(20) + "[scenes.x]\nu = [\"5\"]\nquantities = [\"p\"]\n"
+                                        "[scenes.x.profile]\nkind = \"power-law\"\nm = \"1\"\n"
+                                        "C = \"1\"\n[scenes.x.load]\na = \"1\"\n"
+                                        "contact_modulus = \"1\"\n");
+    const Outcome wrong = run(folder, "table r.toml --out t.csv");
+    CHECK(wrong.code == 2);
+    CHECK(wrong.err.find("u = 5 from the right edge") != std::string::npos);
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("table: extents as quantities, at each tolerance") {
+    const Folder folder;
+    folder.write("r.toml", "digits = 10\n[scenes.h]\nedges = [\"right\"]\n"
+                           "tolerance = [\"1%\", \"1/10\"]\nquantities = [\"extent_1\", "
+                           "\"measure_1\"]\n[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\n"
+                           "C = \"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
+    const Outcome o = run(folder, "table r.toml");
+    CAPTURE(o.err);
+    CHECK(o.code == 0);
+    // p = c_0 sqrt(u (1 - u/2)): 1/sqrt(1 - u/2) - 1 = e, u = 2 (1 - 1/(1 + e)^2).
+    CHECK(o.out.find("h:right:tolerance=1/100:extent_1") != std::string::npos);
+    CHECK(o.out.find(",extent_1,0.03940790119,") != std::string::npos); // 2 (1 - 1/1.0201)
+    CHECK(o.out.find(",extent_1,0.3471074380,") != std::string::npos);  // 2 (1 - 1/1.21)
+    CHECK(run(folder, "points r.toml").out.find(",tolerance,") != std::string::npos);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/part_file.hpp"
+#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <fstream>
+
+using namespace edgeproof;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("edgeproof-part-" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+};
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// Two pieces: entries 0 and 2, then 1.
+void fill(PartFile& part) {
+    if (!part.has(0)) {
+        part.add(0, {{0, false, "zero\nof two lines"}, {2, true, "two"}});
+    }
+    if (!part.has(1)) {
+        part.add(1, {{1, true, "one"}});
+    }
+}
+
+std::string all(const PartFile& part) {
+    return part.text(0) + "|" + part.text(1) + "|" + part.text(2);
+}
+
+} // namespace
+
+TEST_CASE("a part file gives back what was whole in it, wherever it was cut off") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    {
+        PartFile part(file, 7, 3, 2);
+        fill(part);
+        CHECK(part.entries() == 3);
+        CHECK(part.marked() == 2);
+    }
+    const std::string whole = read_text(file, "part file");
+    for (std::size_t size = 0; size <= whole.size(); ++size) {
+        write(file, whole.substr(0, size));
+        PartFile part(file, 7, 3, 2);
+        CAPTURE(size);
+        CHECK(part.entries() == (size == whole.size() ? 3 : part.has(0) ? 2 : 0));
+        fill(part);
+        CHECK(all(part) == "zero\nof two lines|one|two");
+        CHECK(part.marked() == 2);
+        CHECK(read_text(file, "part file") == whole);
+    }
+}
+
+TEST_CASE("a part file drops what is not what was written, and work of another kind") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    { // closed before it is read
+        PartFile part(file, 7, 3, 2);
+        fill(part);
+    }
+    const std::string whole = read_text(file, "part file");
+    std::string changed = whole;
+    changed[changed.find("two lines")] = 'T';
+    write(file, changed);
+    CHECK(PartFile(file, 7, 3, 2).entries() == 0); // what comes after it is not trusted either
+    write(file, whole);
+    CHECK(PartFile(file, 8, 3, 2).entries() == 0);
+    write(file, "another file altogether\n");
+    CHECK(PartFile(file, 7, 3, 2).entries() == 0);
+}
+
+TEST_CASE("a part file that is in use, removed, or in no folder is told in one line") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    PartFile part(file, 7, 3, 2);
+    CHECK_THROWS_WITH_AS(
+        PartFile(file, 7, 3, 2),
+        (file.string() + " is in use; wait for the other run, or name another file").c_str(),
+        InputError);
+    fs::remove(file);
+    CHECK_THROWS_AS(part.add(0, {{0, false, "zero"}}), InputError);
+    CHECK_THROWS_AS(PartFile(folder.path / "nowhere" / "t.part", 7, 3, 2), InputError);
+}
+
+TEST_CASE("a file is seen when it is whole, and not before") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.csv";
+    write(file, "old");
+    {
+        WholeFile whole(file);
+        whole.write("new");
+        CHECK(read_text(file, "file") == "old");
+    }
+    CHECK(read_text(file, "file") == "old");
+    {
+        WholeFile whole(file);
+        whole.write("new");
+        whole.commit();
+    }
+    CHECK(read_text(file, "file") == "new");
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}

@@ -79,7 +79,7 @@ struct CountResult {
 /// The value in Real is the pressure by the singular integral for a power law that has no
 /// logarithms, for a curved g' and for one in 8 of the others, by Barber-Mossakovskii for one of a
 /// symmetric contact (b(s) has to be solved for at every node of another's integral, which takes
-/// minutes at so many digits), else by logarithms in Real; coefficients, P, M, b and q by the
+/// minutes at so many digits), else by logarithms in Real; coefficients, P, b and q by the
 /// routes in Real. The result is the same whatever the number of threads. Contacts that `state` has
 /// are not done again, unless something was found in them.
 [[nodiscard]] CountResult count_values(const CountOptions& options, CountState& state);

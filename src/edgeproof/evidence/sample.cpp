@@ -78,7 +78,7 @@ public:
     }
 
     [[nodiscard]] SampledValue draw(std::size_t i) {
-        // Of 50: 40 at points, 6 coefficients, 4 shear, and P, M and b in turns.
+        // Of 50: 40 pressures, 5 coefficients, 3 shear, 2 of P or b.
         SampledValue v;
         v.asked.edge = dice_.below(2) == 0 ? Edge::right : Edge::left;
         const std::size_t turn = i % 10;

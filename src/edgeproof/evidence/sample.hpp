@@ -35,8 +35,8 @@ inline constexpr std::array<std::string_view, 6> sampled_profiles{
 
 /// Where a value lies: by its distance u from the edge in units of a, or what else it is.
 inline constexpr std::array<std::string_view, 8> sampled_regimes{
-    "u < 1e-12 a", "u < 1e-3 a",   "u < a",      "beyond u = a",
-    "by a knot",   "coefficients", "P, M and b", "shear"};
+    "u < 1e-12 a", "u < 1e-3 a",   "u < a",   "beyond u = a",
+    "by a knot",   "coefficients", "P and b", "shear"};
 
 struct SampledValue {
     AskedValue asked;

@@ -2,11 +2,16 @@
 #include "edgeproof/contact/extent.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/quoted_figure.hpp"
+#include "edgeproof/audit/enclosed_sample.hpp"
 #include "edgeproof/audit/spots.hpp"
+#include "edgeproof/contact/ball_extent.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 
 #include <cstdlib>
+#include <map>
+#include <optional>
 
 namespace edgeproof {
 namespace {
@@ -66,6 +71,64 @@ Reach reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& c
     return reach;
 }
 
+/// The same figure in balls: every crossing found, and proved to be all that there are.
+Enclosed enclosed_reach(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
+    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    ExtentRange range;
+    if (claim.has("upto")) {
+        range.to = exact_in(claim, "upto", scene);
+    }
+    const Profile profile = scene.make_profile();
+    const Load load = Load::right_edge(scene.parameter("a"));
+    std::map<long, BallContact> contacts;
+    const auto contact_at = [&](long bits) -> const BallContact& {
+        return contacts.try_emplace(bits, profile, scene.parameter("Es"), load, bits).first->second;
+    };
+    Enclosed reach;
+    BallExtentSearch search(contact_at, edge, static_cast<std::size_t>(claim.integer("terms")),
+                            Exact::parse(claim.text("tolerance")), range);
+    const Sample sample{scene, std::nullopt, edge, {}};
+    const long needed = bits_for(context.digits());
+    for (long bits = 2 * needed; bits <= 8 * needed && !reach.ball; bits *= 2) {
+        try {
+            const EnclosedExtents extents = search.at(bits);
+            const bool first = claim.text("reach") == "first-exit";
+            reach.ball = (first ? extents.first_exit : extents.measure) /
+                         EnclosedSample(sample, bits).evaluate(claim.formula("base"));
+        } catch (const BudgetError& error) {
+            reach.problem = error.what();
+        } catch (const Error& error) {
+            reach.problem = error.what();
+            break;
+        }
+    }
+    return reach;
+}
+
+/// The ball beside all that would have been rounded to the quoted figure, give or take a unit.
+void enclose_figure(const Enclosed& computed, const QuotedFigure& figure, const std::string& at,
+                    unsigned digits, Outcome& outcome) {
+    Evidence e;
+    if (!computed.ball) {
+        outcome.evidence.add("enclosures", e.add("none", computed.problem));
+        return;
+    }
+    const auto [lower, upper] =
+        figure.within_units(outcome.verdict == Verdict::refuted ? Rational(3, 2) : Rational(1, 2));
+    const Ball& ball = *computed.ball;
+    const bool apart = certainly_less(ball, Ball(lower, ball.bits())) ||
+                       certainly_less(Ball(upper, ball.bits()), ball);
+    e.add("at", at)
+        .add("computed", ball_text(ball, digits))
+        .add("quoted", exact_text(lower) + " ... " + exact_text(upper))
+        .add("disjoint", apart);
+    if (!apart && (outcome.verdict == Verdict::refuted || outcome.verdict == Verdict::imprecise)) {
+        outcome.verdict = Verdict::undecided;
+        outcome.note = "the estimate has it differ, the enclosure does not";
+    }
+    outcome.evidence.add("enclosures", std::move(e));
+}
+
 Outcome check_extent(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     if (claim.integer("terms") < 1 || claim.integer("terms") > 9) {
@@ -77,12 +140,14 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
     std::optional<Real> at_worst;
     long worst = -1;
+    std::optional<SceneSpec> worst_scene;
     for (const SceneSpec& scene : context.scenes(claim)) {
         try {
             Reach reach = reach_in(scene, claim, context, figure);
             const long off = std::labs(figure.units_off(reach.value));
             if (off > worst) {
                 worst = off;
+                worst_scene = scene;
                 at_worst = reach.value;
                 outcome.verdict = figure.verdict(reach.value);
                 outcome.computed = figure.text(reach.value);
@@ -94,6 +159,8 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     }
     outcome.note = figure.note(*at_worst);
     outcome.evidence.add("scenes", std::move(scenes));
+    enclose_figure(enclosed_reach(*worst_scene, claim, context), figure,
+                   worst_scene->family + ": " + worst_scene->text(), context.digits(), outcome);
     return outcome;
 }
 

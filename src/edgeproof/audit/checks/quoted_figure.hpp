@@ -6,6 +6,7 @@
 #include "edgeproof/precision/real.hpp"
 
 #include <string>
+#include <utility>
 
 namespace edgeproof {
 
@@ -22,6 +23,11 @@ public:
     [[nodiscard]] long units_off(const Real& computed) const;
     /// Rounds to it: confirmed. One unit off: imprecise. More: refuted.
     [[nodiscard]] Verdict verdict(const Real& computed) const;
+    /// The numbers from so many units of the last quoted place below to so many above: with 1/2
+    /// those that round to it.
+    [[nodiscard]] std::pair<Rational, Rational> within_units(const Rational& units) const {
+        return {value_ - units * unit_, value_ + units * unit_};
+    }
     /// The computed value in the quoted notation: rounded to the quoted place.
     [[nodiscard]] std::string rounded(const Real& computed) const;
     /// The same with so many significant digits.

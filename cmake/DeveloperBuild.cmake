@@ -22,6 +22,13 @@ if(EDGEPROOF_SANITIZE)
     add_link_options(-fsanitize=${EDGEPROOF_SANITIZE})
 endif()
 
+if(EDGEPROOF_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+    execute_process(COMMAND g++ -print-file-name=include # quadmath.h is among GCC's own headers
+        OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
+    add_compile_options(-idirafter ${gcc_headers})
+endif()
+
 if(EDGEPROOF_CLANG_TIDY)
     find_program(CLANG_TIDY NAMES clang-tidy REQUIRED)
     set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/error.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+/// What every reader owes, whatever it is given: it reads the text, or it throws one of our errors,
+/// in one line. Anything else (another exception, a crash, a sanitizer's finding) ends the program.
+template <class Read>
+int hold_to_its_word(const Read& read, const std::uint8_t* data, std::size_t size) {
+    try {
+        read(std::string_view(reinterpret_cast<const char*>(data), size)); // NOLINT: bytes as text
+    } catch (const edgeproof::Error& error) {
+        if (std::string_view(error.what()).find('\n') != std::string_view::npos) {
+            std::fputs("an error of more than one line\n", stderr);
+            std::abort();
+        }
+    }
+    return 0;
+}

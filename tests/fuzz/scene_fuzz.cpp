@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/scene_file.hpp"
+
+#include "tests/fuzz/reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return hold_to_its_word(
+        [](std::string_view text) {
+            static_cast<void>(edgeproof::parse_scene(text, "scene.toml"));
+        },
+        data, size);
+}

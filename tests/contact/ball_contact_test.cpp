@@ -66,6 +66,15 @@ TEST_CASE("a force given: the edge is isolated, and it is the right one") {
     }
 }
 
+// The search once ended where halving met the end of the flat, where dP/da = 0.
+TEST_CASE("a force for which the search meets a knot on its way") {
+    const Profile flat = Profile::flat_and_rounded(exact("0.4"), exact("1"));
+    const BallContact contact(flat, exact("1"), Load::force(exact("0.1")), 300);
+    CHECK(overlaps(contact.force(), Ball(Rational(1, 10), 300)));
+    CHECK(contact.a().relative_accuracy_bits() > 200);
+    CHECK(certainly_less(Ball(Rational(2, 5), 300), contact.a()));
+}
+
 TEST_CASE("escalation reaches the digits asked in the hard places") {
     const Contact flat = symmetric()[6];
     // 1e-30 beside a knot, on it, and 1e-300 from the edge.

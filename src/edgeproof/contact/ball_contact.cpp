@@ -55,11 +55,9 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     for (int k = 0; k < 400; ++k) {
         const Ball value = middle(f(x));
         step = middle(value / rate(x));
-        if (!step.is_finite()) {
-            break;
-        }
-        Ball next = middle(x - step);
-        const bool inside = (!lo || certainly_less(*lo, next)) &&
+        // No step where the rate may be zero (an edge on the end of a flat): halve instead.
+        Ball next = step.is_finite() ? middle(x - step) : x;
+        const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
                             (!hi || certainly_less(next, *hi)) && certainly_positive(next);
         if (!inside && lo && hi) {
             if (certainly_positive(value)) {

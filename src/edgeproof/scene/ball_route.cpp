@@ -178,7 +178,7 @@ public:
 
     PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
         const auto base = settle([](Level& level) { return level.length(); }, plan_.digits);
-        if (!base || !certainly_less(ball_of(u, base->bits()), *base)) {
+        if (base && !certainly_less(ball_of(u, base->bits()), *base)) {
             throw DomainError("the point lies outside the contact");
         }
         const bool together = q && scene_.shear->path == LoadingPath::together;

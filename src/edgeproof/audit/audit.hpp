@@ -8,11 +8,15 @@
 ///   verdict.hpp   Verdict
 ///   evidence.hpp  Evidence: what a verdict rests on
 ///   check.hpp     Outcome, and the interface of a kind of claim (checks/ has one file a kind)
+///   enclosures.hpp  what balls say of a verdict: disjoint enclosures, digits proved
+///   mutants.hpp   formulas that stand, broken on purpose: the power of the check, measured
 #include "edgeproof/audit/check.hpp"
 #include "edgeproof/audit/claim.hpp"
+#include "edgeproof/audit/enclosures.hpp"
 #include "edgeproof/audit/evidence.hpp"
 #include "edgeproof/audit/family.hpp"
 #include "edgeproof/audit/ledger.hpp"
+#include "edgeproof/audit/mutants.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/setting.hpp"
 #include "edgeproof/audit/verdict.hpp"

@@ -80,12 +80,14 @@ void diagnose(const Patient& patient, Outcome& outcome) {
     }
     if (patient.derived && accept(patient, *patient.derived, outcome)) {
         outcome.note = "no single edit makes it right; the derived form is given";
+        outcome.evidence.add("derived_instead", true);
         return;
     }
     outcome.note = "no correction was found";
 }
 
-EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact) {
+EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact,
+                          const SceneSpec* scene) {
     std::set<std::string> names = free_symbols(printed);
     names.merge(free_symbols(exact));
     const auto any = [&](char letter) {
@@ -117,6 +119,18 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
         alphabet.factors.push_back(e);
         alphabet.factors.push_back(Expr::call("sqrt", {e}));
         alphabet.factors.push_back(pow(e, Expr::number(2)));
+    }
+    for (const char* rate : {"P1", "P2", "P3"}) {
+        if (any('P')) {
+            alphabet.factors.push_back(Expr::symbol(rate));
+        }
+    }
+    if (scene != nullptr) {
+        for (const auto& [name, value] : scene->parameters) {
+            if (!names.contains(name)) {
+                alphabet.factors.push_back(Expr::symbol(name));
+            }
+        }
     }
     alphabet.factors.push_back(Expr::pi());
     alphabet.factors.push_back(Expr::call("sqrt", {Expr::number(2)}));

@@ -25,7 +25,9 @@ struct Patient {
 /// `correct` is set only to a formula that itself came out so.
 void diagnose(const Patient& patient, Outcome& outcome);
 
-/// The names that may stand for one another in a claim, and the factors that may have been lost.
-[[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact);
+/// The names that may stand for one another in a claim, and the factors that may have been lost:
+/// powers of those names, and of a scene's parameters.
+[[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact,
+                                        const SceneSpec* scene = nullptr);
 
 } // namespace edgeproof

@@ -81,7 +81,7 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
 
 void add_refutation(const Agreement& agreement, const Spots& spots, const Expr& printed,
                     const Expr& exact, unsigned digits, Outcome& outcome) {
-    std::string problem = "no sample has a value";
+    std::string problem = "the printed formula has no value at any sample";
     std::size_t tried = 0;
     std::optional<Evidence> overlapping;
     for (const std::size_t i : by_digits(agreement)) {

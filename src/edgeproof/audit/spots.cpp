@@ -48,6 +48,11 @@ bool Agreement::to(double digits) const {
     });
 }
 
+bool Agreement::undefined() const {
+    return !spots.empty() && std::all_of(spots.begin(), spots.end(),
+                                         [](const SpotAgreement& s) { return s.undefined; });
+}
+
 bool Agreement::differ(double digits_needed) const {
     // Three digits of margin: errors of quadratures are estimates.
     return std::any_of(spots.begin(), spots.end(), [&](const SpotAgreement& s) {
@@ -93,7 +98,9 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact,
         SpotAgreement s;
         try {
             const FormulaValue x = spot.evaluate(exact);
+            s.undefined = true; // if what comes next throws
             const FormulaValue y = spot.evaluate(printed);
+            s.undefined = false;
             s.exact = x.value;
             s.printed = y.value;
             s.good_digits = std::min(x.digits, y.digits);

@@ -29,6 +29,7 @@ struct SpotAgreement {
     double digits = 0;      ///< to which they agree
     double good_digits = 0; ///< to which both are good
     std::string problem;    ///< why there is no value, if there is none
+    bool undefined = false; ///< the exact formula has a value here, the printed one has none
 };
 
 /// Two formulas at all spots.
@@ -38,6 +39,8 @@ struct Agreement {
     [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
     /// At every spot.
     [[nodiscard]] bool to(double digits) const;
+    /// Nowhere has the printed formula a value, though the exact one has.
+    [[nodiscard]] bool undefined() const;
     /// At some spot they differ by more than their errors allow for.
     [[nodiscard]] bool differ(double digits_needed) const;
 };

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     cli::add_table(app, code);
     cli::add_points(app, code);
     cli::add_check(app, code);
+    cli::add_mutate(app, code);
     cli::add_bounds(app, code);
     cli::add_verify(app, code);
     try {

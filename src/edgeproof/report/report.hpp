@@ -5,6 +5,7 @@
 ///   table.hpp            any table as CSV, JSON, Markdown, LaTeX
 ///   reference_table.hpp  a recipe's answers, or its questions, as a table; tables compared
 ///   agreement_report.hpp other programs' answers held to the reference, for people and as JUnit
+///   mutation_report.hpp  what became of formulas broken on purpose
 ///   golden.hpp           an audit held against the verdicts recorded before
 ///   html_report.hpp      an audit as a page, with the paper's figures made anew
 ///   figures.hpp          a figure as data, drawn by gnuplot
@@ -14,6 +15,7 @@
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/golden.hpp"
 #include "edgeproof/report/html_report.hpp"
+#include "edgeproof/report/mutation_report.hpp"
 #include "edgeproof/report/reference_table.hpp"
 #include "edgeproof/report/table.hpp"
 #include "edgeproof/report/verdict_writers.hpp"

@@ -69,7 +69,8 @@ Verdict verdict_by_samples(const Agreement& agreement, const AuditContext& conte
     if (agreement.to(needed)) {
         return Verdict::confirmed;
     }
-    return agreement.differ(needed) ? Verdict::refuted : Verdict::undecided;
+    return agreement.differ(needed) || agreement.undefined() ? Verdict::refuted
+                                                             : Verdict::undecided;
 }
 
 std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& spots,

@@ -83,7 +83,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     Patient patient;
     patient.printed = claim.written("says");
-    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"));
+    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
+                                    &spots.all().front().sample.scene);
     patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
     if (derived && !patient.ratio) {
         try {

@@ -34,7 +34,8 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     QuickSamples quick(claim, context, exact);
     Patient patient;
     patient.printed = claim.written("says");
-    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"));
+    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
+                                    &spots.all().front().sample.scene);
     patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
     patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
     patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {

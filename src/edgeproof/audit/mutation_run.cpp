@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
+#include "edgeproof/audit/mutants.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <random>
+
+namespace edgeproof {
+namespace {
+
+struct Target {
+    const Claim* claim;
+    std::vector<Mutant> mutants;
+};
+
+bool is_formula_claim(const Claim& claim) {
+    return (claim.kind == "value" || claim.kind == "identity") && claim.readings.empty() &&
+           claim.undefined.empty();
+}
+
+/// Each claim's mutants in an order that the seed and the claim's id decide.
+void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string& id) {
+    std::uint64_t mixed = seed;
+    for (const char c : id) {
+        mixed = mixed * 1099511628211U + static_cast<unsigned char>(c);
+    }
+    std::mt19937_64 random(mixed);
+    // Not std::shuffle: what it does is not the same in every library.
+    for (std::size_t k = mutants.size(); k > 1; --k) {
+        std::swap(mutants[k - 1], mutants[random() % k]);
+    }
+}
+
+Claim broken(const Claim& claim, const Expr& formula) {
+    Claim mutant = claim;
+    mutant.fields.find("says")->second.value = to_text(formula);
+    return mutant;
+}
+
+MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext& context) {
+    MutantFate fate;
+    fate.claim = claim.id;
+    fate.kind = mutant.kind;
+    const Expr original = claim.written("says");
+    fate.original = to_text(original);
+    fate.mutated = to_text(mutant.formula);
+    const Outcome outcome =
+        find_check_kind(claim.kind)->check(broken(claim, mutant.formula), context);
+    fate.verdict = outcome.verdict;
+    fate.note = outcome.note;
+    const auto same_as_original = [&](const Expr& e) {
+        try {
+            return e == original || proved_equal(expand_definitions(e, claim.vocabulary),
+                                                 expand_definitions(original, claim.vocabulary),
+                                                 symbolic_case(claim, context));
+        } catch (const Error&) {
+            return false; // not by symbols
+        }
+    };
+    if (outcome.verdict != Verdict::refuted) {
+        fate.equivalent = same_as_original(mutant.formula);
+    } else if (outcome.correct && !outcome.evidence.find("derived_instead")) {
+        // Named: by an edit, or a factor, that gives back what stood there.
+        fate.named = same_as_original(parse_formula(*outcome.correct, claim.vocabulary));
+    }
+    return fate;
+}
+
+} // namespace
+
+MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
+    MutationRun run;
+    run.seed = options.seed;
+    Ledger formulas = ledger;
+    std::erase_if(formulas.claims, [](const Claim& c) { return !is_formula_claim(c); });
+    AuditOptions quiet = options.audit;
+    quiet.progress = nullptr;
+    run.originals = run_audit(formulas, quiet);
+
+    std::vector<Target> targets;
+    for (const ClaimResult& r : run.originals.claims) {
+        if (r.outcome.verdict == Verdict::confirmed || r.outcome.verdict == Verdict::proved) {
+            Target target{&r.claim, mutants_of(r.claim.written("says"))};
+            shuffle(target.mutants, options.seed, r.claim.id);
+            run.possible += target.mutants.size();
+            targets.push_back(std::move(target));
+        }
+    }
+    run.claims = targets.size();
+    // In turn, so that long formulas do not crowd out short ones.
+    std::vector<std::pair<const Claim*, const Mutant*>> chosen;
+    for (std::size_t k = 0; chosen.size() < std::min(options.mutants, run.possible); ++k) {
+        for (const Target& target : targets) {
+            if (k < target.mutants.size() && chosen.size() < options.mutants) {
+                chosen.emplace_back(target.claim, &target.mutants[k]);
+            }
+        }
+    }
+    const AuditContext context(ledger, options.audit.digits);
+    run.fates.resize(chosen.size());
+    std::atomic<std::size_t> done{0};
+    std::atomic<bool> skipped{false};
+    tbb::task_arena arena(options.audit.threads > 0 ? options.audit.threads
+                                                    : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(
+            std::size_t{0}, chosen.size(),
+            [&](std::size_t i) {
+                if (options.audit.stop != nullptr && options.audit.stop->load()) {
+                    skipped = true;
+                    return;
+                }
+                run.fates[i] = fate_of(*chosen[i].first, *chosen[i].second, context);
+                const std::size_t now = ++done;
+                if (options.audit.progress) {
+                    options.audit.progress(now, chosen.size());
+                }
+            },
+            tbb::simple_partitioner());
+    });
+    if (skipped) {
+        throw Interrupted("stopped before all mutants were checked");
+    }
+    return run;
+}
+
+} // namespace edgeproof

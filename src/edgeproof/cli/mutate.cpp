@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/mutation_report.hpp"
+#include "edgeproof/report/report.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct Options {
+    std::string ledger;
+    long long digits = 30;
+    long long mutants = 1000;
+    std::uint64_t seed = 1;
+    std::string only = "*";
+    std::string out;
+    int threads = 0;
+};
+
+/// How the claims as they stand came out otherwise than the golden file has them.
+std::vector<std::string> false_alarms(const MutationRun& run, const std::string& ledger) {
+    std::vector<std::string> all;
+    const auto golden = golden_file(ledger);
+    for (const ClaimResult& r : run.originals.claims) {
+        if (std::filesystem::exists(golden)) {
+            AuditResult one;
+            one.digits = run.originals.digits;
+            one.claims.push_back(r);
+            for (const std::string& line : golden_differences(one, golden, r.claim.id)) {
+                all.push_back(line);
+            }
+        } else if (r.outcome.verdict == Verdict::undecided) {
+            all.push_back(r.claim.id + " is undecided as it stands");
+        }
+    }
+    return all;
+}
+
+int mutate(const Options& o) {
+    if (o.digits < 10 || o.digits > 1000) {
+        throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
+                         "give a number of digits from 10 to 1000");
+    }
+    if (o.mutants < 1 || o.mutants > 1000000) {
+        throw InputError("--mutants " + std::to_string(o.mutants) + " is out of range",
+                         "give a number from 1 to 1000000");
+    }
+    const Ledger ledger = read_ledger(o.ledger);
+    MutationOptions options;
+    options.audit.digits = static_cast<unsigned>(o.digits);
+    options.audit.threads = o.threads;
+    options.audit.only = o.only;
+    options.audit.stop = &interrupted();
+    options.mutants = static_cast<std::size_t>(o.mutants);
+    options.seed = o.seed;
+    MutationRun run;
+    {
+        Progress progress("mutants");
+        options.audit.progress = [&](std::size_t done, std::size_t total) {
+            progress(done, total);
+        };
+        run = run_mutants(ledger, options);
+    }
+    if (!o.out.empty()) {
+        write_whole(o.out, mutation_csv(run));
+    }
+    const std::vector<std::string> alarms = false_alarms(run, o.ledger);
+    std::fputs(mutation_text(run, alarms).c_str(), stdout);
+    return survivors(run).empty() && alarms.empty() ? 0 : 1;
+}
+
+} // namespace
+
+void add_mutate(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "mutate", "break the formulas of a ledger that stand, and see that each is refuted");
+    auto o = std::make_shared<Options>();
+    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
+    sub->add_option("--mutants", o->mutants, "how many")->capture_default_str();
+    sub->add_option("--seed", o->seed, "decides which")->capture_default_str();
+    sub->add_option("--digits", o->digits, "digits to check to")->capture_default_str();
+    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
+    sub->add_option("--out", o->out, "file for a row a mutant (CSV)");
+    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
+        ->check(CLI::Range(0, 1024));
+    sub->callback([o, &code] { code = mutate(*o); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/mutation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+struct Count {
+    std::size_t made = 0;
+    std::size_t refuted = 0;
+    std::size_t equivalent = 0;
+    std::size_t surviving = 0;
+    std::size_t named = 0;
+
+    void add(const MutantFate& f) {
+        ++made;
+        refuted += f.verdict == Verdict::refuted ? 1 : 0;
+        equivalent += f.verdict != Verdict::refuted && f.equivalent ? 1 : 0;
+        surviving += f.verdict != Verdict::refuted && !f.equivalent ? 1 : 0;
+        named += f.named ? 1 : 0;
+    }
+};
+
+std::string row(const std::string& name, const Count& c) {
+    return fmt::format("{:<16}{:>6}{:>9}{:>12}{:>11}{:>8} ({:.0f} % of those refuted)\n", name,
+                       c.made, c.refuted, c.equivalent, c.surviving, c.named,
+                       c.refuted == 0
+                           ? 0.0
+                           : 100.0 * static_cast<double>(c.named) / static_cast<double>(c.refuted));
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    }
+    return out + "\"";
+}
+
+} // namespace
+
+std::vector<const MutantFate*> survivors(const MutationRun& run) {
+    std::vector<const MutantFate*> all;
+    for (const MutantFate& f : run.fates) {
+        if (f.verdict != Verdict::refuted && !f.equivalent) {
+            all.push_back(&f);
+        }
+    }
+    return all;
+}
+
+std::string mutation_text(const MutationRun& run, const std::vector<std::string>& false_alarms) {
+    std::string out =
+        fmt::format("{} mutants of {} formulas that stand, of {} there are; seed {}, {} digits\n\n",
+                    run.fates.size(), run.claims, run.possible, run.seed, run.originals.digits);
+    out += fmt::format("{:<16}{:>6}{:>9}{:>12}{:>11}{:>8}\n", "kind", "made", "refuted",
+                       "equivalent", "surviving", "named");
+    out += std::string(62, '-') + "\n";
+    Count total;
+    for (const std::string& kind : mutation_kinds()) {
+        Count c;
+        for (const MutantFate& f : run.fates) {
+            if (f.kind == kind) {
+                c.add(f);
+                total.add(f);
+            }
+        }
+        out += row(kind, c);
+    }
+    out += std::string(62, '-') + "\n" + row("all", total);
+    for (const MutantFate* f : survivors(run)) {
+        out += fmt::format("\nsurvives: {} ({}), {}: {}\n  original {}\n  mutant   {}\n", f->claim,
+                           f->kind, name_of(f->verdict), f->note, f->original, f->mutated);
+    }
+    for (const std::string& line : false_alarms) {
+        out += "\nfalse alarm: " + line + "\n";
+    }
+    out += fmt::format("\n{} survivors, {} false alarms\n", total.surviving, false_alarms.size());
+    return out;
+}
+
+std::string mutation_csv(const MutationRun& run) {
+    std::string out = "claim,kind,verdict,equivalent,named,original,mutant,note\n";
+    for (const MutantFate& f : run.fates) {
+        out += fmt::format("{},{},{},{},{},{},{},{}\n", f.claim, f.kind, name_of(f.verdict),
+                           f.equivalent ? "yes" : "no", f.named ? "yes" : "no", quoted(f.original),
+                           quoted(f.mutated), quoted(f.note));
+    }
+    return out;
+}
+
+} // namespace edgeproof

@@ -12,8 +12,10 @@ std::string entry(const char* key, const std::string& value) {
     return std::string(key) + " = \"" + value + "\"";
 }
 
-/// One in so many contacts has a curved g'.
-constexpr std::size_t curved_every = 400;
+/// One in so many contacts has a curved g', whose values take integrals: minutes a contact. Not the
+/// last ones of a count, for which the other threads would wait.
+constexpr std::size_t curved_every = 2000;
+constexpr std::size_t first_curved = 7;
 
 std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) {
     const auto fraction = [&] { return std::to_string(dice.between(1, 98)) + "/99"; };
@@ -189,7 +191,7 @@ SampledContact sampled_contact(std::uint64_t seed, std::size_t number, std::size
     SampledContact contact;
     // Power laws, most of which have no logarithms, take ten times as long as the others: one
     // in 17.
-    contact.profile = number % curved_every == curved_every - 1 ? 5 : (dice.below(17) + 3) / 4;
+    contact.profile = number % curved_every == first_curved ? 5 : (dice.below(17) + 3) / 4;
     const bool by_force = dice.below(4) == 0 && contact.profile != 5;
     contact.text = scene_text(dice, contact.profile, by_force);
     contact.scene = parse_scene(contact.text, "contact " + std::to_string(number));

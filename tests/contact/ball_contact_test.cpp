@@ -2,6 +2,7 @@
 #include "route_agreement.hpp"
 
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
 
@@ -134,4 +135,24 @@ TEST_CASE("balls of the expansion hold the series in Real, at both edges, and ar
             }
         }
     }
+}
+
+TEST_CASE("an edge just beyond a corner is isolated") {
+    // b lies 0.8 % beyond the corner at -0.835/90, where the balance goes like a root of the
+    // distance to it and Newton's method runs to and fro.
+    Symbols x;
+    x.add("x");
+    const Profile profile = Profile::piecewise(
+        {Exact::parse("-8.35e-2/9"), Exact::parse("0"), Exact::parse("8.35e-2/7")},
+        {parse("-1/5", x), parse("-1/16", x), parse("1/8", x), parse("1/5 + x/(34*8.35e-2)", x)});
+    const Load load = Load::right_edge(Exact::parse("3.99e-3"));
+    const BallContact balls(profile, Exact::parse("1"), load, 256);
+    CHECK(balls.b().relative_accuracy_bits() > 200);
+    NormalContact contact(profile, Exact::parse("1"), load, 40);
+    const PrecisionScope scope(60);
+    CHECK(overlaps(balls.b(), Ball::around(contact.b(), pow(Real(10), -40), 300)));
+    // The same contact, found from the force that it carries.
+    const BallContact from_force(profile, Exact::parse("1"), Load::force(Exact::parse("3.99e-3")),
+                                 256);
+    CHECK(from_force.a().relative_accuracy_bits() > 200);
 }

@@ -88,7 +88,9 @@ int hard_cases(const CasesOptions& o) {
         std::printf("%s", written(family_table(cases, outcomes, options.digits), o.output).c_str());
     }
     std::size_t faults = 0;
+    std::size_t undecided = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
+        undecided += outcomes[i].undecided ? 1 : 0;
         if (!outcomes[i].fault.empty()) {
             ++faults;
             std::fprintf(stderr, "%s:%zu: %s: %s\n", o.file.c_str(), cases[i].line,
@@ -96,8 +98,9 @@ int hard_cases(const CasesOptions& o) {
         }
     }
     if (text) {
-        std::printf("\n%zu cases: %zu by ball and two routes alike, %zu not\n", cases.size(),
-                    cases.size() - faults, faults);
+        std::printf("\n%zu cases: %zu by ball and two routes alike, %zu undecided by balls as the "
+                    "cases say why, %zu otherwise\n",
+                    cases.size(), cases.size() - faults - undecided, undecided, faults);
     }
     return faults == 0 ? 0 : 1;
 }

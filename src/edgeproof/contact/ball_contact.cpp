@@ -52,27 +52,35 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     Ball step(0, bits);
     const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits - 12))),
                     bits);
+    std::optional<Ball> previous;
     for (int k = 0; k < 400; ++k) {
         const Ball value = middle(f(x));
+        if (certainly_positive(value)) {
+            lo = x;
+        } else if (certainly_negative(value)) {
+            hi = x;
+        }
         step = middle(value / rate(x));
-        // No step where the rate may be zero (an edge on the end of a flat): halve instead.
+        // No step where the rate may be zero (an edge on the end of a flat): halve instead. So too
+        // where steps do not shrink: beside a corner f goes like a root, and Newton's method to and
+        // fro.
         Ball next = step.is_finite() ? middle(x - step) : x;
         const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
                             (!hi || certainly_less(next, *hi)) && certainly_positive(next);
-        if (!inside && lo && hi) {
-            if (certainly_positive(value)) {
-                lo = x;
-            } else if (certainly_negative(value)) {
-                hi = x;
-            }
+        if (inside && !certainly_less(tiny * abs(x), abs(step))) {
+            x = next;
+            break;
+        }
+        const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
+        if ((!inside || slow) && lo && hi) {
             next = middle(sqrt(*lo * *hi));
+            previous = std::nullopt;
         } else if (!inside) {
             break;
+        } else {
+            previous = abs(step);
         }
         x = next;
-        if (inside && !certainly_less(tiny * abs(x), abs(step))) {
-            break;
-        }
     }
     // The proof.
     Ball radius = abs(step) * 4 + abs(x) * tiny;

@@ -102,10 +102,11 @@ struct Sample {
 
 class Scan {
 public:
-    Scan(const SignedError& error, const std::vector<Landmark>& marks, Real tolerance, Real from,
-         Real to)
-        : error_(error), tolerance_(std::move(tolerance)), from_(std::move(from)),
-          to_(std::move(to)) {
+    /// `fine` decides where `error`, at fewer digits, cannot tell an extremum from the tolerance.
+    Scan(const SignedError& error, const SignedError& fine, const std::vector<Landmark>& marks,
+         const Exact& tolerance, Real from, Real to)
+        : error_(error), fine_(fine), exact_tolerance_(tolerance), tolerance_(tolerance.to<Real>()),
+          from_(std::move(from)), to_(std::move(to)) {
         place(marks);
         seek_extrema();
     }
@@ -177,7 +178,7 @@ private:
     }
     /// An extremum between the points may reach the tolerance, or dip below it, unseen.
     void seek_extrema() {
-        std::vector<Real> found;
+        std::vector<Sample> found;
         for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
             const Sample& l = samples_[i - 1];
             const Sample& m = samples_[i];
@@ -200,20 +201,39 @@ private:
             // The extremum must lie towards the threshold, and near enough to reach it.
             const bool towards = (threshold > m.f) == top;
             if (towards && abs(Real(threshold - m.f)) <= reach) {
-                found.push_back(extremum(l.u, r.u, top));
+                found.push_back(extremum(l.u, r.u, top, threshold));
             }
         }
-        for (const Real& u : found) {
-            add(u);
-        }
+        samples_.insert(samples_.end(), found.begin(), found.end());
         in_order();
     }
-    [[nodiscard]] Real extremum(Real lo, Real hi, bool top) const {
-        const auto depth = [&](const Real& u) { return top ? Real(-error_(u)) : error_(u); };
-        return place_of_minimum(depth, std::move(lo), std::move(hi), 40);
+    /// An extremum, or a place where f is beyond the threshold already.
+    [[nodiscard]] Sample extremum(const Real& lo, const Real& hi, bool top,
+                                  const Real& threshold) const {
+        const Real u = least(error_, lo, hi, top, threshold, 40);
+        const Real f = error_(u);
+        if (abs(Real(f - threshold)) > abs(threshold) * power_of_ten(-12)) {
+            return {u, f, side(f)};
+        }
+        // It all but touches: all digits decide.
+        const PrecisionScope scope(fine_.working());
+        const Real tolerance = exact_tolerance_.to<Real>();
+        const Real place = least(fine_, lo, hi, top, threshold > 0 ? tolerance : Real(-tolerance),
+                                 static_cast<int>(5 * fine_.working() / 2));
+        const Real height = fine_(place);
+        return {place, height, height >= tolerance ? 1 : height <= -tolerance ? -1 : 0};
+    }
+    static Real least(const SignedError& error, const Real& lo, const Real& hi, bool top,
+                      const Real& threshold, int steps) {
+        const auto depth = [&](const Real& u) { return top ? Real(-error(u)) : error(u); };
+        const Real enough = top ? Real(-threshold) : threshold;
+        return place_of_minimum(depth, lo, hi, steps,
+                                [&](const Real& value) { return value < enough; });
     }
 
     const SignedError& error_;
+    const SignedError& fine_;
+    Exact exact_tolerance_;
     Real tolerance_;
     Real from_;
     Real to_;
@@ -325,7 +345,7 @@ Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
     const Scan scan = [&] {
         const PrecisionScope scope(coarse.working());
         const auto marks = landmarks(coarse.contact(), edge);
-        return Scan(coarse, marks, tolerance.to<Real>(), range.from.to<Real>() * marks.back().u,
+        return Scan(coarse, fine, marks, tolerance, range.from.to<Real>() * marks.back().u,
                     range.to.to<Real>() * marks.back().u);
     }();
 

@@ -110,12 +110,13 @@ std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string&
     const TomlSection all = top.section("cases");
     for (const std::string& name : all.keys()) {
         const TomlSection section = all.section(name);
-        section.allow({"class", "reason", "quantity", "edge", "u", "n", "tolerance", "profile",
-                       "load", "shear"});
+        section.allow({"class", "reason", "undecided", "quantity", "edge", "u", "n", "tolerance",
+                       "profile", "load", "shear"});
         HardCase c;
         c.line = section.line();
         c.family = section.text("class");
         c.reason = section.text("reason");
+        c.undecided = section.has("undecided") ? section.text("undecided") : "";
         c.name = name;
         c.scene = read_case_scene(section);
         c.asked = read_asked(section, c.scene);

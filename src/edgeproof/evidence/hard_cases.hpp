@@ -14,6 +14,8 @@ struct HardCase {
     std::string name;
     std::string family;
     std::string reason; ///< one line
+    /// Why no ball decides it, where none can; empty where one must.
+    std::string undecided;
     Scene scene;
     AskedValue asked;
     std::size_t line = 0;
@@ -24,6 +26,7 @@ struct HardCase {
 ///     [cases.hertz-40]                 # any name
 ///     class = "u = 1e-40 a"
 ///     reason = "..."
+///     undecided = "..."                # only where no ball can enclose it, and why
 ///     quantity = "pressure"            # see asked_value.hpp
 ///     edge = "right"
 ///     u = "1e-40"                      # where the quantity has a place

@@ -47,8 +47,11 @@ CaseOpinion held(const Opinion& o, const Ball& exact, unsigned digits) {
     return said;
 }
 
-std::string fault_of(const CaseOutcome& outcome, unsigned digits) {
-    if (!outcome.proved) {
+std::string fault_of(const HardCase& c, const CaseOutcome& outcome, unsigned digits) {
+    if (!c.undecided.empty() && outcome.proved) {
+        return "there is an enclosure after all: take the key `undecided` away";
+    }
+    if (!outcome.proved && c.undecided.empty()) {
         return "no enclosure: " + outcome.route;
     }
     if (!outcome.complete) {
@@ -92,7 +95,8 @@ CaseOutcome run_case(const HardCase& c, unsigned digits) {
         for (const Opinion& o : opinions(c.scene, c.asked, digits)) {
             outcome.opinions.push_back(held(o, ours.value, digits));
         }
-        outcome.fault = fault_of(outcome, digits);
+        outcome.fault = fault_of(c, outcome, digits);
+        outcome.undecided = !outcome.proved && outcome.fault.empty();
     } catch (const std::exception& error) {
         outcome.fault = error.what();
     }
@@ -141,7 +145,7 @@ std::vector<FamilySummary> summary(const std::vector<HardCase>& cases,
                 continue;
             }
             ++s.cases;
-            s.agree += outcomes[i].fault.empty() ? 1 : 0;
+            s.agree += outcomes[i].fault.empty() && !outcomes[i].undecided ? 1 : 0;
             proved.push_back(outcomes[i].proved ? outcomes[i].digits : 0);
             for (std::size_t j = 0; j < plain.size(); ++j) {
                 plain[j].push_back(outcomes[i].plain[j]);

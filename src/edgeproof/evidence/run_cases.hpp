@@ -34,7 +34,8 @@ struct CaseOutcome {
     unsigned digits = 0;   ///< proved: of the enclosure
     std::vector<CaseOpinion> opinions;
     std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the obvious formula
-    std::string fault; ///< empty where ball and both routes agree
+    bool undecided = false; ///< as the case says: an estimate, with which both routes agree
+    std::string fault;      ///< empty where ball and both routes agree
 };
 
 struct CaseOptions {

@@ -183,3 +183,19 @@ TEST_CASE("a tolerance of 0, no terms, and a range beyond the contact are refuse
         (void)within_tolerance(c, Edge::right, 1, exact("1/100"), {exact("0"), exact("11/10")}),
         InputError);
 }
+
+TEST_CASE("two crossings beside an extremum that all but touches the tolerance are found") {
+    // The tolerance is 1e-40 below a local maximum of the error, found apart (hard-cases.toml).
+    const Exact tolerance = exact("10.0150106162079383319964245839524852234540331102059096260117");
+    const NormalContact contact(Profile::flat_and_rounded(exact("4/5"), exact("3")), exact("1"),
+                                Load::right_edge(exact("1")), 60);
+    const auto found = within_tolerance(contact, Edge::right, 1, tolerance);
+    REQUIRE(found.crossings.size() >= 2);
+    const PrecisionScope scope(80);
+    const Real between = (found.crossings[0] + found.crossings[1]) / 2;
+    CHECK(found.crossings[1] - found.crossings[0] < pow(Real(10), -18));
+    CHECK(found.first_exit == found.crossings[0]);
+    // Between the two the error is beyond the tolerance, by a route that the scan does not take.
+    CHECK(abs(error_at(contact, Edge::right, 1, between, Route::singular_integral)) >
+          tolerance.to<Real>());
+}

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_extent.hpp"
-#include "edgeproof/contact/ball_shear.hpp"
-#include "edgeproof/contact/ball_tilt.hpp"
-#include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/ball_level.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
@@ -21,106 +19,6 @@ constexpr long zero_bits = 1330;
 /// A value that is still infinite at so many bits is left to the routes in Real to refuse.
 constexpr long least_last_bits = 1L << 14;
 
-/// The contact at one number of bits.
-class Level {
-public:
-    Level(const Scene& scene, const Plan& plan, long bits)
-        : scene_(scene), plan_(plan), bits_(bits) {
-        if (scene.punch) {
-            tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
-                                 *scene.moment, bits);
-            if (tilt_->exactly_zero) {
-                closed_.emplace(tilt_->near, scene.contact_modulus, scene.load, bits);
-            } else {
-                closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
-            }
-        } else if (BallContact::has_closed_form(*scene.profile)) {
-            closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
-        } else {
-            curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
-        }
-    }
-
-    [[nodiscard]] long bits() const { return bits_; }
-    [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
-    [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
-    [[nodiscard]] const BallContact& closed_form() const { return *closed_; }
-    /// Where it was solved for.
-    [[nodiscard]] const EnclosedTilt& tilt() const { return *tilt_; }
-    [[nodiscard]] Ball length() const { return a() + b(); }
-    [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
-    [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
-    /// The last one asked for is kept: each has several uses.
-    [[nodiscard]] const Ball& p(Edge edge, const Exact& u) {
-        if (!last_ || last_->edge != edge || !(last_->u == u)) {
-            last_ =
-                Last{edge, u, closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u)};
-        }
-        return last_->p;
-    }
-    [[nodiscard]] Ball q(Edge edge, const Exact& u) {
-        return together() ? shear_ratio() * p(edge, u)
-                          : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
-    }
-    [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
-        auto& c = c_[edge];
-        if (c.empty()) {
-            c = closed_ ? closed_->expansion(edge, plan_.terms)
-                        : curved_->expansion(edge, plan_.terms);
-        }
-        return c;
-    }
-    [[nodiscard]] const std::vector<Ball>& s(Edge edge) {
-        auto& s = s_[edge];
-        if (s.empty() && together()) {
-            for (const Ball& x : c(edge)) {
-                s.push_back(shear_ratio() * x);
-            }
-        } else if (s.empty()) {
-            s = full_stick_expansion(length(), load(), edge, plan_.terms);
-        }
-        return s;
-    }
-    /// The sum of n terms of p, or of q.
-    [[nodiscard]] Ball sum(Edge edge, const Exact& u, std::size_t n, bool shear) {
-        const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
-        const Ball at = ball_of(u, bits_);
-        Ball total = terms[n - 1];
-        for (std::size_t k = n - 1; k-- > 0;) {
-            total = total * at + terms[k];
-        }
-        return shear && !together() ? total / sqrt(at) : total * sqrt(at);
-    }
-
-private:
-    struct Last {
-        Edge edge;
-        Exact u;
-        Ball p;
-    };
-    [[nodiscard]] bool together() const { return scene_.shear->path == LoadingPath::together; }
-    [[nodiscard]] BallShearLoad load() const {
-        return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
-    }
-    [[nodiscard]] const Ball& shear_ratio() {
-        if (!ratio_) {
-            ratio_ = ball_of(scene_.shear->Q, bits_) / force();
-        }
-        return *ratio_;
-    }
-
-    const Scene& scene_;
-    const Plan& plan_;
-    long bits_;
-    std::optional<EnclosedTilt> tilt_;
-    std::optional<BallContact> closed_;
-    std::optional<IntegratedContact> curved_; ///< of g' that has no closed form
-    std::optional<Last> last_;
-    std::optional<Ball> ratio_;
-    std::map<Edge, std::vector<Ball>> c_;
-    std::map<Edge, std::vector<Ball>> s_;
-};
-
 class BallRoute : public ValueRoute {
 public:
     BallRoute(const Scene& scene, const Plan& plan, Work& work)
@@ -130,7 +28,7 @@ public:
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
         // No contact at any precision: the routes in Real say why.
-        if (!settle([](Level& level) { return level.length(); }, plan.digits)) {
+        if (!settle([](BallLevel& level) { return level.length(); }, plan.digits)) {
             (void)others();
         }
     }
@@ -139,9 +37,9 @@ public:
         ContactValues values;
         const bool given = scene_.load.kind == Load::Kind::right_edge;
         const char* by_load = given ? "given" : "from P";
-        values.a = vouched([](Level& level) { return level.a(); }, by_load,
+        values.a = vouched([](BallLevel& level) { return level.a(); }, by_load,
                            [&](ValueRoute& other) { return other.contact().a; });
-        values.b = vouched([](Level& level) { return level.b(); },
+        values.b = vouched([](BallLevel& level) { return level.b(); },
                            scene_.symmetric() ? by_load : "consistency",
                            [&](ValueRoute& other) { return other.contact().b; });
         if (given) {
@@ -151,22 +49,22 @@ public:
             }
         }
         if (scene_.punch) {
-            values.alpha = vouched([](Level& level) { return level.tilt().alpha; }, "tilt",
+            values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; }, "tilt",
                                    [&](ValueRoute& other) { return *other.contact().alpha; });
-            const Level* first = at_level(plan_.bits);
+            const BallLevel* first = at_level(plan_.bits);
             if (first != nullptr && first->tilt().exactly_zero) {
                 values.alpha->exactly = Rational(0);
             }
         }
         if (plan_.resultants) {
             work_.counts.resultants += 2;
-            values.force =
-                vouched([](Level& level) { return level.force(); }, given ? "contact-law" : "given",
-                        [&](ValueRoute& other) { return *other.contact().force; });
+            values.force = vouched([](BallLevel& level) { return level.force(); },
+                                   given ? "contact-law" : "given",
+                                   [&](ValueRoute& other) { return *other.contact().force; });
             if (!given) {
                 values.force->exactly = rational_of(scene_.load.value);
             }
-            values.moment = vouched([](Level& level) { return level.moment(); },
+            values.moment = vouched([](BallLevel& level) { return level.moment(); },
                                     scene_.moment ? "given" : "contact-law",
                                     [&](ValueRoute& other) { return *other.contact().moment; });
             if (scene_.moment) {
@@ -177,7 +75,7 @@ public:
     }
 
     PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
-        const auto base = settle([](Level& level) { return level.length(); }, plan_.digits);
+        const auto base = settle([](BallLevel& level) { return level.length(); }, plan_.digits);
         if (base && !certainly_less(ball_of(u, base->bits()), *base)) {
             throw DomainError("the point lies outside the contact");
         }
@@ -195,12 +93,12 @@ public:
             return *other;
         };
         if (p) {
-            values.p = vouched([&](Level& level) { return level.p(edge, u); },
+            values.p = vouched([&](BallLevel& level) { return level.p(edge, u); },
                                closed() ? "closed-form" : "singular-integral",
                                [&](ValueRoute& route) { return *instead(route).p; });
         }
         if (q) {
-            values.q = vouched([&](Level& level) { return level.q(edge, u); },
+            values.q = vouched([&](BallLevel& level) { return level.q(edge, u); },
                                together ? "similar" : "full-stick",
                                [&](ValueRoute& route) { return *instead(route).q; });
         }
@@ -239,12 +137,12 @@ public:
         for (std::size_t k = 0; k < plan_.terms; ++k) {
             if (p) {
                 values.c.push_back(
-                    vouched([&](Level& level) { return level.c(edge)[k]; }, "series",
+                    vouched([&](BallLevel& level) { return level.c(edge)[k]; }, "series",
                             [&](ValueRoute& route) { return instead(route).c.at(k); }));
             }
             if (q) {
                 values.s.push_back(
-                    vouched([&](Level& level) { return level.s(edge)[k]; },
+                    vouched([&](BallLevel& level) { return level.s(edge)[k]; },
                             together ? "similar" : "full-stick",
                             [&](ValueRoute& route) { return instead(route).s.at(k); }));
             }
@@ -275,7 +173,7 @@ private:
     [[nodiscard]] std::optional<ExtentValues> enclosed_extent(Edge edge, std::size_t n) {
         BallExtentSearch search(
             [&](long bits) -> const BallContact& {
-                Level* level = at_level(bits);
+                BallLevel* level = at_level(bits);
                 if (level == nullptr) {
                     throw BudgetError("so few bits do not enclose the edges");
                 }
@@ -326,7 +224,7 @@ private:
         std::optional<Ball> best;
         const long last = closed() ? last_bits_ : last_curved_bits_;
         for (long bits = plan_.bits; bits <= last; bits *= 2) {
-            Level* level = at_level(bits);
+            BallLevel* level = at_level(bits);
             if (level == nullptr) {
                 continue;
             }
@@ -358,9 +256,9 @@ private:
                                               const Instead& instead) {
         const std::size_t n = scene_.ask.terms[i];
         const auto local =
-            settle([&](Level& level) { return level.sum(edge, u, n, shear); }, plan_.digits);
+            settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); }, plan_.digits);
         const auto error = settle(
-            [&](Level& level) {
+            [&](BallLevel& level) {
                 const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
                 return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
             },
@@ -374,7 +272,7 @@ private:
         const bool given = scene_.load.kind == Load::Kind::right_edge &&
                            (edge == Edge::right || scene_.symmetric());
         const auto x = settle(
-            [&](Level& level) {
+            [&](BallLevel& level) {
                 const Ball from = ball_of(u, level.bits());
                 return edge == Edge::right ? level.a() - from : from - level.b();
             },
@@ -403,7 +301,7 @@ private:
         }
     }
     /// Null where so few bits do not isolate the edges.
-    [[nodiscard]] Level* at_level(long bits) {
+    [[nodiscard]] BallLevel* at_level(long bits) {
         const auto known = levels_.find(bits);
         if (known != levels_.end()) {
             return known->second.get();
@@ -411,7 +309,7 @@ private:
         work_.raised += levels_.empty() ? 0 : 1;
         auto& slot = levels_[bits];
         try {
-            slot = std::make_unique<Level>(scene_, plan_, bits);
+            slot = std::make_unique<BallLevel>(scene_, plan_, bits);
         } catch (const BudgetError&) {
         } catch (const DomainError&) {
         }
@@ -430,7 +328,7 @@ private:
     Work& work_;
     long last_bits_;
     long last_curved_bits_; ///< integrals cost more
-    std::map<long, std::unique_ptr<Level>> levels_;
+    std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     Work work_of_others_;

@@ -30,15 +30,21 @@ void write(const fs::path& file, const std::string& text) {
 /// Two pieces: entries 0 and 2, then 1.
 void fill(PartFile& part) {
     if (!part.has(0)) {
-        part.add(0, {{0, false, "zero\nof two lines"}, {2, true, "two"}});
+        part.add(0, PartFile::body({{0, false, "zero\nof two lines"}, {2, true, "two"}}));
     }
     if (!part.has(1)) {
-        part.add(1, {{1, true, "one"}});
+        part.add(1, PartFile::body({{1, true, "one"}}));
     }
 }
 
 std::string all(const PartFile& part) {
-    return part.text(0) + "|" + part.text(1) + "|" + part.text(2);
+    std::string text;
+    for (const std::size_t piece : {0, 1}) {
+        for (const PartFile::Entry& entry : part.piece(piece)) {
+            text += std::to_string(entry.index) + (entry.mark ? "!" : ".") + entry.text + "|";
+        }
+    }
+    return text;
 }
 
 } // namespace
@@ -47,7 +53,7 @@ TEST_CASE("a part file gives back what was whole in it, wherever it was cut off"
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     {
-        PartFile part(file, 7, 3, 2);
+        PartFile part(file, 7, 2);
         fill(part);
         CHECK(part.entries() == 3);
         CHECK(part.marked() == 2);
@@ -55,11 +61,11 @@ TEST_CASE("a part file gives back what was whole in it, wherever it was cut off"
     const std::string whole = read_text(file, "part file");
     for (std::size_t size = 0; size <= whole.size(); ++size) {
         write(file, whole.substr(0, size));
-        PartFile part(file, 7, 3, 2);
+        PartFile part(file, 7, 2);
         CAPTURE(size);
         CHECK(part.entries() == (size == whole.size() ? 3 : part.has(0) ? 2 : 0));
         fill(part);
-        CHECK(all(part) == "zero\nof two lines|one|two");
+        CHECK(all(part) == "0.zero\nof two lines|2!two|1!one|");
         CHECK(part.marked() == 2);
         CHECK(read_text(file, "part file") == whole);
     }
@@ -69,31 +75,43 @@ TEST_CASE("a part file drops what is not what was written, and work of another k
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     { // closed before it is read
-        PartFile part(file, 7, 3, 2);
+        PartFile part(file, 7, 2);
         fill(part);
     }
     const std::string whole = read_text(file, "part file");
     std::string changed = whole;
     changed[changed.find("two lines")] = 'T';
     write(file, changed);
-    CHECK(PartFile(file, 7, 3, 2).entries() == 0); // what comes after it is not trusted either
+    CHECK(PartFile(file, 7, 2).entries() == 0); // what comes after it is not trusted either
     write(file, whole);
-    CHECK(PartFile(file, 8, 3, 2).entries() == 0);
+    CHECK(PartFile(file, 8, 2).entries() == 0);
     write(file, "another file altogether\n");
-    CHECK(PartFile(file, 7, 3, 2).entries() == 0);
+    CHECK(PartFile(file, 7, 2).entries() == 0);
+}
+
+TEST_CASE("a part file takes nothing but whole pieces that it does not have") {
+    const Folder folder;
+    PartFile part(folder.path / "t.part", 7, 2);
+    const std::string body = PartFile::body({{0, false, "zero"}, {2, true, "two"}});
+    CHECK_THROWS_AS(part.add(0, ""), Error);
+    CHECK_THROWS_AS(part.add(0, body.substr(0, body.size() - 1)), Error);
+    CHECK_THROWS_AS(part.add(2, body), Error);
+    part.add(0, body);
+    CHECK_THROWS_AS(part.add(0, body), Error);
+    CHECK(part.entries() == 2);
 }
 
 TEST_CASE("a part file that is in use, removed, or in no folder is told in one line") {
     const Folder folder;
     const fs::path file = folder.path / "t.part";
-    PartFile part(file, 7, 3, 2);
+    PartFile part(file, 7, 2);
     CHECK_THROWS_WITH_AS(
-        PartFile(file, 7, 3, 2),
+        PartFile(file, 7, 2),
         (file.string() + " is in use; wait for the other run, or name another file").c_str(),
         InputError);
     fs::remove(file);
-    CHECK_THROWS_AS(part.add(0, {{0, false, "zero"}}), InputError);
-    CHECK_THROWS_AS(PartFile(folder.path / "nowhere" / "t.part", 7, 3, 2), InputError);
+    CHECK_THROWS_AS(part.add(0, PartFile::body({{0, false, "zero"}})), InputError);
+    CHECK_THROWS_AS(PartFile(folder.path / "nowhere" / "t.part", 7, 2), InputError);
 }
 
 TEST_CASE("a file is seen when it is whole, and not before") {

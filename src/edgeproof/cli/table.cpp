@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/launched.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/table_in_parts.hpp"
+#include "edgeproof/conformance/shared_work.hpp"
 #include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
@@ -9,6 +11,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace edgeproof::cli {
 namespace {
@@ -25,14 +28,18 @@ struct TableOptions {
     bool check = false;
 };
 
+/// 0: the usual ones.
+unsigned threads_of(const TableOptions& o) {
+    return o.threads.empty()
+               ? 0
+               : static_cast<unsigned>(whole_number("--threads", o.threads, 1, most_threads));
+}
+
 ReferenceOptions reference_options(const TableOptions& o, const Recipe& recipe,
                                    Progress& progress) {
     ReferenceOptions options;
     options.digits = recipe.digits;
-    options.threads =
-        o.threads.empty()
-            ? 0
-            : static_cast<unsigned>(whole_number("--threads", o.threads, 1, most_threads));
+    options.threads = threads_of(o);
     options.stop = &interrupted();
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     return options;
@@ -73,6 +80,41 @@ int check(const TableOptions& o, Recipe& recipe, const std::string& version) {
     return said.empty() ? 0 : 1;
 }
 
+int to_file(const TableOptions& o, const std::string& version) {
+    const auto processes = launched_together();
+    const bool leads = processes == nullptr || processes->number() == 0;
+    std::optional<RecipeGrid> recipe;
+    std::optional<TableInParts> table;
+    unsigned threads = 0;
+    try {
+        threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o);
+        recipe = RecipeGrid::read(o.recipe);
+        table.emplace(*recipe, o.out, *table_format(o.format), version);
+        const auto folder = std::filesystem::path(o.out).parent_path();
+        if (leads && !folder.empty()) {
+            make_folder(folder);
+        }
+        if (leads) {
+            table->open();
+        }
+    } catch (const Error& error) {
+        if (leads && processes != nullptr) {
+            dismiss(*processes);
+        }
+        if (leads) {
+            throw;
+        }
+        follow_failed(*processes, error.what()); // the first tells it
+        return 0;
+    }
+    if (leads) {
+        table->make(threads, processes.get());
+    } else {
+        table->help(threads, *processes);
+    }
+    return 0;
+}
+
 int table(const TableOptions& o, const std::string& version) {
     SceneOptions output;
     output.format = o.format;
@@ -80,22 +122,19 @@ int table(const TableOptions& o, const std::string& version) {
     if (!table_format(o.format)) {
         throw InputError("--format " + o.format + " is no format", "write csv, json, md or tex");
     }
+    if (!o.every.empty() && !o.check) {
+        throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
+    }
+    if (launched_count() > 1 && (o.check || o.out.empty())) {
+        throw InputError("several processes share the making of a file, and nothing else",
+                         "add --out FILE, or start one process");
+    }
+    if (!o.out.empty() && !o.check) {
+        return to_file(o, version);
+    }
     Recipe recipe = read_recipe(o.recipe);
     if (o.check) {
         return check(o, recipe, version);
-    }
-    if (!o.every.empty()) {
-        throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
-    }
-    if (!o.out.empty() && !std::filesystem::path(o.out).parent_path().empty()) {
-        make_folder(std::filesystem::path(o.out).parent_path());
-    }
-    if (!o.out.empty()) {
-        TableInParts(recipe, o.out, *table_format(o.format), version)
-            .make(o.threads.empty() ? 0
-                                    : static_cast<unsigned>(
-                                          whole_number("--threads", o.threads, 1, most_threads)));
-        return 0;
     }
     std::vector<Reference> values;
     {
@@ -116,7 +155,9 @@ void add_table(CLI::App& app, int& code) {
                     "write to this file, whole or not at all; what is done of a long table is "
                     "kept beside it (.part), and the same command goes on from there");
     sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
-    sub->add_option("--threads", o->threads, "threads (default: one a processor)");
+    sub->add_option("--threads", o->threads,
+                    "threads (default: one a processor; one each of several processes that "
+                    "mpirun or srun started)");
     sub->add_flag("--check", o->check,
                   "make the table anew and compare it with --out (default: the .csv beside the "
                   "recipe); exit 1 where a digit differs");

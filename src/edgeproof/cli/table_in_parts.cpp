@@ -2,14 +2,21 @@
 #include "edgeproof/cli/table_in_parts.hpp"
 
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/conformance/part_file.hpp"
+#include "edgeproof/conformance/reference.hpp"
+#include "edgeproof/conformance/shared_work.hpp"
+#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
+#include "edgeproof/report/reference_table.hpp"
 
 #include <fmt/format.h>
 
 #include <sys/stat.h>
 
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace edgeproof::cli {
@@ -25,75 +32,135 @@ std::string program_mark(const std::string& version) {
                        self.st_mtim.tv_nsec);
 }
 
-void write(const Table& head, const PartFile& part, TableFormat format,
+/// A piece's rows, as the part file has them.
+MakePiece rows_of(const RecipeGrid& recipe, const std::function<void()>& one) {
+    return [&recipe, one, rows = ReferenceRows(recipe)](std::size_t p) {
+        const RecipeGrid::Piece piece = recipe.piece(p);
+        const auto values =
+            references_in_turn(piece.questions, recipe.digits(), &interrupted(), one);
+        std::vector<PartFile::Entry> entries;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            entries.push_back({piece.rows[k], !values[k].value.proved,
+                               csv_line(rows.row(piece.questions, k, values[k]))});
+        }
+        return PartFile::body(entries);
+    };
+}
+
+/// Rows in their order out of a part file that has all pieces: a few are open at a time, since a
+/// contact's coefficients and pressures, which take turns among the rows, are in different ones.
+void each_row(const RecipeGrid& recipe, const PartFile& part,
+              const std::function<void(const std::string&)>& take) {
+    struct Open {
+        std::vector<PartFile::Entry> entries;
+        std::size_t at = 0;
+    };
+    std::map<std::size_t, Open> open;
+    for (std::size_t row = 0; row < recipe.rows(); ++row) {
+        const std::size_t p = recipe.piece_of(row);
+        auto found = open.find(p);
+        if (found == open.end()) {
+            found = open.emplace(p, Open{part.piece(p), 0}).first;
+        }
+        Open& o = found->second;
+        if (o.entries[o.at].index != row) {
+            throw Error(fmt::format("{} does not hold row {} where it should; delete it",
+                                    part.path().string(), row));
+        }
+        take(o.entries[o.at].text);
+        if (++o.at == o.entries.size()) {
+            open.erase(found);
+        }
+    }
+}
+
+void write(const Table& head, const RecipeGrid& recipe, const PartFile& part, TableFormat format,
            const std::filesystem::path& file) {
     if (format == TableFormat::csv) {
         WholeFile whole(file);
         whole.write(write_table(head, format));
-        for (std::size_t i = 0; i < part.entries(); ++i) {
-            whole.write(part.text(i));
-        }
+        each_row(recipe, part, [&](const std::string& line) { whole.write(line); });
         whole.commit();
         return;
     }
     Table table = head;
-    for (std::size_t i = 0; i < part.entries(); ++i) {
-        table.rows.push_back(parse_csv(part.text(i), file.string()).header.cells);
-    }
+    each_row(recipe, part, [&](const std::string& line) {
+        table.rows.push_back(parse_csv(line, file.string()).header.cells);
+    });
     write_whole(file, write_table(table, format));
 }
 
 } // namespace
 
-TableInParts::TableInParts(const Recipe& recipe, std::filesystem::path file, TableFormat format,
+TableInParts::TableInParts(const RecipeGrid& recipe, std::filesystem::path file, TableFormat format,
                            std::string version)
     : recipe_(recipe), file_(std::move(file)), format_(format), version_(std::move(version)) {}
 
-void TableInParts::make(unsigned threads) {
-    const ReferenceRows rows(recipe_);
-    const std::vector<Piece> pieces = pieces_of(recipe_.questions);
-    const std::size_t total = recipe_.questions.list.size();
-    PartFile part(file_.string() + ".part", rows.fingerprint(program_mark(version_)), total,
-                  pieces.size());
-    std::vector<std::size_t> open;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        if (!part.has(p)) {
-            open.push_back(p);
-        }
-    }
-    const std::size_t before = part.entries();
+std::string TableInParts::sign() const {
+    return fmt::format("{} {:016x}", version_, recipe_.fingerprint());
+}
+
+void TableInParts::help(unsigned threads, Processes& processes) const {
+    follow_work(processes, sign(), threads, rows_of(recipe_, [] {}));
+}
+
+void TableInParts::open() {
+    part_.emplace(file_.string() + ".part", fnv1a(program_mark(version_), recipe_.fingerprint()),
+                  recipe_.pieces());
+}
+
+void TableInParts::make(unsigned threads, Processes* processes) {
+    const std::size_t total = recipe_.rows();
+    PartFile& part = *part_;
     bool cannot_keep = false;
-    const auto keep = [&](std::size_t p, const std::vector<Reference>& values) {
-        std::vector<PartFile::Entry> entries;
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            const std::size_t i = pieces[p][k];
-            entries.push_back({i, !values[k].value.proved, csv_line(rows.row(i, values[k]))});
-        }
-        cannot_keep = true;
-        part.add(p, entries);
-        cannot_keep = false;
-    };
     try {
         Progress progress("rows");
-        ReferenceOptions options;
-        options.digits = recipe_.digits;
-        options.threads = threads;
-        options.stop = &interrupted();
-        options.progress = [&](std::size_t done, std::size_t) { progress(before + done, total); };
-        answer_pieces(recipe_.questions, pieces, open, options, keep);
+        const auto open =
+            [&, p = std::size_t{0},
+             asking = std::make_shared<std::mutex>()]() mutable -> std::optional<std::size_t> {
+            const std::lock_guard lock(*asking);
+            while (p < recipe_.pieces() && part.has(p)) {
+                ++p;
+            }
+            return p < recipe_.pieces() ? std::optional(p++) : std::nullopt;
+        };
+        std::atomic<std::size_t> done{part.entries()};
+        progress(done, total);
+        const auto keep = [&](std::size_t p, const std::string& body) {
+            const std::size_t before = part.entries();
+            cannot_keep = true;
+            part.add(p, body);
+            cannot_keep = false;
+            if (processes != nullptr) { // else counted one by one
+                progress(done += part.entries() - before, total);
+            }
+        };
+        const auto one = [&] {
+            if (processes == nullptr) {
+                progress(++done, total);
+            }
+        };
+        const MakePiece rows = rows_of(recipe_, one);
+        if (processes == nullptr) {
+            work_alone(open, threads, rows, keep);
+        } else {
+            lead_work(*processes, sign(), open, threads, rows, keep);
+        }
     } catch (const Stopped&) {
         throw Error(fmt::format("interrupted: {} of {} rows are kept in {}; the same command goes "
                                 "on from there",
                                 part.entries(), total, part.path().string()));
+    } catch (const ProcessFailure&) {
+        throw;
     } catch (const Error&) {
         if (!cannot_keep) {
             part.remove(); // the recipe must be mended, and is another one then
         }
         throw;
     }
-    const Table head =
-        rows.table(version_, total, part.marked(), [&](std::size_t i) { return part.text(i); });
-    write(head, part, format_, file_);
+    const Table head = ReferenceRows(recipe_).table(
+        version_, total, part.marked(), [&](const auto& take) { each_row(recipe_, part, take); });
+    write(head, recipe_, part, format_, file_);
     part.remove();
 }
 

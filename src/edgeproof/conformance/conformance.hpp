@@ -4,6 +4,9 @@
 ///   asked_contact.hpp  a profile under a load, as parameters in text
 ///   question.hpp       Wanted, Question: what is asked of a contact
 ///   recipe.hpp         Recipe: grids of contacts and what is asked of each, from TOML
+///   recipe_grid.hpp    RecipeGrid: a recipe of any number of rows, in pieces
+///   piece_work.hpp     pieces done on several threads
+///   shared_work.hpp    pieces done by several processes (processes.hpp), one of which leads
 ///   reference.hpp      references: the answers, by threads, the same on any number of them
 ///   answers.hpp        what another program answered, whatever that is
 ///   program.hpp        another program run, text in and text out
@@ -24,8 +27,12 @@
 #include "edgeproof/conformance/csv.hpp"
 #include "edgeproof/conformance/interview.hpp"
 #include "edgeproof/conformance/misreading.hpp"
+#include "edgeproof/conformance/piece_work.hpp"
+#include "edgeproof/conformance/processes.hpp"
 #include "edgeproof/conformance/program.hpp"
 #include "edgeproof/conformance/question.hpp"
 #include "edgeproof/conformance/recipe.hpp"
+#include "edgeproof/conformance/recipe_grid.hpp"
 #include "edgeproof/conformance/reference.hpp"
+#include "edgeproof/conformance/shared_work.hpp"
 #include "edgeproof/conformance/text_file.hpp"

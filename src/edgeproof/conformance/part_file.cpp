@@ -53,12 +53,27 @@ std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int b
     return all;
 }
 
+/// The entries of a piece's body; nothing where it is none.
+std::optional<std::vector<PartFile::Entry>> entries_of(std::string_view body) {
+    std::vector<PartFile::Entry> entries;
+    for (std::size_t i = 0; i < body.size();) {
+        const std::size_t stop = body.find('\n', i);
+        const auto head = numbers<3>(body.substr(i, stop - i), 10);
+        if (!head || stop + 1 + (*head)[2] + 1 > body.size()) {
+            return {};
+        }
+        entries.push_back({static_cast<std::size_t>((*head)[0]), (*head)[1] != 0,
+                           std::string(body.substr(stop + 1, (*head)[2]))});
+        i = stop + 1 + (*head)[2] + 1;
+    }
+    return entries;
+}
+
 } // namespace
 
-PartFile::PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t entries,
-                   std::size_t pieces)
-    : file_(std::move(file)), head_(fmt::format("edgeproof part file 1, {:016x}\n", fingerprint)),
-      done_(pieces), places_(entries) {
+PartFile::PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces)
+    : file_(std::move(file)), head_(fmt::format("edgeproof part file 2, {:016x}\n", fingerprint)),
+      places_(pieces) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (fd_ < 0) {
         cannot("write", errno);
@@ -115,7 +130,7 @@ void PartFile::read() {
         const auto head = newline == std::string::npos
                               ? std::nullopt
                               : numbers<3>(std::string_view(line).substr(0, newline), 16);
-        if (!head || (*head)[0] >= done_.size() || done_[(*head)[0]]) {
+        if (!head || (*head)[0] >= places_.size() || has((*head)[0]) || (*head)[1] == 0) {
             break;
         }
         const std::uint64_t begin = end_ + newline + 1;
@@ -123,18 +138,15 @@ void PartFile::read() {
         if (body.size() != (*head)[1] || fnv1a(body) != (*head)[2]) {
             break;
         }
-        for (std::size_t i = 0; i < body.size();) {
-            const std::size_t stop = body.find('\n', i);
-            const auto entry = numbers<3>(std::string_view(body).substr(i, stop - i), 10);
-            if (!entry || (*entry)[0] >= places_.size()) {
-                cannot("read", EINVAL);
-            }
-            places_[(*entry)[0]] = {begin + stop + 1, (*entry)[2]};
-            marked_ += (*entry)[1];
-            ++count_;
-            i = stop + 1 + (*entry)[2] + 1;
+        const auto entries = entries_of(body);
+        if (!entries) {
+            break;
         }
-        done_[(*head)[0]] = true;
+        for (const Entry& entry : *entries) {
+            marked_ += entry.mark ? 1 : 0;
+            ++count_;
+        }
+        places_[(*head)[0]] = {begin, body.size()};
         end_ = begin + body.size();
     }
     const std::uint64_t keep = ours ? end_ : 0;
@@ -150,13 +162,20 @@ void PartFile::read() {
     }
 }
 
-void PartFile::add(std::size_t piece, const std::vector<Entry>& entries) {
-    std::string body;
-    std::vector<std::size_t> offsets;
+std::string PartFile::body(const std::vector<Entry>& entries) {
+    std::string text;
     for (const Entry& entry : entries) {
-        body += fmt::format("{} {} {}\n", entry.index, entry.mark ? 1 : 0, entry.text.size());
-        offsets.push_back(body.size());
-        body += entry.text + "\n";
+        text += fmt::format("{} {} {}\n", entry.index, entry.mark ? 1 : 0, entry.text.size());
+        text += entry.text + "\n";
+    }
+    return text;
+}
+
+void PartFile::add(std::size_t piece, const std::string& body) {
+    const auto entries = entries_of(body);
+    if (!entries || entries->empty() || piece >= places_.size() || has(piece)) {
+        throw Error(
+            fmt::format("piece {} of {} is not one that was asked for", piece, file_.string()));
     }
     const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), fnv1a(body));
     struct stat now {};
@@ -167,21 +186,21 @@ void PartFile::add(std::size_t piece, const std::vector<Entry>& entries) {
         (void)::ftruncate(fd_, static_cast<off_t>(end_));
         cannot("write", error);
     }
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-        places_[entries[k].index] = {end_ + head.size() + offsets[k], entries[k].text.size()};
-        marked_ += entries[k].mark ? 1 : 0;
+    for (const Entry& entry : *entries) {
+        marked_ += entry.mark ? 1 : 0;
         ++count_;
     }
+    places_[piece] = {end_ + head.size(), body.size()};
     end_ += head.size() + body.size();
-    done_[piece] = true;
 }
 
-std::string PartFile::text(std::size_t index) const {
-    std::string text = at(places_[index].first, places_[index].second);
-    if (text.size() != places_[index].second) {
+std::vector<PartFile::Entry> PartFile::piece(std::size_t number) const {
+    const std::string body = at(places_[number].offset, places_[number].size);
+    auto entries = entries_of(body);
+    if (body.size() != places_[number].size || !entries) {
         cannot("read", EIO);
     }
-    return text;
+    return std::move(*entries);
 }
 
 void PartFile::remove() { ::unlink(file_.c_str()); }

@@ -4,14 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace edgeproof {
 
 /// What is done of long work, kept beside its target: entries are added piece by piece, each piece
 /// with a checksum and in one go, and found again after the program was stopped or killed. The last
-/// piece, where it is torn, is dropped. Only entries' places are kept in memory.
+/// piece, where it is torn, is dropped. Only the places of pieces are kept in memory.
 class PartFile {
 public:
     /// One entry: where it belongs in the whole, a mark, and its text.
@@ -21,25 +20,27 @@ public:
         std::string text;
     };
 
-    /// Opens what there is of the work that `fingerprint` tells from any other, of `entries`
-    /// entries in `pieces` pieces; else begins anew. Throws InputError where the file cannot be
-    /// written, and where another run holds it.
-    PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t entries,
-             std::size_t pieces);
+    /// Opens what there is of the work that `fingerprint` tells from any other, in `pieces` pieces;
+    /// else begins anew. Throws InputError where the file cannot be written, and where another run
+    /// holds it.
+    PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces);
     ~PartFile();
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
-    [[nodiscard]] bool has(std::size_t piece) const { return done_[piece]; }
+    [[nodiscard]] bool has(std::size_t piece) const { return places_[piece].size > 0; }
     [[nodiscard]] std::size_t entries() const { return count_; } ///< that there are
     [[nodiscard]] std::size_t marked() const { return marked_; }
 
-    /// Adds a piece. Throws InputError where it cannot be written (what was whole before is kept)
-    /// and where the file is no longer in its folder.
-    void add(std::size_t piece, const std::vector<Entry>& entries);
-    /// The text of an entry that there is.
-    [[nodiscard]] std::string text(std::size_t index) const;
+    /// Entries as one text, as it stands in the file.
+    [[nodiscard]] static std::string body(const std::vector<Entry>& entries);
+    /// Adds a piece, given as its body. Throws InputError where it cannot be written (what was
+    /// whole before is kept) and where the file is no longer in its folder, Error where it is no
+    /// body.
+    void add(std::size_t piece, const std::string& body);
+    /// A piece that there is, as it was added.
+    [[nodiscard]] std::vector<Entry> piece(std::size_t number) const;
     /// Deletes the file.
     void remove();
 
@@ -52,8 +53,11 @@ private:
     int fd_ = -1;
     std::string head_;
     std::uint64_t end_ = 0; ///< of what is whole
-    std::vector<bool> done_;
-    std::vector<std::pair<std::uint64_t, std::size_t>> places_;
+    struct Place {
+        std::uint64_t offset = 0; ///< of the entries
+        std::uint64_t size = 0;   ///< 0: not there
+    };
+    std::vector<Place> places_;
     std::size_t count_ = 0;
     std::size_t marked_ = 0;
 };

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/recipe.hpp"
 
-#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/points.hpp"
 #include "edgeproof/scene/toml_section.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t most_questions = 1'000'000;
 constexpr long most_digits = 100'000;
 
 Rounding rounding_of(const TomlSection& top) {
@@ -31,16 +28,8 @@ Rounding rounding_of(const TomlSection& top) {
                "write nearest, down or up");
 }
 
-/// A parameter and the values that it takes.
-struct Axis {
-    std::string key;
-    std::vector<std::string> values;
-    std::size_t line = 0;
-    bool grid = false; ///< part of the id
-};
-
-Axis read_axis(const TomlSection& section, const std::string& key) {
-    Axis axis{key, {}, section.line(key), false};
+GridAxis read_axis(const TomlSection& section, const std::string& key) {
+    GridAxis axis{key, {}, section.line(key), false};
     if (is_list_key(key)) {
         std::string joined;
         const auto add = [&](const std::string& item) {
@@ -72,8 +61,8 @@ Axis read_axis(const TomlSection& section, const std::string& key) {
     return axis;
 }
 
-std::vector<Axis> read_axes(const TomlSection& scene) {
-    std::vector<Axis> axes;
+std::vector<GridAxis> read_axes(const TomlSection& scene) {
+    std::vector<GridAxis> axes;
     for (const char* part : {"profile", "load", "shear"}) {
         if (std::string_view(part) == "shear" && !scene.has(part)) {
             continue;
@@ -194,96 +183,50 @@ Asked read_asked(const TomlSection& scene) {
     return asked;
 }
 
-class Expansion {
-public:
-    Expansion(const std::string& file, Questions& questions) : file_(file), to_(questions) {}
-
-    void add(const std::string& name, const TomlSection& scene) {
-        scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
-        const std::vector<Axis> axes = read_axes(scene);
-        const Asked asked = read_asked(scene);
-        std::vector<std::size_t> at(axes.size(), 0);
-        do {
-            std::string id = name;
-            std::vector<Parameter> parameters;
-            for (std::size_t i = 0; i < axes.size(); ++i) {
-                const std::string& value = axes[i].values[at[i]];
-                parameters.push_back({axes[i].key, value, axes[i].line});
-                id += axes[i].grid ? ":" + axes[i].key + "=" + value : "";
-            }
-            to_.contacts.push_back(make_asked_contact(std::move(parameters), file_, scene.line()));
-            ask(id, asked);
-        } while (next(axes, at));
-    }
-
-private:
-    static bool next(const std::vector<Axis>& axes, std::vector<std::size_t>& at) {
-        for (std::size_t i = axes.size(); i-- > 0;) {
-            if (++at[i] < axes[i].values.size()) {
-                return true;
-            }
-            at[i] = 0;
+/// What one contact is asked, in the order of the rows.
+std::vector<Question> asked_of_one(const Asked& asked) {
+    std::vector<Question> list;
+    const auto add = [&](const std::string& from, const Wanted& w, Edge edge, std::size_t line) {
+        list.push_back({from + ":" + wanted_name(w), 0, w, edge, {}, {}, line});
+        return &list.back();
+    };
+    for (const Wanted& w : asked.wanted) {
+        if (!w.at_edge()) {
+            add("", w, Edge::right, asked.line);
         }
-        return false;
     }
-    void ask(const std::string& id, const Asked& asked) {
+    for (const Edge edge : asked.edges) {
+        const std::string from = ":" + edge_name(edge);
         for (const Wanted& w : asked.wanted) {
-            check_askable(to_.contacts.back(), w, file_, asked.line);
-            if (!w.at_edge()) {
-                add(id, {{}, 0, w, Edge::right, {}, {}, asked.line});
+            if (w.at_edge() && !w.at_point() && !w.of_terms()) {
+                add(from, w, edge, asked.line);
             }
         }
-        for (const Edge edge : asked.edges) {
-            const std::string from = id + ":" + edge_name(edge);
+        for (const Exact& tolerance : asked.tolerances) {
             for (const Wanted& w : asked.wanted) {
-                if (w.at_edge() && !w.at_point() && !w.of_terms()) {
-                    add(from, {{}, 0, w, edge, {}, {}, asked.line});
+                if (w.of_terms()) {
+                    add(from + ":tolerance=" + tolerance.text(), w, edge, asked.line)->tolerance =
+                        tolerance;
                 }
             }
-            for (const Exact& tolerance : asked.tolerances) {
-                for (const Wanted& w : asked.wanted) {
-                    if (w.of_terms()) {
-                        add(from + ":tolerance=" + tolerance.text(),
-                            {{}, 0, w, edge, {}, tolerance, asked.line});
-                    }
-                }
-            }
-            for (const AskedPoint& point : asked.u) {
-                for (const Wanted& w : asked.wanted) {
-                    if (w.at_point()) {
-                        add(from + ":u=" + point.u.text(),
-                            {{}, 0, w, edge, point.u, {}, point.line});
-                    }
+        }
+        for (const AskedPoint& point : asked.u) {
+            for (const Wanted& w : asked.wanted) {
+                if (w.at_point()) {
+                    add(from + ":u=" + point.u.text(), w, edge, point.line)->u = point.u;
                 }
             }
         }
     }
-    void add(const std::string& from, Question q) {
-        q.id = from + ":" + wanted_name(q.wanted);
-        q.contact = to_.contacts.size() - 1;
-        if (!ids_.insert(q.id).second) {
-            throw InputError("the question " + q.id + " is asked twice",
-                             "leave one out, or give the second scene another name")
-                .at(file_, q.line);
-        }
-        if (ids_.size() > most_questions) {
-            throw InputError("more than a million questions", "split the recipe").at(file_, q.line);
-        }
-        to_.list.push_back(std::move(q));
-    }
-
-    const std::string& file_;
-    Questions& to_;
-    std::set<std::string> ids_;
-};
+    return list;
+}
 
 } // namespace
 
-Recipe parse_recipe(std::string_view text, const std::string& file) {
+RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
     const TomlSection top = TomlSection::parse(text, file);
     top.allow({"title", "digits", "rounding", "scenes"});
-    Recipe recipe;
-    recipe.file = file;
+    RecipeText recipe;
     recipe.title = top.has("title") ? top.text("title") : "";
     recipe.digits.binary64 = true;
     if (top.has("digits")) {
@@ -292,20 +235,29 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
     if (top.has("rounding")) {
         recipe.digits.rounding = rounding_of(top);
     }
-    recipe.questions.file = file;
     const TomlSection scenes = top.section("scenes");
-    Expansion expansion(recipe.file, recipe.questions);
     for (const std::string& name : scenes.keys()) {
-        expansion.add(name, scenes.section(name));
+        const TomlSection scene = scenes.section(name);
+        scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
+        std::vector<GridAxis> axes = read_axes(scene);
+        const Asked asked = read_asked(scene);
+        recipe.scenes.push_back(
+            {name, scene.line(), std::move(axes), asked_of_one(asked), asked.line});
     }
-    if (recipe.questions.list.empty()) {
+    if (recipe.scenes.empty()) {
         top.reject(scenes.line(), "the recipe asks for nothing", "add [scenes.NAME]");
     }
     return recipe;
 }
 
+Recipe parse_recipe(std::string_view text, const std::string& file) {
+    const RecipeGrid grid = RecipeGrid::parse(text, file);
+    return {file, grid.title(), grid.digits(), grid.questions()};
+}
+
 Recipe read_recipe(const std::filesystem::path& file) {
-    return parse_recipe(read_text(file, "recipe (TOML)"), file.string());
+    const RecipeGrid grid = RecipeGrid::read(file);
+    return {file.string(), grid.title(), grid.digits(), grid.questions()};
 }
 
 } // namespace edgeproof

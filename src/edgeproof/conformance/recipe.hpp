@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/question.hpp"
+#include "edgeproof/conformance/recipe_grid.hpp"
 
 #include <filesystem>
 #include <string>
@@ -40,7 +40,8 @@ struct Recipe {
 };
 
 /// Throws InputError with file and line for whatever is malformed: unknown keys and names, empty
-/// grids, ids that occur twice, a question that the contact has no answer to.
+/// grids, ids that occur twice, a question that the contact has no answer to, more than a million
+/// questions (recipe_grid.hpp takes more).
 [[nodiscard]] Recipe read_recipe(const std::filesystem::path& file);
 [[nodiscard]] Recipe parse_recipe(std::string_view text, const std::string& file);
 

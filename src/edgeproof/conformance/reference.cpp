@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/reference.hpp"
 
+#include "edgeproof/conformance/piece_work.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -22,17 +16,14 @@
 namespace edgeproof {
 namespace {
 
-/// Questions of one contact that one thread answers.
-constexpr std::size_t most_in_a_piece = 48;
-
 /// The answers to one piece.
 class Answering {
 public:
-    Answering(const Questions& questions, const Piece& piece, const ReferenceOptions& options)
+    Answering(const Questions& questions, const Piece& piece, const Digits& digits)
         : questions_(questions),
           scene_(questions.contacts[questions.list[piece.front()].contact].scene) {
         scene_.file = questions.file;
-        scene_.ask.digits = options.digits;
+        scene_.ask.digits = digits;
         std::size_t terms = 0;
         bool shear = false;
         std::set<std::size_t> numbers_of_terms;
@@ -154,27 +145,10 @@ private:
     std::optional<ContactValues> contact_;
 };
 
-void throw_if_stopped(const ReferenceOptions& options) {
-    if (options.stop != nullptr && *options.stop) {
+void throw_if_stopped(const std::atomic<bool>* stop) {
+    if (stop != nullptr && *stop) {
         throw Stopped("interrupted: nothing is written");
     }
-}
-
-/// Runs f(0), ..., f(n - 1) on the threads asked for.
-template <class F> void in_parallel(std::size_t n, const ReferenceOptions& options, const F& f) {
-    tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                               : static_cast<int>(options.threads));
-    arena.execute([&] {
-        // Piece by piece: in about their order, so that what is begun is soon done.
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, n, 1),
-            [&](const auto& range) {
-                for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                    f(i);
-                }
-            },
-            tbb::simple_partitioner{});
-    });
 }
 
 /// Counts questions, and tells of them.
@@ -213,56 +187,35 @@ std::vector<Piece> pieces_of(const Questions& questions) {
     return pieces;
 }
 
-void answer_pieces(const Questions& questions, const std::vector<Piece>& pieces,
-                   const std::vector<std::size_t>& wanted, const ReferenceOptions& options,
-                   const std::function<void(std::size_t, std::vector<Reference>)>& take) {
-    std::size_t total = 0;
-    for (const std::size_t p : wanted) {
-        total += pieces[p].size();
-    }
-    Count count(options, total);
-    std::mutex taking;
-    std::exception_ptr error;
-    std::atomic<std::size_t> failed{wanted.size()}; // the first that failed
-    in_parallel(wanted.size(), options, [&](std::size_t w) {
-        if (w > failed) {
-            return;
+std::vector<Reference> references_in_turn(const Questions& questions, const Digits& digits,
+                                          const std::atomic<bool>* stop,
+                                          const std::function<void()>& one) {
+    std::vector<Reference> results(questions.list.size());
+    for (const Piece& piece : pieces_of(questions)) {
+        throw_if_stopped(stop);
+        Answering answering(questions, piece, digits);
+        for (const std::size_t i : piece) {
+            throw_if_stopped(stop);
+            results[i] = answering.answer(i);
+            one();
         }
-        try {
-            throw_if_stopped(options);
-            Answering answering(questions, pieces[wanted[w]], options);
-            std::vector<Reference> values;
-            for (const std::size_t i : pieces[wanted[w]]) {
-                throw_if_stopped(options);
-                values.push_back(answering.answer(i));
-                count.one();
-            }
-            const std::lock_guard lock(taking);
-            take(wanted[w], std::move(values));
-        } catch (...) {
-            const std::lock_guard lock(taking);
-            if (w < failed) {
-                failed = w;
-                error = std::current_exception();
-            }
-        }
-    });
-    if (error) {
-        std::rethrow_exception(error);
     }
+    return results;
 }
 
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {
     std::vector<Reference> results(questions.list.size());
     const std::vector<Piece> pieces = pieces_of(questions);
-    std::vector<std::size_t> all(pieces.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    answer_pieces(questions, pieces, all, options,
-                  [&](std::size_t p, std::vector<Reference> values) {
-                      for (std::size_t k = 0; k < values.size(); ++k) {
-                          results[pieces[p][k]] = std::move(values[k]);
-                      }
-                  });
+    Count count(options, questions.list.size());
+    work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
+        throw_if_stopped(options.stop);
+        Answering answering(questions, pieces[p], options.digits);
+        for (const std::size_t i : pieces[p]) {
+            throw_if_stopped(options.stop);
+            results[i] = answering.answer(i);
+            count.one();
+        }
+    });
     return results;
 }
 
@@ -271,7 +224,7 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
     std::vector<std::optional<Reference>> results(questions.list.size());
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
-    in_parallel(pieces.size(), options, [&](std::size_t p) {
+    work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
         if (options.stop != nullptr && *options.stop) {
             return;
         }
@@ -279,7 +232,7 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
         for (const std::size_t i : pieces[p]) {
             try {
                 if (!answering) {
-                    answering.emplace(questions, pieces[p], options);
+                    answering.emplace(questions, pieces[p], options.digits);
                 }
                 results[i] = answering->answer(i);
             } catch (const Error&) { // there is none
@@ -287,7 +240,7 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
             count.one();
         }
     });
-    throw_if_stopped(options);
+    throw_if_stopped(options.stop);
     return results;
 }
 

@@ -42,16 +42,16 @@ public:
 [[nodiscard]] std::vector<std::optional<Reference>>
 references_where_any(const Questions& questions, const ReferenceOptions& options);
 
-/// Questions (by index) that are answered together. They are cut alike however many threads there
-/// are, and an answer depends on nothing outside its piece: a table that is made piece by piece is
-/// the same in every byte.
-using Piece = std::vector<std::size_t>;
-[[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
+/// The same one after another in this thread. `one` is called after each.
+[[nodiscard]] std::vector<Reference> references_in_turn(const Questions& questions,
+                                                        const Digits& digits,
+                                                        const std::atomic<bool>* stop,
+                                                        const std::function<void()>& one);
 
-/// Answers the pieces listed (by index), each handed to `take` when it is done, one at a time and
-/// in any order: nothing is kept. Throws as references() does, and what `take` throws.
-void answer_pieces(const Questions& questions, const std::vector<Piece>& pieces,
-                   const std::vector<std::size_t>& wanted, const ReferenceOptions& options,
-                   const std::function<void(std::size_t, std::vector<Reference>)>& take);
+/// Questions (by index) that are answered together, of one contact. They are cut alike however many
+/// threads there are, and an answer depends on nothing outside its piece.
+using Piece = std::vector<std::size_t>;
+inline constexpr std::size_t most_in_a_piece = 48;
+[[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
 
 } // namespace edgeproof

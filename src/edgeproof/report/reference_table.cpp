@@ -62,23 +62,29 @@ std::string csv_line(const std::vector<std::string>& cells) {
 }
 
 ReferenceRows::ReferenceRows(const Recipe& recipe)
-    : recipe_(recipe), keys_(recipe.questions.columns()),
+    : recipe_(std::filesystem::path(recipe.file).filename().string()), title_(recipe.title),
+      digits_(recipe.digits), keys_(recipe.questions.columns()),
       tolerances_(recipe.questions.has_tolerances()) {}
 
-std::vector<std::string> ReferenceRows::row(std::size_t i, const Reference& reference) const {
-    const Question& q = recipe_.questions.list[i];
+ReferenceRows::ReferenceRows(const RecipeGrid& recipe)
+    : recipe_(std::filesystem::path(recipe.file()).filename().string()), title_(recipe.title()),
+      digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()) {}
+
+std::vector<std::string> ReferenceRows::row(const Questions& questions, std::size_t i,
+                                            const Reference& reference) const {
+    const Question& q = questions.list[i];
     std::vector<std::string> row{q.id};
     for (const std::string& key : keys_) {
-        row.push_back(parameter_text(recipe_.questions.contacts[q.contact], key));
+        row.push_back(parameter_text(questions.contacts[q.contact], key));
     }
     row.push_back(q.wanted.at_edge() ? edge_name(q.edge) : "");
     if (tolerances_) {
         row.push_back(q.tolerance ? q.tolerance->text() : "");
     }
     row.push_back(q.u ? q.u->text() : "");
-    row.push_back(reference.x ? printed(*reference.x, recipe_.digits).text : "");
+    row.push_back(reference.x ? printed(*reference.x, digits_).text : "");
     row.push_back(wanted_name(q.wanted));
-    const PrintedValue value = printed(reference.value, recipe_.digits);
+    const PrintedValue value = printed(reference.value, digits_);
     row.push_back(value.text);
     row.push_back(value.bound);
     row.push_back(value.binary64 ? fmt::format("{:.17g}", *value.binary64) : "");
@@ -86,10 +92,11 @@ std::vector<std::string> ReferenceRows::row(std::size_t i, const Reference& refe
     return row;
 }
 
-Table ReferenceRows::table(const std::string& version, std::size_t rows, std::size_t estimates,
-                           const std::function<std::string(std::size_t)>& line) const {
+Table ReferenceRows::table(
+    const std::string& version, std::size_t rows, std::size_t estimates,
+    const std::function<void(const std::function<void(const std::string&)>&)>& lines) const {
     Table table;
-    table.title = recipe_.title;
+    table.title = title_;
     table.columns = {{"id", Column::Kind::text}};
     for (const std::string& key : keys_) {
         table.columns.push_back({key, Column::Kind::text});
@@ -103,14 +110,12 @@ Table ReferenceRows::table(const std::string& version, std::size_t rows, std::si
         }
     }
     std::uint64_t hash = fnv1a(csv_line(names_of(table.columns)));
-    for (std::size_t i = 0; i < rows; ++i) {
-        hash = fnv1a(line(i), hash);
-    }
+    lines([&](const std::string& line) { hash = fnv1a(line, hash); });
     table.facts = {
-        {"recipe", std::filesystem::path(recipe_.file).filename().string()},
+        {"recipe", recipe_},
         {"program", version},
-        {"digits", std::to_string(recipe_.digits.count)},
-        {"rounding", rounding_name(recipe_.digits.rounding)},
+        {"digits", std::to_string(digits_.count)},
+        {"rounding", rounding_name(digits_.rounding)},
         {"rows", std::to_string(rows)},
         {"estimates", std::to_string(estimates)},
         {std::string(checksum_key), checksum_text(hash)},
@@ -129,34 +134,20 @@ Table ReferenceRows::table(const std::string& version, std::size_t rows, std::si
     return table;
 }
 
-std::uint64_t ReferenceRows::fingerprint(const std::string& program) const {
-    std::uint64_t hash = fnv1a(program);
-    const auto add = [&](const std::string& text) { hash = fnv1a(text + "\n", hash); };
-    add(recipe_.title);
-    add(std::to_string(recipe_.digits.count));
-    add(rounding_name(recipe_.digits.rounding));
-    for (const Question& q : recipe_.questions.list) {
-        add(q.id);
-        for (const Parameter& p : recipe_.questions.contacts[q.contact].parameters) {
-            add(p.key + "=" + p.text);
-        }
-        add(wanted_name(q.wanted) + " " + edge_name(q.edge));
-        add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
-    }
-    return hash;
-}
-
 Table reference_table(const Recipe& recipe, const std::vector<Reference>& values,
                       const std::string& version) {
     const ReferenceRows rows(recipe);
     std::vector<std::vector<std::string>> cells;
     std::size_t estimates = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        cells.push_back(rows.row(i, values[i]));
+        cells.push_back(rows.row(recipe.questions, i, values[i]));
         estimates += values[i].value.proved ? 0 : 1;
     }
-    Table table = rows.table(version, cells.size(), estimates,
-                             [&](std::size_t i) { return csv_line(cells[i]); });
+    Table table = rows.table(version, cells.size(), estimates, [&](const auto& take) {
+        for (const auto& row : cells) {
+            take(csv_line(row));
+        }
+    });
     table.rows = std::move(cells);
     return table;
 }

@@ -5,7 +5,6 @@
 #include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/report/table.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,17 +17,20 @@ namespace edgeproof {
 /// The rows of a reference table, one by one: none is kept.
 class ReferenceRows {
 public:
-    /// Keeps a reference to the recipe.
     explicit ReferenceRows(const Recipe& recipe);
-    [[nodiscard]] std::vector<std::string> row(std::size_t i, const Reference& reference) const;
-    /// The table without its rows: head, columns, and the checksum of them and of the lines.
-    [[nodiscard]] Table table(const std::string& version, std::size_t rows, std::size_t estimates,
-                              const std::function<std::string(std::size_t)>& line) const;
-    /// Tells this recipe, made by that program, from any other.
-    [[nodiscard]] std::uint64_t fingerprint(const std::string& program) const;
+    explicit ReferenceRows(const RecipeGrid& recipe);
+    [[nodiscard]] std::vector<std::string> row(const Questions& questions, std::size_t i,
+                                               const Reference& reference) const;
+    /// The table without its rows: head, columns, and the checksum of them and of the lines, which
+    /// `lines` hands over in their order.
+    [[nodiscard]] Table
+    table(const std::string& version, std::size_t rows, std::size_t estimates,
+          const std::function<void(const std::function<void(const std::string&)>&)>& lines) const;
 
 private:
-    const Recipe& recipe_;
+    std::string recipe_; ///< the file's name
+    std::string title_;
+    Digits digits_;
     std::vector<std::string> keys_;
     bool tolerances_;
 };

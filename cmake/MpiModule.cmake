@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# edgeproof_mpi: the one part of Edgeproof that knows MPI (src/edgeproof/mpi), where MPI is found. It
+# is no part of the program, which finds it beside itself at EDGEPROOF_MPI_MODULE, a path from its own
+# folder that is the same in the build and where it is installed. The sanitizers take what MPI itself
+# does for faults, so that their builds go without.
+set(module_definition "")
+if(EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
+    find_package(MPI QUIET COMPONENTS CXX)
+endif()
+if(MPI_CXX_FOUND AND EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
+    add_library(edgeproof_mpi MODULE src/edgeproof/mpi/mpi_processes.cpp)
+    edgeproof_own_flags(edgeproof_mpi)
+    set_target_properties(edgeproof_mpi PROPERTIES PREFIX "" DISABLE_PRECOMPILE_HEADERS ON)
+    target_include_directories(edgeproof_mpi PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(edgeproof_mpi PRIVATE MPI::MPI_CXX)
+    cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
+        OUTPUT_VARIABLE libraries)
+    cmake_path(APPEND libraries edgeproof)
+    set(module_definition ${libraries}/edgeproof_mpi.so)
+    if(CMAKE_RUNTIME_OUTPUT_DIRECTORY)
+        set_target_properties(edgeproof_mpi PROPERTIES
+            LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${libraries})
+    endif()
+    install(TARGETS edgeproof_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/edgeproof)
+else()
+    message(STATUS "No MPI: edgeproof table runs on one machine")
+endif()
+set_property(SOURCE src/edgeproof/cli/launched.cpp APPEND PROPERTY
+    COMPILE_DEFINITIONS "EDGEPROOF_MPI_MODULE=\"${module_definition}\"")
+target_link_libraries(edgeproof_cli PRIVATE ${CMAKE_DL_LIBS})

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/launched.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <dlfcn.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace edgeproof::cli {
+namespace {
+
+/// Of the module that is all of MPI here, from the program's own folder; empty: not built.
+constexpr std::string_view module_path = EDGEPROOF_MPI_MODULE;
+
+std::size_t number_in(const char* variable) {
+    const char* const value = std::getenv(variable);
+    std::size_t n = 0;
+    if (value != nullptr) {
+        const std::string_view text(value);
+        std::from_chars(text.data(), text.data() + text.size(), n);
+    }
+    return n;
+}
+
+[[noreturn]] void cannot_share(const std::string& problem, const std::string& instead) {
+    throw InputError("started as one of " + std::to_string(launched_count()) + " processes, and " +
+                         problem,
+                     instead);
+}
+
+} // namespace
+
+std::size_t launched_count() {
+    // Open MPI's mpirun; other launchers (and srun --mpi=pmi2); srun --mpi=pmix.
+    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+        if (const std::size_t n = number_in(variable); n > 0) {
+            return n;
+        }
+    }
+    const bool by_srun = std::getenv("PMIX_RANK") != nullptr;
+    const std::size_t n = by_srun ? number_in("SLURM_STEP_NUM_TASKS") : 1;
+    return n > 0 ? n : 1;
+}
+
+std::unique_ptr<Processes> launched_together() {
+    if (launched_count() < 2) {
+        return nullptr;
+    }
+    const std::string alone = "start it alone, or build it where MPI is installed";
+    if (module_path.empty()) {
+        cannot_share("this edgeproof was built without MPI", alone);
+    }
+    std::error_code failed;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
+    const auto file = (self.parent_path() / module_path).lexically_normal();
+    // Open MPI loads parts of its own, which look for its symbols among those of all.
+    void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (module == nullptr) {
+        const char* const why = ::dlerror();
+        cannot_share(why == nullptr ? "its MPI part does not load" : why, alone);
+    }
+    using Make = Processes* (*)();
+    const auto make = reinterpret_cast<Make>(::dlsym(module, "edgeproof_mpi_processes"));
+    if (make == nullptr) {
+        cannot_share(file.string() + " is not its MPI part", alone);
+    }
+    std::unique_ptr<Processes> processes(make());
+    if (processes->count() < 2) {
+        cannot_share("MPI does not see the others", "start it by mpirun, or by srun --mpi=pmix");
+    }
+    return processes;
+}
+
+} // namespace edgeproof::cli

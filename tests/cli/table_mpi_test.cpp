@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+
+using namespace edgeproof::test;
+
+namespace {
+
+/// Contacts whose other edge is solved for: a few milliseconds each.
+std::string recipe(int contacts) {
+    std::string grid;
+    for (int i = 1; i <= contacts; ++i) {
+        grid += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "/7\"";
+    }
+    return "digits = 30\n[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"1e-9\", \"1/9\"]\n"
+           "quantities = [\"p\", \"c_0\", \"c_1\", \"P\", \"M\", \"b\"]\n[scenes.w.profile]\n"
+           "kind = \"tilted-flat-and-rounded\"\nalpha = \"pi/64\"\nt = \"1/10\"\nR = \"1\"\n"
+           "[scenes.w.load]\na = [" +
+           grid + "]\ncontact_modulus = \"1\"\n";
+}
+
+std::string shell(const Folder& folder, const std::string& command) {
+    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } 2>&1";
+    std::string out;
+    FILE* const pipe = ::popen(all.c_str(), "r");
+    char buffer[4096];
+    while (pipe != nullptr && std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
+        out += buffer;
+    }
+    if (pipe != nullptr) {
+        ::pclose(pipe);
+    }
+    return out;
+}
+
+/// Open MPI, and a program that was built with it.
+bool can_run() {
+    const bool here = std::system("mpirun --version 2>/dev/null | grep -q 'Open MPI'") == 0;
+    const bool built =
+        std::filesystem::exists(program().parent_path() / "../lib/edgeproof/edgeproof_mpi.so") ||
+        std::system(("find '" + program().parent_path().parent_path().string() +
+                     "' -maxdepth 4 -name edgeproof_mpi.so | grep -q .")
+                        .c_str()) == 0;
+    if (!here || !built) {
+        const std::string why = here ? "built without MPI" : "no mpirun of Open MPI";
+        MESSAGE("skipped: ", why);
+    }
+    return here && built;
+}
+
+std::string mpirun(int ranks, const std::string& arguments) {
+    // More ranks than cores, and root in a container: both want to be asked for.
+    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " +
+           std::to_string(ranks) + " '" + program().string() + "' " + arguments;
+}
+
+/// Kills one rank with SIGKILL after that time. What mpirun said.
+std::string run_and_kill(const Folder& folder, int ranks, int rank, const char* seconds) {
+    return shell(folder, "{ " + mpirun(ranks, "table r.toml --out t.csv") +
+                             "; } & here=$PWD; sleep " + seconds +
+                             "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
+                             " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
+                             "OMPI_COMM_WORLD_RANK=" +
+                             std::to_string(rank) +
+                             "; then kill -KILL ${p#/proc/}; fi; done; wait");
+}
+
+} // namespace
+
+TEST_CASE("table under mpirun: byte for byte what one process makes") {
+    if (!can_run()) {
+        return;
+    }
+    const Folder folder;
+    folder.write("r.toml", recipe(30));
+    const std::string whole = run(folder, "table r.toml --threads 1").out;
+    REQUIRE(lines(whole).size() > 300);
+    for (const int ranks : {1, 2, 4}) {
+        CAPTURE(ranks);
+        CHECK(shell(folder, mpirun(ranks, "table r.toml --out t.csv")).empty());
+        CHECK(file_text(folder.path() / "t.csv") == whole);
+        CHECK(folder.files() == 2); // and no part file
+        std::filesystem::remove(folder.path() / "t.csv");
+    }
+}
+
+TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes") {
+    if (!can_run()) {
+        return;
+    }
+    const Folder folder;
+    folder.write("r.toml", recipe(200));
+    const std::string said = run_and_kill(folder, 3, 2, "1.2");
+    if (std::filesystem::exists(folder.path() / "t.csv")) {
+        MESSAGE("done before it could be killed");
+        return;
+    }
+    CHECK(said.find("exited on signal 9") != std::string::npos);
+    CHECK(std::filesystem::exists(folder.path() / "t.csv.part"));
+    CHECK(shell(folder, mpirun(2, "table r.toml --out t.csv")).empty());
+    CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml").out);
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("table under mpirun: any rank killed, many times" * doctest::test_suite("slow")) {
+    if (!can_run()) {
+        return;
+    }
+    const Folder folder;
+    folder.write("r.toml", recipe(400));
+    const std::string whole = run(folder, "table r.toml --threads 1").out;
+    const char* const after[] = {"0.8", "1.0", "1.3", "1.7", "2.2"};
+    for (int rank = 0; rank < 4; ++rank) {
+        for (const char* seconds : after) {
+            (void)run_and_kill(folder, 4, rank, seconds);
+        }
+        (void)shell(folder, mpirun(2, "table r.toml --out t.csv"));
+        CAPTURE(rank);
+        CHECK(file_text(folder.path() / "t.csv") == whole);
+        CHECK(folder.files() == 2);
+        std::filesystem::remove(folder.path() / "t.csv");
+    }
+}
+
+TEST_CASE("table under mpirun: what is wrong is told once") {
+    if (!can_run()) {
+        return;
+    }
+    const Folder folder;
+    std::string wrong = recipe(20);
+    wrong.replace(wrong.find("1/9"), 3, "300");
+    folder.write("r.toml", wrong);
+    const std::string alone = run(folder, "table r.toml --out t.csv").err;
+    CHECK(alone.rfind("r.toml:4: u = 300 from the right edge", 0) == 0);
+    for (const char* recipe_file : {"r.toml", "nothing.toml"}) {
+        const std::string said =
+            shell(folder, mpirun(3, std::string("table ") + recipe_file + " --out t.csv"));
+        const std::string line = run(folder, std::string("table ") + recipe_file).err;
+        CHECK(said.find(line) != std::string::npos);
+        CHECK(said.find(line) == said.rfind(line));
+    }
+    CHECK(shell(folder, mpirun(2, "table r.toml")).find("add --out FILE") != std::string::npos);
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a table is not begun by several processes that cannot find each other") {
+    const Folder folder;
+    folder.write("r.toml", recipe(2));
+    const std::string said = shell(folder, "OMPI_COMM_WORLD_SIZE=2 '" + program().string() +
+                                               "' table r.toml --out t.csv");
+    CHECK(said.rfind("started as one of 2 processes, and ", 0) == 0);
+    CHECK(lines(said).size() == 1);
+    CHECK(folder.files() == 1);
+}

@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/fast_integral.hpp"
+
+#include "edgeproof/contact/complex_taylor.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/level_estimate.hpp"
+#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace edgeproof {
+namespace {
+
+constexpr double ln_10 = std::numbers::ln10;
+constexpr double pi_double = std::numbers::pi;
+constexpr int first_level = 3;
+constexpr int last_level = 12;
+/// A pole that leaves a Gauss rule less than so many nats a node is taken out.
+constexpr double slow = 1.1;
+
+mpfr_ptr raw(Real& x) { return x.backend().data(); }
+mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
+
+Real log_one_plus(const Real& x) {
+    const long bits = mpfr_get_prec(raw(x)) + 8;
+    Real r;
+    const Ball l = log1p(Ball(x, bits));
+    arf_get_mpfr(raw(r), arb_midref(l.data()), MPFR_RNDN);
+    return r;
+}
+
+/// ln of the integral of dv/(w (x - v)) from a knot to the end, cleared of differences: near an
+/// edge its argument is near 1. `p`, `q` and their roots as in logarithmic_closed_form.
+Real green_excess(const Real& p, const Real& q, const Real& root, const Real& gap) {
+    return Real(2 * ((p < q ? p : q) + root) / gap);
+}
+
+/// What is known of an expression at a few points that no formula meets by chance.
+bool is_odd(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& offset) {
+    const CurvedSlope g(slopes, piece, offset, false, 256);
+    for (const long k : {3L, 17L, 101L}) {
+        const Ball at = Ball(Rational(k, 1009), 256);
+        const Ball sum = g.G(at) + g.G(-at);
+        if (!sum.is_finite() || !contains_zero(sum)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+FastIntegral::FastIntegral(const Profile& profile, const Real& modulus, const Extent<Real>& e,
+                           unsigned digits, FastPressure::Rule rule)
+    : digits_(digits), rule_(rule), circle_(profile, e), slope_(profile),
+      factor_(modulus / (2 * pi<Real>())), extent_(e) {
+    const bool folded = circle_.folded;
+    Real corners(0);
+    const std::size_t count = circle_.pieces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool origin = folded && i == 0;
+        const std::size_t knot = origin ? profile.origin() : circle_.knots[i];
+        if ((origin || i > 0) && profile.has_corner(knot)) {
+            const Real& jump = slope_.jump(knot);
+            corners += origin ? Real(jump / 2) : jump;
+            const CircleMark& m = circle_.marks[i];
+            const PrecisionScope fine(std::max(working_digits(), e.a.precision()));
+            corners_.push_back({i, folded && !origin, jump, m.inset, Real(e.a + e.b - m.inset)});
+        }
+        const auto& piece = slope_.pieces()[circle_.pieces[i]];
+        std::unique_ptr<CurvedSlope> curved;
+        Real alpha(0);
+        Real beta(0);
+        bool odd = false;
+        if (piece.linear) {
+            beta = piece.rate;
+            // Continued through the origin G is odd; what is left there is roundoff.
+            alpha = folded && i > 0 ? Real(piece.at_origin - corners) : Real(0);
+        } else {
+            const long bits = mpfr_get_prec(raw(corners)) + 40;
+            const Ball offset = folded ? Ball(corners, bits) : Ball(0, bits);
+            odd = origin && is_odd(slope_, circle_.pieces[i], offset.with_bits(256));
+            curved = std::make_unique<CurvedSlope>(slope_, circle_.pieces[i], offset, folded, bits);
+        }
+        pieces_.push_back(
+            std::make_unique<FastPiece>(circle_, i, alpha, beta, std::move(curved), odd));
+    }
+    Real rise(0);
+    for (const auto& piece : pieces_) {
+        rise += piece->rise;
+    }
+    S_exponent_ = exponent_of(circle_.length);
+    G_exponent_ = exponent_of(rise);
+    length_ = in_units(circle_.length, S_exponent_);
+    for (const auto& piece : pieces_) {
+        piece->measure(S_exponent_, G_exponent_);
+        if (!piece->linear()) {
+            piece->find_reach(G_exponent_, -(static_cast<double>(digits_) + 4) * ln_10);
+        }
+    }
+    tasks_.resize(count);
+}
+
+RoutedPressure<Real> FastIntegral::operator()(const Point<Real>& at) {
+    nodes_ = 0;
+    converged_ = true;
+    locate(at);
+    set_tasks();
+    double ln_total = -1e300;
+    for (const Task& task : tasks_) {
+        ln_total = std::max(ln_total, task.ln_size);
+    }
+    const double ln_tolerance =
+        ln_total - (digits_ + 3) * ln_10 - std::log(static_cast<double>(tasks_.size()));
+    Real sum(0);
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        choose(i, ln_tolerance);
+        add_share(sum, *pieces_[i], tasks_[i]);
+    }
+    double ln_error = -1e300;
+    for (const Task& task : tasks_) {
+        ln_error = std::max(ln_error, task.ln_error);
+    }
+    ln_error += std::log(static_cast<double>(tasks_.size())) +
+                0.6931471805599453 * static_cast<double>(G_exponent_ - S_exponent_);
+    Real value;
+    mpfr_mul(raw(value), raw(at.right), raw(at.left), MPFR_RNDN);
+    mpfr_sqrt(raw(value), raw(value), MPFR_RNDN);
+    ln_error += ln_size(value);
+    value *= sum;
+    if (!corners_.empty()) {
+        value += corners(at);
+    }
+    RoutedPressure<Real> p;
+    ln_error -= ln_size(value);
+    mpfr_set_d(raw(p.estimate), std::max(ln_error, -1e15), MPFR_RNDN);
+    mpfr_exp(raw(p.estimate), raw(p.estimate), MPFR_RNDN);
+    p.value = value * factor_;
+    p.evaluations = nodes_;
+    p.converged = converged_ && ln_error < -static_cast<double>(digits_) * ln_10;
+    return p;
+}
+
+void FastIntegral::locate(const Point<Real>& at) {
+    const bool folded = circle_.folded;
+    const bool mirrored = folded && at.x < 0;
+    const Real& to_right = mirrored ? at.left : at.right;
+    const Real& to_left = mirrored ? at.right : at.left;
+    mpfr_set(raw(at_.x), raw(at.x), MPFR_RNDN);
+    if (folded) {
+        mpfr_abs(raw(at_.x), raw(at_.x), MPFR_RNDN);
+        mpfr_mul(raw(at_.right), raw(at.right), raw(at.left), MPFR_RNDN);
+        mpfr_sqr(raw(at_.left), raw(at_.x), MPFR_RNDN);
+    } else {
+        mpfr_set(raw(at_.right), raw(to_right), MPFR_RNDN);
+        mpfr_set(raw(at_.left), raw(to_left), MPFR_RNDN);
+    }
+    // Steps from the marks by the distance that is small: it has its digits.
+    const bool by_right = folded || to_right < to_left;
+    const auto step_from = [&](std::size_t i, Real& step) {
+        if (folded && i == 0) {
+            mpfr_set(raw(step), raw(at_.x), MPFR_RNDN);
+        } else if (by_right) {
+            mpfr_sub(raw(step), raw(circle_.marks[i].inset), raw(to_right), MPFR_RNDN);
+        } else {
+            mpfr_sub(raw(step), raw(to_left), raw(circle_.marks[i].left), MPFR_RNDN);
+        }
+    };
+    const std::size_t count = pieces_.size();
+    at_.piece = count - 1;
+    step_from(at_.piece, at_.step_lo);
+    while (at_.piece > 0 && at_.step_lo < 0) {
+        --at_.piece;
+        step_from(at_.piece, at_.step_lo);
+    }
+    if (at_.piece + 1 == count) {
+        mpfr_set(raw(at_.step_hi), raw(to_right), MPFR_RNDN);
+    } else {
+        step_from(at_.piece + 1, at_.step_hi);
+        mpfr_neg(raw(at_.step_hi), raw(at_.step_hi), MPFR_RNDN);
+    }
+    if (!folded && at_.piece == 0) {
+        mpfr_set(raw(at_.step_lo), raw(to_left), MPFR_RNDN);
+    }
+    const long exponent = S_exponent_;
+    at_.phi = 2 * std::atan2(std::sqrt(in_units(at_.right, exponent)),
+                             std::sqrt(in_units(at_.left, exponent)));
+}
+
+void FastIntegral::set_tasks() {
+    const std::size_t i = at_.piece;
+    const FastPiece& here = *pieces_[i];
+    Task& inside = tasks_[i];
+    inside.kind = Task::Kind::inside;
+    inside.ln_error = -1e300;
+    const auto from_lo = [&](Task& task) {
+        task.gap = circle_.folded ? Real(at_.step_lo * (at_.x + here.lo->v)) : at_.step_lo;
+        task.height = here.flat ? Real(0) : here.rise_from_lo(at_.x, at_.step_lo);
+        task.step = at_.step_lo;
+    };
+    const auto from_hi = [&](Task& task) {
+        task.gap = circle_.folded ? Real(at_.step_hi * (at_.x + here.hi->v)) : at_.step_hi;
+        task.height = here.flat ? Real(0) : here.rise_to_hi(at_.x, at_.step_hi);
+        task.step = at_.step_hi;
+    };
+    if (!here.linear()) {
+        // From the nearer end, beside which the difference has its digits.
+        inside.above = at_.step_hi < at_.step_lo;
+        inside.above ? from_hi(inside) : from_lo(inside);
+    }
+    inside.ln_size = std::log(here.rise_units / here.span_units * here.angle_double);
+    const auto go_on = [](Task& task, const Task& nearer, const FastPiece& between) {
+        mpfr_add(raw(task.gap), raw(nearer.gap), raw(between.span), MPFR_RNDN);
+        mpfr_add(raw(task.height), raw(nearer.height), raw(between.rise), MPFR_RNDN);
+        mpfr_add(raw(task.step), raw(nearer.step), raw(between.width), MPFR_RNDN);
+    };
+    const auto spread = [&](Task& task, const FastPiece& piece) {
+        task.ln_error = -1e300;
+        const double gap = in_units(task.gap, S_exponent_);
+        const double height = in_units(task.height, G_exponent_);
+        task.ln_size = std::log((height + piece.rise_units / 2) / (gap + piece.span_units / 2) *
+                                piece.angle_double);
+    };
+    for (std::size_t j = i; j-- > 0;) {
+        Task& task = tasks_[j];
+        task.above = true;
+        if (j + 1 == i) {
+            from_lo(task);
+        } else {
+            go_on(task, tasks_[j + 1], *pieces_[j + 1]);
+        }
+        spread(task, *pieces_[j]);
+    }
+    for (std::size_t j = i + 1; j < tasks_.size(); ++j) {
+        Task& task = tasks_[j];
+        task.above = false;
+        if (j == i + 1) {
+            from_hi(task);
+        } else {
+            go_on(task, tasks_[j - 1], *pieces_[j - 1]);
+        }
+        spread(task, *pieces_[j]);
+    }
+}
+
+/// How far beyond the piece, in phi, the nearest pole 1/(S - S_x) lies.
+double FastIntegral::pole_excess(const FastPiece& piece, const Task& task) const {
+    const double end = task.above ? piece.phi_right : piece.phi_right + piece.angle_double;
+    const double between = std::sin((end + at_.phi) / 2);
+    // By the distance in S, which has its digits where the angles are all but equal.
+    const double near =
+        2 * std::asin(std::min(1.0, in_units(task.gap, S_exponent_) / (length_ * between)));
+    const double other = task.above ? 2 * pi_double - at_.phi - piece.phi_right - piece.angle_double
+                                    : at_.phi + piece.phi_right;
+    return std::min(near, other);
+}
+
+void FastIntegral::choose(std::size_t i, double ln_tolerance) {
+    const FastPiece& piece = *pieces_[i];
+    Task& task = tasks_[i];
+    task.by_levels = rule_ == FastPressure::Rule::tanh_sinh || (!piece.linear() && !piece.reach);
+    task.n = 0;
+    task.mirror_near = false;
+    if (i != at_.piece) {
+        const double excess = pole_excess(piece, task);
+        const double half = piece.doubled ? piece.angle_double : piece.angle_double / 2;
+        const bool known =
+            piece.linear() || (piece.reach && excess < piece.reach->ellipse.excess() / 2);
+        const double rate =
+            std::log(BernsteinEllipse::beyond(half, excess).rho) * (piece.doubled ? 2 : 1);
+        const bool close = task.by_levels ? excess < piece.angle_double / 8 : rate < slow;
+        task.kind = known && close ? Task::Kind::near : Task::Kind::far;
+        if (task.kind == Task::Kind::far) {
+            if (task.by_levels) {
+                task.ln_error = ln_tolerance;
+            } else {
+                choose_far(piece, task, excess, ln_tolerance);
+            }
+            return;
+        }
+    }
+    if (task.by_levels) {
+        task.ln_error = ln_tolerance;
+        task.mirror_near =
+            piece.linear() && circle_.folded && piece.alpha != 0 &&
+            2 * pi_double - at_.phi - piece.phi_right - piece.angle_double < piece.angle_double / 8;
+    } else {
+        choose_quotient(piece, task, ln_tolerance);
+    }
+}
+
+void FastIntegral::choose_far(const FastPiece& piece, Task& task, double excess,
+                              double ln_tolerance) const {
+    const double half = piece.doubled ? piece.angle_double : piece.angle_double / 2;
+    const double times = piece.doubled ? 2 : 1;
+    const BernsteinEllipse whole = BernsteinEllipse::beyond(half, excess);
+    const double t = excess / half;
+    // As near to the pole as pays: the bound grows like one over what is left of the way.
+    const double guess = (task.ln_size - ln_tolerance + 5) / (2 * std::log(whole.rho));
+    double part = 1 - 1 / (1 + 2 * guess * std::sqrt(t / (t + 2)));
+    if (piece.reach) {
+        part = std::min(part, piece.reach->ellipse.excess() / excess);
+    }
+    const BernsteinEllipse ellipse = BernsteinEllipse::beyond(half, part * excess);
+    const double e = part * excess;
+    // |cos phi - cos phi_x| over the ellipse is least where it meets the real axis:
+    // its square is (cosh y - cos(x - phi_x))(cosh y - cos(x + phi_x)) at phi = x + i y.
+    const auto distance = [&](double at) {
+        return std::abs(2 * std::sin((at + at_.phi) / 2) * std::sin((at - at_.phi) / 2));
+    };
+    const double phi_left = piece.phi_right + piece.angle_double;
+    double least = task.above ? distance(piece.phi_right - e) : distance(phi_left + e);
+    if (!piece.doubled) {
+        least =
+            std::min(least, task.above ? distance(phi_left + e) : distance(piece.phi_right - e));
+    }
+    double numerator = in_units(task.height, G_exponent_);
+    if (piece.constant_height(task.gap, task.height)) {
+        numerator = std::abs(numerator - piece.beta_units * in_units(task.gap, S_exponent_));
+    } else {
+        numerator += piece.largest_rise(ellipse);
+    }
+    const double ln_M = std::log(numerator / (length_ / 2 * least));
+    const double needed = gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance);
+    task.n = rounded_up_nodes(needed / times);
+    task.ln_error =
+        gauss_legendre_log_error(ellipse, ln_M, static_cast<std::size_t>(times) * task.n);
+}
+
+/// The quotient (G - G_x)/(S - S_x) by the piece's own formula, x in it or near it.
+void FastIntegral::choose_quotient(const FastPiece& piece, Task& task, double ln_tolerance) const {
+    const double half = piece.doubled ? piece.angle_double : piece.angle_double / 2;
+    const double times = piece.doubled ? 2 : 1;
+    const double phi_left = piece.phi_right + piece.angle_double;
+    BernsteinEllipse ellipse{half, 2};
+    double ln_M = 0;
+    if (piece.linear()) {
+        if (!circle_.folded || piece.alpha == 0) {
+            return;
+        }
+        // alpha/(s + x): the pole at s = -x, phi = 2 pi - phi_x.
+        const double excess = 2 * pi_double - at_.phi - phi_left;
+        const double t = excess / half;
+        const BernsteinEllipse whole = BernsteinEllipse::beyond(half, excess);
+        if (std::log(whole.rho) * times < slow) {
+            task.mirror_near = true;
+            return;
+        }
+        const double guess = (task.ln_size - ln_tolerance + 5) / (2 * std::log(whole.rho));
+        const double e = excess * (1 - 1 / (1 + 2 * guess * std::sqrt(t / (t + 2))));
+        ellipse = BernsteinEllipse::beyond(half, e);
+        // S = (s/d)^2 d^2, so that alpha/(s + x) is in units of G/S.
+        ln_M = std::log(piece.alpha_units / length_ /
+                        (std::cos((phi_left + e) / 2) + std::cos(at_.phi / 2)));
+    } else {
+        ellipse = piece.reach->ellipse;
+        // |sin z| >= (2/pi) |z| up to pi/2: from the ellipse to the point, and to its mirror image.
+        const double e = ellipse.excess();
+        const double near = task.kind == Task::Kind::near ? e / 2 : e;
+        double mirror = near;
+        if (!piece.doubled) {
+            mirror = 2 * std::min(piece.at_right_edge ? pi_double : piece.phi_right,
+                                  piece.at_left_edge ? pi_double : pi_double - phi_left) -
+                     e - near / 2;
+        }
+        const double least = 2 * near * std::min(mirror, pi_double) / (pi_double * pi_double);
+        ln_M = piece.reach->ln_bound + std::log(4 / (length_ * least));
+    }
+    task.n = rounded_up_nodes(gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance) / times);
+    task.ln_error =
+        gauss_legendre_log_error(ellipse, ln_M, static_cast<std::size_t>(times) * task.n);
+}
+
+template <class Term>
+void FastIntegral::add_nodes(Real& sum, const FastPiece& piece, Task& task, const Term& term) {
+    if (!task.by_levels) {
+        const FastNodes& nodes = piece.gauss(task.n);
+        term(sum, nodes);
+        nodes_ += nodes.weight.size();
+        return;
+    }
+    const double ln_tolerance = task.ln_error;
+    const double ln_units = 0.6931471805599453 * static_cast<double>(G_exponent_ - S_exponent_);
+    LevelEstimate estimate;
+    Real levels(0);
+    Real value(0);
+    bool done = false;
+    for (int k = 0; k <= last_level && !done; ++k) {
+        const FastNodes& nodes = piece.level(k);
+        term(levels, nodes);
+        nodes_ += nodes.weight.size();
+        value = levels * TanhSinhNodes<Real>::step(k);
+        task.ln_error = estimate.next(value) - ln_units;
+        done = k > first_level && task.ln_error <= ln_tolerance;
+    }
+    converged_ = converged_ && done;
+    sum += value;
+}
+
+void FastIntegral::add_share(Real& sum, const FastPiece& piece, Task& task) {
+    using Kind = Task::Kind;
+    if (piece.flat && (task.kind == Kind::inside || task.height == 0)) {
+        task.ln_error = -1e300;
+        return;
+    }
+    if (task.kind == Kind::far) {
+        const auto& from = [&](const FastNodes& n) -> const std::vector<Real>& {
+            return task.above ? n.from_hi : n.from_lo;
+        };
+        const auto& lift = [&](const FastNodes& n) -> const std::vector<Real>& {
+            return task.above ? n.lift_hi : n.lift_lo;
+        };
+        if (piece.constant_height(task.gap, task.height)) {
+            const Real height =
+                piece.flat ? task.height : Real(task.height - piece.beta * task.gap);
+            Real quotients(0);
+            add_nodes(quotients, piece, task, [&](Real& s, const FastNodes& n) {
+                sums_.add_quotients(s, n.weight, from(n), task.gap);
+            });
+            sum += piece.flat ? Real(height * quotients)
+                              : Real(height * quotients + piece.beta * piece.angle);
+        } else if (task.height == 0) {
+            add_nodes(sum, piece, task, [&](Real& s, const FastNodes& n) {
+                sums_.add_quotients(s, lift(n), from(n), task.gap);
+            });
+        } else {
+            add_nodes(sum, piece, task, [&](Real& s, const FastNodes& n) {
+                sums_.add_lifted(s, task.height, n.weight, lift(n), from(n), task.gap);
+            });
+        }
+        return;
+    }
+    Real own(0); // G from the near end to x by this piece's formula
+    if (task.kind == Kind::near) {
+        own = task.above ? piece.rise_to_hi(at_.x, Real(-task.step))
+                         : piece.rise_from_lo(at_.x, Real(-task.step));
+        own = -own;
+    }
+    if (piece.linear()) {
+        sum += piece.beta * piece.angle;
+        if (task.mirror_near) {
+            sum += piece.alpha * mirror_integral(piece);
+            task.ln_error = -1e300;
+        } else if (circle_.folded && piece.alpha != 0) {
+            Real quotients(0);
+            add_nodes(quotients, piece, task, [&](Real& s, const FastNodes& n) {
+                sums_.add_quotients(s, n.weight, n.s, at_.x);
+            });
+            sum += piece.alpha * quotients;
+        } else {
+            task.ln_error = -1e300;
+        }
+    } else if (task.kind == Kind::inside) {
+        add_nodes(sum, piece, task, [&](Real& s, const FastNodes& n) {
+            sums_.add_differences(s, n.weight, task.above ? n.rise_hi : n.rise_lo, task.height,
+                                  task.above ? n.from_hi : n.from_lo, task.gap,
+                                  [&](std::size_t k) { return quotient(piece, n, k); });
+        });
+    } else {
+        add_nodes(sum, piece, task, [&](Real& s, const FastNodes& n) {
+            sums_.add_lifted(s, own, n.weight, task.above ? n.lift_hi : n.lift_lo,
+                             task.above ? n.from_hi : n.from_lo, task.gap);
+        });
+    }
+    if (task.kind == Kind::near && task.gap != 0) {
+        sum += (task.height - own) * pole_integral(piece, task);
+    }
+}
+
+/// (G(s) - G(x))/(S - S_x) at a node so near to x that the difference cancels.
+Real FastIntegral::quotient(const FastPiece& piece, const FastNodes& nodes, std::size_t k) const {
+    const Task& task = tasks_[at_.piece];
+    const Real delta_S =
+        task.above ? Real(task.gap - nodes.from_hi[k]) : Real(nodes.from_lo[k] - task.gap);
+    const Real& x = at_.x;
+    if (!circle_.folded) {
+        return piece.curved->quotient(x, Real(x + delta_S), delta_S);
+    }
+    // ((s g(s) - x g(x))/(s - x))/(s + x), g without the corners.
+    const Real& s = nodes.s[k];
+    const Real q = piece.curved->quotient(x, s, Real(delta_S / (s + x)));
+    const Real G = at_working_precision(piece.curved->G(Ball(x, 64)).midpoint());
+    return Real((G / x + s * q) / (s + x));
+}
+
+/// The integral of d phi/|S - S_x| over a piece that x is not in.
+Real FastIntegral::pole_integral(const FastPiece& piece, const Task& task) {
+    const CircleMark& near = task.above ? *piece.hi : *piece.lo;
+    const CircleMark& far = task.above ? *piece.lo : *piece.hi;
+    const bool far_is_end = task.above ? piece.at_left_edge : piece.at_right_edge;
+    if (at_.left == 0) {
+        // x in the middle of a folded contact: the left end of the circle.
+        return Real(2 / circle_.length *
+                    (near.root_right / near.root_left -
+                     (far_is_end ? Real(0) : Real(far.root_right / far.root_left))));
+    }
+    const Real root_right = sqrt(at_.right);
+    const Real root_left = sqrt(at_.left);
+    const auto logarithm = [&](const CircleMark& m, const Real& gap) {
+        return log_one_plus(green_excess(Real(m.right * at_.left), Real(at_.right * m.left),
+                                         Real(m.root_right * root_left * root_right * m.root_left),
+                                         Real(circle_.length * gap)));
+    };
+    Real l = logarithm(near, task.gap);
+    if (!far_is_end) {
+        l -= logarithm(far, Real(task.gap + piece.span));
+    }
+    return Real(l / (root_right * root_left));
+}
+
+/// The integral of d phi/(s + x) over a piece of a folded contact: of ds/(w (s + x)), twice.
+Real FastIntegral::mirror_integral(const FastPiece& piece) const {
+    const Real a = at_working_precision(extent_.a);
+    const Real length = 2 * a;
+    const Real to_right = a + at_.x; // from -x
+    const Real to_left = at_.right / to_right;
+    const auto logarithm = [&](const CircleMark& m) {
+        // Both distances from the edges of the unfolded contact.
+        const Real left = a + m.v;
+        const Real right = m.right / left;
+        const Real p = right * to_left;
+        const Real q = to_right * left;
+        return log_one_plus(
+            green_excess(p, q, Real(m.root_right * sqrt(at_.right)), Real(length * (m.v + at_.x))));
+    };
+    Real l = logarithm(*piece.lo);
+    if (!piece.at_right_edge) {
+        l -= logarithm(*piece.hi);
+    }
+    return Real(2 * l / sqrt(at_.right));
+}
+
+Real FastIntegral::corners(const Point<Real>& at) {
+    Real sum(0);
+    const Real right = at_working_precision(at.right);
+    const Real left = at_working_precision(at.left);
+    const Real length = at_working_precision(extent_.length());
+    for (const Corner& corner : corners_) {
+        const auto excess = [&](const Real& v_right, const Real& v_left) {
+            const bool by_right = at.right < at.left;
+            const Real gap = at_working_precision(abs(circle_.marks[corner.mark].v == 0 ? at.x
+                                                      : by_right ? Real(v_right - at.right)
+                                                                 : Real(v_left - at.left)));
+            if (gap == 0) {
+                throw DomainError("the pressure is infinite at a corner of the profile");
+            }
+            const Real p = at_working_precision(v_right * left);
+            const Real q = at_working_precision(right * v_left);
+            return green_excess(p, q, Real(sqrt(p) * sqrt(q)), Real(length * gap));
+        };
+        Real e = excess(corner.right, corner.left);
+        if (corner.pair) {
+            const Real other = excess(corner.left, corner.right);
+            e = e + other + e * other;
+        }
+        sum += corner.jump * log_one_plus(e);
+    }
+    return sum;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/real.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof {
+
+/// ln |x|, in binary64 whatever the size of x; -1e300 for 0.
+[[nodiscard]] inline double ln_size(const Real& x) {
+    if (x == 0) {
+        return -1e300;
+    }
+    long exponent = 0;
+    const double mantissa = mpfr_get_d_2exp(&exponent, x.backend().data(), MPFR_RNDN);
+    return std::log(std::abs(mantissa)) + 0.6931471805599453 * static_cast<double>(exponent);
+}
+
+/// How far the last of a sequence of levels is from the integral, from the last two differences:
+/// the digits of a rule that converges quadratically grow as d_1^2/d_2 (D. H. Bailey, K. Jeyabalan,
+/// X. S. Li, Experimental Mathematics 14 (2005) 317). They double in theory; no more than 1.4 times
+/// as many are counted on, since an integrand with two scales is slower at first. An estimate.
+class LevelEstimate {
+public:
+    /// Takes the next level; returns ln of the estimated error, absolute.
+    double next(const Real& value) {
+        const double size = ln_size(value);
+        double error = 1e300;
+        if (count_ > 0) {
+            const double d1 = ln_size(Real(value - last_)) - size;
+            error = d1;
+            if (count_ > 1) {
+                const double d2 = ln_size(Real(value - before_)) - size;
+                if (d1 < d2 && d2 < -2) {
+                    error = std::max(d1 * (d1 / d2), 1.4 * d1);
+                }
+            }
+            difference_ = d1 + size;
+            error += size;
+        }
+        before_ = last_;
+        last_ = value;
+        ++count_;
+        return error;
+    }
+    /// ln of the last difference.
+    [[nodiscard]] double difference() const { return difference_; }
+
+private:
+    Real last_;
+    Real before_;
+    int count_ = 0;
+    double difference_ = 1e300;
+};
+
+} // namespace edgeproof

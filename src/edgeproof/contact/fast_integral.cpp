@@ -135,8 +135,7 @@ RoutedPressure<Real> FastIntegral::operator()(const Point<Real>& at) {
     }
     RoutedPressure<Real> p;
     ln_error -= ln_size(value);
-    mpfr_set_d(raw(p.estimate), std::max(ln_error, -1e15), MPFR_RNDN);
-    mpfr_exp(raw(p.estimate), raw(p.estimate), MPFR_RNDN);
+    p.estimate = from_ln_size(ln_error);
     p.value = value * factor_;
     p.evaluations = nodes_;
     p.converged = converged_ && ln_error < -static_cast<double>(digits_) * ln_10;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/fast_power_law.hpp"
 
-#include "edgeproof/contact/fast_sums.hpp"
+#include "edgeproof/contact/fast_circle.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/bernstein.hpp"
@@ -15,135 +15,248 @@
 namespace edgeproof {
 namespace {
 
-/// From here inwards the integral over t costs less than that over w.
-constexpr double apex_begins = 0.62;
-/// Of tanh-sinh: from here inwards over ln s.
-constexpr double far_begins = 0.05;
+/// From here inwards the rule for the apex takes fewer nodes than the one for the edge.
+constexpr double apex_begins = 0.5;
+/// Nearer to the apex tanh-sinh runs over ln s.
+constexpr double far_begins = 1e-8;
+/// Steps of the recurrence, beyond which powers at the nodes cost less.
+constexpr unsigned long most_steps = 200;
+/// Nodes of a rule whose weights take their square of steps to make.
+constexpr double most_product_nodes = 1300;
+constexpr double most_nodes = 20000;
 constexpr double ln_10 = 2.302585092994046;
-constexpr std::size_t most_nodes = 20000;
-constexpr int last_level = 12;
+constexpr int last_level = 13;
 
 mpfr_ptr raw(Real& x) { return x.backend().data(); }
 mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 long precision_of(const Real& x) { return mpfr_get_prec(raw(x)); }
 
-Real middle_of(const Ball& x) { return at_working_precision(x.midpoint()); }
-
-Exact half_less_one(const Exact& m) {
-    return Exact((m.expr() - Expr::number(1)) / Expr::number(2));
+void set_middle(Real& x, const Ball& ball) {
+    arf_get_mpfr(raw(x), arb_midref(ball.data()), MPFR_RNDN);
 }
+
 Exact exponent_of_integrand(const Exact& m) {
-    return m.is_rational() ? Exact::of(Rational((m.rational() - 1) / 2)) : half_less_one(m);
+    return m.is_rational() ? Exact::of(Rational((m.rational() - 1) / 2))
+                           : Exact((m.expr() - Expr::number(1)) / Expr::number(2));
+}
+
+/// t^p (1 - t)^r.
+Real weight_at(const Real& t, const Real& rest, const Real& p, const Real& r) {
+    const long bits = precision_of(p) + 32;
+    const Ball power =
+        exp(Ball(p, bits) * log(Ball(t, bits)) + Ball(r, bits) * log(Ball(rest, bits)));
+    return at_working_precision(power.midpoint());
 }
 
 } // namespace
 
 unsigned FastPowerLaw::lost_digits(const Exact& m) {
-    const double about = static_cast<double>(m.to<Real>());
-    if (about > 1e9) {
-        throw DomainError("a power law of this exponent has no fast route");
-    }
-    const double nearest = 2 * std::round(about / 2);
-    const double distance = std::abs(static_cast<double>(Real(m.to<Real>() - Real(nearest))));
-    return distance > 0 && distance < 1 ? static_cast<unsigned>(std::ceil(-std::log10(distance)))
-                                        : 0;
+    const Real value = m.to<Real>();
+    const Real distance = abs(value - 2 * round(Real(value / 2)));
+    return distance > 0 && distance < 1
+               ? static_cast<unsigned>(std::ceil(-static_cast<double>(log10(distance))))
+               : 0;
 }
 
-FastPowerLaw::FastPowerLaw(const Exact& m, Real rate, Real a, unsigned digits,
+FastPowerLaw::FastPowerLaw(const Exact& m, const Real& rate, const Real& a, unsigned digits,
                            FastPressure::Rule rule)
-    : m_(m), m_real_(m.to<Real>()), m_double_(static_cast<double>(m_real_)),
-      scale_(rate / pi<Real>()), a_(std::move(a)), digits_(digits), rule_(rule),
-      power_(exponent_of_integrand(m)),
-      steps_(static_cast<unsigned long>(static_cast<double>(floor(Real(m_real_ / 2))))),
-      n_(m_real_ - 2 * Real(steps_)), n_double_(static_cast<double>(n_)) {
-    if (m.is_rational()) {
-        n_exact_ = m.rational() - 2 * Rational(steps_);
+    : m_(m.to<Real>()), m_double_(static_cast<double>(m_)), scale_(rate / pi<Real>()),
+      inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * ln_10), rule_(rule),
+      power_(exponent_of_integrand(m)) {
+    if (!(m_double_ < 1e15)) {
+        throw DomainError("a power law of so large an exponent has no fast route");
     }
+    const Real half = floor(Real(m_ / 2));
+    steps_ = static_cast<unsigned long>(half);
+    n_ = m.is_rational() ? from_rational<Real>(Rational(m.rational() - 2 * Rational(steps_)))
+                         : Real(m_ - 2 * half);
+    b_ = (1 - n_) / 2;
+    n_double_ = static_cast<double>(n_);
     if (n_ != 0 && n_ != 1) {
-        const long bits = precision_of(n_) + 32;
-        const Ball n(n_, bits);
-        apex_factor_ = middle_of(sqrt(Ball::pi(bits)) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2));
+        const Ball n(n_, precision_of(n_) + 32);
+        const Ball pi = Ball::pi(n.bits());
+        set_middle(apex_factor_, sqrt(pi) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2));
     }
 }
 
 RoutedPressure<Real> FastPowerLaw::operator()(const Point<Real>& at) {
-    const Real q = at_working_precision(Real(abs(at.x) / a_));
-    const Real y = at_working_precision(Real(at.right * at.left / (a_ * a_)));
-    const Real root = sqrt(y);
-    const double about_q = static_cast<double>(q);
+    mpfr_mul(raw(q_), raw(at.x), raw(inverse_a_), MPFR_RNDN);
+    mpfr_abs(raw(q_), raw(q_), MPFR_RNDN);
+    mpfr_sqr(raw(square_), raw(q_), MPFR_RNDN);
+    mpfr_mul(raw(y_), raw(at.right), raw(inverse_a_), MPFR_RNDN);
+    mpfr_mul(raw(y_), raw(y_), raw(at.left), MPFR_RNDN);
+    mpfr_mul(raw(y_), raw(y_), raw(inverse_a_), MPFR_RNDN);
+    mpfr_sqrt(raw(root_), raw(y_), MPFR_RNDN);
+    const double q = static_cast<double>(q_);
+    const bool levels = rule_ == FastPressure::Rule::tanh_sinh;
     Share share;
-    if (q == 0) {
-        share.value = 1 / m_real_;
-    } else if (rule_ == FastPressure::Rule::tanh_sinh) {
-        share = about_q < far_begins ? by_tanh_sinh_far(q) : by_tanh_sinh(root, y);
+    if (q_ == 0) {
+        share.value = 1 / m_;
+    } else if (steps_ > most_steps && q >= apex_begins) {
+        share = levels ? powers_by_levels() : powers_by_rule(q);
+    } else if (levels && q < far_begins) {
+        share = far_by_levels();
+    } else if (n_ == 1) {
+        share = lifted([&] { return Share{root_}; });
+    } else if (levels) {
+        share = lifted([&] { return edge_by_levels(); });
+    } else if (q < apex_begins) {
+        share = lifted([&] { return apex_by_rule(); });
     } else {
-        // A polynomial of low degree is summed exactly wherever the point is.
-        const bool odd = n_ == 1 && m_double_ < 40;
-        share = about_q < apex_begins && !odd ? near_apex(root, q) : by_gauss(root, y, about_q);
+        mpfr_div(raw(gap_), raw(square_), raw(y_), MPFR_RNDN);
+        const Choice choice = choose_edge(q);
+        share = choice.n == 0 ? powers_by_rule(q) : lifted([&] { return edge_by_rule(choice); });
     }
     RoutedPressure<Real> p;
-    p.value = scale_ * share.value;
-    p.estimate = exp(Real(std::max(share.ln_error - ln_size(share.value), -1e15)));
+    mpfr_mul(raw(p.value), raw(scale_), raw(share.value), MPFR_RNDN);
+    p.estimate = from_ln_size(share.ln_error - ln_size(share.value));
     p.evaluations = share.nodes;
     p.converged = share.converged;
     return p;
 }
 
-/// The fewest nodes over all ellipses, or with `n` given the least error; for the integrand over
-/// -1 < w/W < 1, q^2 + y (w/W)^2 to the power e, whose integral over half of that is at least
-/// 1/max(1, m).
-double FastPowerLaw::gauss_nodes_needed(double q, double y, double* ln_error, std::size_t n) const {
-    const double e = (m_double_ - 1) / 2;
-    if (n_ == 1) {
-        // Of degree 2 e: exact from here on.
-        const double exact = std::ceil((2 * e + 1) / 2);
-        if (ln_error != nullptr) {
-            *ln_error = static_cast<double>(n) >= exact ? -1e300 : *ln_error;
-        } else if (exact < 40) {
-            return exact;
-        }
+template <class Base> FastPowerLaw::Share FastPowerLaw::lifted(const Base& base) {
+    if (steps_ == 0) {
+        return base();
     }
-    const double ln_tolerance =
-        -(static_cast<double>(digits_) + 3) * ln_10 - std::log(std::max(1.0, m_double_));
-    const double highest = q / std::sqrt(y);
-    double fewest = 1e300;
-    for (const double part : {0.5, 0.7, 0.82, 0.9, 0.95, 0.975, 0.99}) {
-        const double b = part * highest;
-        const double rho = b + std::sqrt(b * b + 1);
-        const double a2 = b * b + 1;
-        const double ln_M = e * std::log(e < 0 ? q * q * (1 - part * part) : q * q + y * a2);
-        const BernsteinEllipse ellipse{1, rho};
-        if (ln_error != nullptr) {
-            *ln_error = std::min(*ln_error, gauss_legendre_log_error(ellipse, ln_M, n));
-        } else {
-            fewest = std::min(fewest, gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance));
-        }
-    }
-    return fewest;
-}
-
-FastPowerLaw::Share FastPowerLaw::by_gauss(const Real& root, const Real& y, double q) {
-    // The sum over half of an even integrand: half of the rule's nodes.
-    const double about_y = static_cast<double>(y);
-    const double needed = gauss_nodes_needed(q, about_y, nullptr, 0) / 2;
-    if (!(needed < most_nodes)) {
-        throw BudgetError("a power law asks for too many nodes here");
-    }
-    const std::size_t n = rounded_up_nodes(needed);
     Real sum(0);
-    add_powers(sum, gauss(n), y);
-    double ln_error = 1e300;
-    (void)gauss_nodes_needed(q, about_y, &ln_error, 2 * n);
-    Share share;
-    share.value = root * sum;
-    share.ln_error = ln_error + ln_size(root);
-    share.nodes = n;
+    Real factor(root_);
+    Real exponent(m_);
+    for (unsigned long k = 0; k < steps_; ++k) {
+        mpfr_div(raw(factor), raw(factor), raw(exponent), MPFR_RNDN);
+        mpfr_add(raw(sum), raw(sum), raw(factor), MPFR_RNDN);
+        mpfr_sub_ui(raw(exponent), raw(exponent), 1, MPFR_RNDN);
+        mpfr_mul(raw(factor), raw(factor), raw(exponent), MPFR_RNDN);
+        mpfr_mul(raw(factor), raw(factor), raw(square_), MPFR_RNDN);
+        mpfr_sub_ui(raw(exponent), raw(exponent), 1, MPFR_RNDN);
+        // 0 <= I_n <= W for n >= 1.
+        if (k + 1 < steps_ && ln_size(factor) < ln_tolerance_ - 12 + ln_size(sum)) {
+            return {sum, ln_size(factor)};
+        }
+    }
+    factor /= root_;
+    if (ln_size(factor) < -1e200) {
+        return {sum};
+    }
+    Share share = base();
+    mpfr_mul(raw(share.value), raw(share.value), raw(factor), MPFR_RNDN);
+    mpfr_add(raw(share.value), raw(share.value), raw(sum), MPFR_RNDN);
+    share.ln_error += ln_size(factor);
     return share;
 }
 
-void FastPowerLaw::add_powers(Real& sum, const MiddleNodes& nodes, const Real& y) {
-    for (std::size_t k = 0; k < nodes.c.size(); ++k) {
-        mpfr_mul(raw(below_), raw(nodes.c[k]), raw(y), MPFR_RNDN);
+/// The pole is q^2/W^2 beyond t = 1.
+FastPowerLaw::Choice FastPowerLaw::choose_edge(double q) const {
+    const double gap = in_units(gap_, 0);
+    const double pole_rho = (1 + q) / std::max(in_units(y_, 0) / (1 + q), 1e-300);
+    const double guess = -ln_tolerance_ / std::log(pole_rho);
+    const double part = 1 - 1 / (1 + guess * std::sqrt(gap / (gap + 1)));
+    const double rho = BernsteinEllipse::beyond(1, 2 * part * gap).rho;
+    const double ln_M = -std::log(gap * (1 - part));
+    const double ln_size = std::log(std::max(1e-300, std::abs(1 - n_double_)) / 3) + ln_M;
+    const double needed = 2 + (std::log(8 / (rho - 1)) + ln_size - ln_tolerance_) / std::log(rho);
+    const bool many = needed > most_product_nodes;
+    return {many ? 0 : rounded_up_nodes(std::max(1.0, needed)), rho, ln_M};
+}
+
+FastPowerLaw::Share FastPowerLaw::edge_by_rule(const Choice& choice) {
+    auto found = edge_.find(choice.n);
+    if (found == edge_.end()) {
+        found = edge_.try_emplace(choice.n, choice.n, b_, Real(n_ / 2)).first;
+    }
+    const ProductRule& rule = found->second;
+    Share share{Real(0)};
+    sums_.add_quotients(share.value, rule.weight, rule.from_end, gap_);
+    close_edge(share);
+    share.nodes = choice.n;
+    share.ln_error =
+        product_rule_log_error(choice.n, choice.rho, choice.ln_M, rule.size) + ln_size(root_);
+    return share;
+}
+
+/// W (1 + (2b/3) times the mean).
+void FastPowerLaw::close_edge(Share& share) {
+    mpfr_mul(raw(share.value), raw(share.value), raw(b_), MPFR_RNDN);
+    mpfr_mul_2ui(raw(share.value), raw(share.value), 1, MPFR_RNDN);
+    mpfr_div_ui(raw(share.value), raw(share.value), 3, MPFR_RNDN);
+    mpfr_add_ui(raw(share.value), raw(share.value), 1, MPFR_RNDN);
+    mpfr_mul(raw(share.value), raw(share.value), raw(root_), MPFR_RNDN);
+}
+
+FastPowerLaw::Share FastPowerLaw::apex_by_rule() {
+    const long bits = precision_of(n_) + 16;
+    Share share;
+    if (n_ == 0) {
+        set_middle(share.value, asinh(Ball(root_, bits) / Ball(q_, bits)));
+        return share;
+    }
+    // The integrand over 0 < t < 1 is at most q^2/|r| where 1 - q^2 t stays off zero.
+    const double about = in_units(square_, 0);
+    const double excess = 2 * (1 - about) / std::max(about, 1e-280);
+    const double guess = -ln_tolerance_ / std::log(BernsteinEllipse::beyond(1, excess).rho);
+    const double part = 1 - 1 / (2 + 2 * guess * std::sqrt(excess / (excess + 2)));
+    const double rho = BernsteinEllipse::beyond(1, part * excess).rho;
+    const double ln_M = ln_size(square_) - std::log((1 - part) * (1 - about)) / 2;
+    const double needed =
+        2 + (std::log(8 / (rho - 1) / (2 - n_double_)) + ln_M - ln_tolerance_) / std::log(rho);
+    const std::size_t n = rounded_up_nodes(std::max(1.0, needed));
+    auto found = apex_.find(n);
+    if (found == apex_.end()) {
+        found = apex_.try_emplace(n, n, Real(-n_ / 2), Real(0)).first;
+    }
+    const ProductRule& rule = found->second;
+    Real sum(0);
+    Real r;
+    for (std::size_t k = 0; k < rule.t.size(); ++k) {
+        mpfr_mul(raw(below_), raw(rule.t[k]), raw(square_), MPFR_RNDN);
+        mpfr_ui_sub(raw(below_), 1, raw(below_), MPFR_RNDN);
+        mpfr_sqrt(raw(r), raw(below_), MPFR_RNDN);
+        mpfr_add(raw(below_), raw(below_), raw(r), MPFR_RNDN);
+        mpfr_div(raw(above_), raw(rule.weight[k]), raw(below_), MPFR_RNDN);
+        mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
+    }
+    const long more = 64; // a power of a small number
+    const Ball power = exp(Ball(n_, bits + more) * log(Ball(q_, bits + more)));
+    set_middle(above_, power);
+    share.value = apex_factor_ * above_ + 1 / n_ - square_ * sum / (2 - n_);
+    share.nodes = n;
+    share.ln_error = product_rule_log_error(n, rho, ln_M, rule.size) - std::log(2 - n_double_);
+    return share;
+}
+
+/// The integrand over -1 < w/W < 1, (q^2 + y (w/W)^2)^e, is holomorphic but for w = +-iq. Its
+/// integral over half of that is at least 1/max(1, m): of the even rule, half of the nodes.
+FastPowerLaw::Share FastPowerLaw::powers_by_rule(double q) {
+    const double y = in_units(y_, 0);
+    const double e = (m_double_ - 1) / 2;
+    const double ln_tolerance = ln_tolerance_ - std::log(std::max(1.0, m_double_));
+    const double highest = q / std::sqrt(y);
+    double fewest = most_nodes;
+    Share share{Real(0)};
+    for (const double part : {0.3, 0.6, 0.85, 0.95, 0.99}) {
+        const double h = part * highest;
+        const BernsteinEllipse ellipse{1, h + std::sqrt(h * h + 1)};
+        const double ln_M =
+            e * std::log(e < 0 ? q * q * (1 - part * part) : q * q + y * (h * h + 1));
+        const double needed = gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance);
+        if (needed < fewest) {
+            fewest = needed;
+            share.nodes = rounded_up_nodes(needed / 2);
+            share.ln_error = gauss_legendre_log_error(ellipse, ln_M, 2 * share.nodes);
+        }
+    }
+    if (share.nodes == 0) {
+        throw BudgetError("a power law of this exponent asks for too many nodes here");
+    }
+    add_powers(share.value, power_nodes(share.nodes));
+    share.value *= root_;
+    share.ln_error += ln_size(root_);
+    return share;
+}
+
+void FastPowerLaw::add_powers(Real& sum, const Nodes& nodes) {
+    for (std::size_t k = 0; k < nodes.from.size(); ++k) {
+        mpfr_mul(raw(below_), raw(nodes.from[k]), raw(y_), MPFR_RNDN);
         mpfr_ui_sub(raw(below_), 1, raw(below_), MPFR_RNDN);
         power_(above_, below_);
         mpfr_mul(raw(above_), raw(above_), raw(nodes.weight[k]), MPFR_RNDN);
@@ -151,30 +264,44 @@ void FastPowerLaw::add_powers(Real& sum, const MiddleNodes& nodes, const Real& y
     }
 }
 
-const FastPowerLaw::MiddleNodes& FastPowerLaw::gauss(std::size_t n) {
-    auto& nodes = gauss_[n];
-    if (nodes.c.empty()) {
+const FastPowerLaw::Nodes& FastPowerLaw::power_nodes(std::size_t n) {
+    auto& nodes = powers_[n];
+    if (nodes.from.empty()) {
         const auto rule = gauss_legendre_rule(2 * n, precision_of(below_));
         for (std::size_t k = 0; k < rule->x.size(); ++k) {
-            nodes.c.push_back(rule->from_end[k] * (1 + rule->x[k]));
+            nodes.from.push_back(rule->from_end[k] * (1 + rule->x[k]));
             nodes.weight.push_back(rule->weight[k]);
         }
     }
     return nodes;
 }
 
-const FastPowerLaw::MiddleNodes& FastPowerLaw::level(int level) {
-    auto& nodes = levels_[level];
-    if (nodes.c.empty()) {
+template <class AddLevel> FastPowerLaw::Share FastPowerLaw::by_levels(const AddLevel& add_level) {
+    Share share;
+    share.converged = false;
+    LevelEstimate estimate;
+    Real sum(0);
+    for (int k = 0; k <= last_level && !share.converged; ++k) {
+        share.nodes += add_level(sum, k);
+        share.value = sum * TanhSinhNodes<Real>::step(k);
+        share.ln_error = estimate.next(share.value);
+        share.converged = k > 3 && share.ln_error <= ln_tolerance_ + ln_size(share.value);
+    }
+    return share;
+}
+
+const FastPowerLaw::Nodes& FastPowerLaw::power_level(int level) {
+    auto& nodes = power_levels_[level];
+    if (nodes.from.empty()) {
         const Real least = pow(Real(10), -static_cast<int>(working_digits()) - 2);
         for (const auto& node : tanh_sinh_nodes<Real>().level(level)) {
             if (node.near < least) {
                 break;
             }
-            nodes.c.push_back(node.near * (1 + node.far));
+            nodes.from.push_back(node.near * (1 + node.far));
             nodes.weight.push_back(node.weight);
             if (node.t != 0) {
-                nodes.c.push_back(node.far * (1 + node.near));
+                nodes.from.push_back(node.far * (1 + node.near));
                 nodes.weight.push_back(node.weight);
             }
         }
@@ -182,194 +309,84 @@ const FastPowerLaw::MiddleNodes& FastPowerLaw::level(int level) {
     return nodes;
 }
 
-FastPowerLaw::Share FastPowerLaw::by_tanh_sinh(const Real& root, const Real& y) {
-    Share share;
-    share.converged = false;
-    const double ln_tolerance = -(static_cast<double>(digits_) + 3) * ln_10;
-    LevelEstimate estimate;
-    Real sum(0);
-    for (int k = 0; k <= last_level && !share.converged; ++k) {
-        const MiddleNodes& nodes = level(k);
-        add_powers(sum, nodes, y);
-        share.nodes += nodes.c.size();
-        share.value = sum * TanhSinhNodes<Real>::step(k);
-        share.ln_error = estimate.next(share.value);
-        share.converged = k > 3 && share.ln_error <= ln_tolerance + ln_size(share.value);
+FastPowerLaw::Share FastPowerLaw::powers_by_levels() {
+    Share share = by_levels([&](Real& sum, int k) {
+        const Nodes& nodes = power_level(k);
+        add_powers(sum, nodes);
+        return nodes.from.size();
+    });
+    share.value *= root_;
+    share.ln_error += ln_size(root_);
+    return share;
+}
+
+const FastPowerLaw::Nodes& FastPowerLaw::edge_level(int level) {
+    auto& nodes = edge_levels_[level];
+    if (nodes.from.empty()) {
+        // As a mean: divided by B(b + 1, (3 - n)/2 + ...), the integral of the weight.
+        const Ball b(b_, precision_of(b_) + 32);
+        const Ball r = Ball(n_, b.bits()) / 2;
+        Real norm;
+        set_middle(norm, gamma(b + r + 2) / (gamma(b + 1) * gamma(r + 1)));
+        const Real half_n = n_ / 2;
+        for (const auto& node : tanh_sinh_nodes<Real>().level(level)) {
+            const auto add = [&](const Real& t, const Real& rest) {
+                nodes.from.push_back(rest);
+                nodes.weight.push_back(node.weight * norm * weight_at(t, rest, b_, half_n));
+            };
+            add(node.far, node.near);
+            if (node.t != 0) {
+                add(node.near, node.far);
+            }
+        }
     }
-    share.value *= root;
-    share.ln_error += ln_size(root);
+    return nodes;
+}
+
+FastPowerLaw::Share FastPowerLaw::edge_by_levels() {
+    mpfr_div(raw(gap_), raw(square_), raw(y_), MPFR_RNDN);
+    Share share = by_levels([&](Real& sum, int k) {
+        const Nodes& nodes = edge_level(k);
+        sums_.add_quotients(sum, nodes.weight, nodes.from, gap_);
+        return nodes.from.size();
+    });
+    share.ln_error += ln_size(root_);
+    close_edge(share);
     return share;
 }
 
 /// Over s = exp(-L (1 - r)), L = ln(1/q): of s^(m+1)/sqrt(s^2 - q^2).
-FastPowerLaw::Share FastPowerLaw::by_tanh_sinh_far(const Real& q) {
-    Share share;
-    share.converged = false;
-    const double ln_tolerance = -(static_cast<double>(digits_) + 3) * ln_10;
-    const long bits = precision_of(n_) + 16;
-    const Ball length = -log(Ball(q, bits));
-    const Ball m(m_real_, bits);
-    LevelEstimate estimate;
-    Real sum(0);
-    const auto add = [&](const Real& lo, const Real& hi, const Real& weight) {
+FastPowerLaw::Share FastPowerLaw::far_by_levels() {
+    const long bits = precision_of(m_) + 16;
+    const Ball length = -log(Ball(q_, bits));
+    const Ball m(m_, bits);
+    const Real least = pow(Real(10), -2 * static_cast<int>(working_digits()) - 4);
+    const auto f = [&](const Real& lo, const Real& hi) {
         // s/q - 1, and s^m/sqrt(1 - (q/s)^2).
         const Ball beyond = expm1(length * Ball(lo, bits));
         const Ball scaled = exp(-(m * length * Ball(hi, bits)));
-        const Ball f = scaled * (beyond + 1) / sqrt(beyond * (beyond + 2));
-        arf_get_mpfr(raw(above_), arb_midref(f.data()), MPFR_RNDN);
-        mpfr_mul(raw(above_), raw(above_), raw(weight), MPFR_RNDN);
-        mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
-        ++share.nodes;
+        set_middle(above_, scaled * (beyond + 1) / sqrt(beyond * (beyond + 2)));
+        return above_;
     };
-    const Real least = pow(Real(10), -2 * static_cast<int>(working_digits()) - 4);
-    for (int k = 0; k <= last_level && !share.converged; ++k) {
+    Share share = by_levels([&](Real& sum, int k) {
+        std::size_t count = 0;
         for (const auto& node : tanh_sinh_nodes<Real>().level(k)) {
             if (node.near < least) {
                 break;
             }
-            add(node.near, node.far, node.weight);
+            sum += f(node.near, node.far) * node.weight;
+            ++count;
             if (node.t != 0) {
-                add(node.far, node.near, node.weight);
+                sum += f(node.far, node.near) * node.weight;
+                ++count;
             }
         }
-        share.value = sum * TanhSinhNodes<Real>::step(k);
-        share.ln_error = estimate.next(share.value);
-        share.converged = k > 3 && share.ln_error <= ln_tolerance + ln_size(share.value);
-    }
-    const Real factor = middle_of(length);
-    share.value *= factor;
-    share.ln_error += ln_size(factor);
+        return count;
+    });
+    set_middle(above_, length);
+    share.value *= above_;
+    share.ln_error += ln_size(above_);
     return share;
-}
-
-FastPowerLaw::Share FastPowerLaw::near_apex(const Real& root, const Real& q) {
-    const Real square = q * q;
-    if (steps_ == 0) {
-        return base_near_apex(root, q, square);
-    }
-    Share share;
-    Real factor(1);
-    Real exponent = m_real_;
-    const double ln_least = -(static_cast<double>(digits_) + 8) * ln_10;
-    share.value = 0;
-    for (unsigned long k = 0; k < steps_; ++k) {
-        const Real term = factor * root / exponent;
-        share.value += term;
-        factor *= (exponent - 1) / exponent * square;
-        exponent -= 2;
-        // 0 <= I_n <= root/n for n >= 1; and m of these terms are left.
-        if (factor == 0) {
-            return share;
-        }
-        if (ln_size(factor) < ln_least + ln_size(share.value) && k + 1 < steps_) {
-            share.ln_error = ln_size(Real(factor * root));
-            return share;
-        }
-    }
-    const Share base = base_near_apex(root, q, square);
-    share.value += factor * base.value;
-    share.ln_error = base.ln_error + ln_size(factor);
-    share.nodes = base.nodes;
-    return share;
-}
-
-FastPowerLaw::Share FastPowerLaw::base_near_apex(const Real& root, const Real& q,
-                                                 const Real& square) {
-    Share share;
-    if (n_ == 1) {
-        share.value = root;
-        return share;
-    }
-    const long bits = precision_of(n_) + 16;
-    if (n_ == 0) {
-        share.value = middle_of(asinh(Ball(root, bits) / Ball(q, bits)));
-        return share;
-    }
-    share.value = 1 / n_;
-    // The integrand over 0 < t < 1 is at most q^2/|r| where 1 - q^2 t stays off zero.
-    const double about = static_cast<double>(square);
-    const double end = 2 / std::max(about, 1e-290) - 1;
-    double fewest = 1e300;
-    BernsteinEllipse best{1, 2};
-    double best_ln_M = 0;
-    const double ln_tolerance = -(static_cast<double>(digits_) + 3) * ln_10;
-    for (const double part : {0.5, 0.8, 0.92, 0.97}) {
-        const BernsteinEllipse ellipse = BernsteinEllipse::beyond(1, part * (end - 1));
-        const double ln_M = ln_size(square) - std::log((1 - part) * (1 - about)) / 2;
-        const double needed =
-            1 + (std::log(4 / (1 - n_double_ / 2)) + ln_M - ln_tolerance) / std::log(ellipse.rho);
-        if (needed < fewest) {
-            fewest = needed;
-            best = ellipse;
-            best_ln_M = ln_M;
-        }
-    }
-    const std::size_t n = rounded_up_nodes(fewest);
-    const ApexNodes& nodes = apex(n);
-    Real sum(0);
-    Real r;
-    for (std::size_t k = 0; k < n; ++k) {
-        mpfr_mul(raw(below_), raw(nodes.t[k]), raw(square), MPFR_RNDN);
-        mpfr_ui_sub(raw(below_), 1, raw(below_), MPFR_RNDN);
-        mpfr_sqrt(raw(r), raw(below_), MPFR_RNDN);
-        mpfr_add(raw(below_), raw(below_), raw(r), MPFR_RNDN);
-        mpfr_div(raw(above_), raw(nodes.weight[k]), raw(below_), MPFR_RNDN);
-        mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
-    }
-    share.value -= square * sum / 2;
-    const long far = 64;
-    const Ball power = exp(Ball(n_, bits + far) * log(Ball(q, bits + far)));
-    share.value += apex_factor_ * middle_of(power);
-    share.nodes = n;
-    // What the best polynomial of degree n - 1 leaves (Trefethen, theorem 8.2), integrated and
-    // summed.
-    share.ln_error = std::log(2 / (best.rho - 1)) + best_ln_M + nodes.ln_size -
-                     (static_cast<double>(n) - 1) * std::log(best.rho);
-    return share;
-}
-
-const FastPowerLaw::ApexNodes& FastPowerLaw::apex(std::size_t n) {
-    auto& nodes = apex_[n];
-    if (!nodes.t.empty()) {
-        return nodes;
-    }
-    const unsigned digits = working_digits();
-    const PrecisionScope scope(digits + 12);
-    const auto rule = gauss_legendre_rule(n, precision_of(n_) + 64);
-    // Of P_k over t^(-n/2): a product, by Rodrigues' formula.
-    const Real alpha = -n_ / 2;
-    std::vector<Real> moments{Real(1 / (alpha + 1))};
-    for (std::size_t k = 1; k < n; ++k) {
-        const auto j = static_cast<long>(k);
-        moments.push_back(moments.back() * (alpha - j + 1) / (alpha + j + 1));
-    }
-    Real size(0);
-    const auto add = [&](const Real& x, const Real& t, const Real& weight) {
-        Real before(1);
-        Real now = x;
-        Real sum = moments[0];
-        for (std::size_t k = 1; k < n; ++k) {
-            const auto j = static_cast<long>(k);
-            sum += (2 * j + 1) * moments[k] * now;
-            Real next = ((2 * j + 1) * x * now - j * before) / (j + 1);
-            before = std::move(now);
-            now = std::move(next);
-        }
-        const Real w = weight / 2 * sum;
-        size += abs(w);
-        const PrecisionScope back(digits);
-        nodes.t.push_back(at_working_precision(t));
-        nodes.weight.push_back(at_working_precision(w));
-    };
-    for (std::size_t k = 0; k < rule->x.size(); ++k) {
-        const Real& x = rule->x[k];
-        add(x, Real((1 + x) / 2), rule->weight[k]);
-        if (x != 0) {
-            add(Real(-x), Real(rule->from_end[k] / 2), rule->weight[k]);
-        }
-    }
-    nodes.ln_size = ln_size(Real(size + moments[0]));
-    return nodes;
 }
 
 } // namespace edgeproof

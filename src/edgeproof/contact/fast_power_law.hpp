@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/fast_pressure.hpp"
+#include "edgeproof/contact/fast_sums.hpp"
 #include "edgeproof/contact/real_power.hpp"
+#include "edgeproof/quadrature/product_rule.hpp"
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace edgeproof {
 
 /// The pressure of a power law, P'(a)/pi times I_m(q), q = |x|/a (moore-hills.tex
-/// eqn:MossakovskiiPressure): I_m is the integral of s^m/sqrt(s^2 - q^2) over q < s < 1. By
-/// w^2 = s^2 - q^2 it is that of (q^2 + w^2)^((m-1)/2) over 0 < w < sqrt(1 - q^2), without a
-/// singularity at an end, and far from any while q is not small. Near the apex it is
-/// q^n times a constant of the contact, and a smooth function of q^2:
-///   1/n - (1/2) integral of t^(-n/2) q^2/(r (1 + r)) over 0 < t < 1,  r = sqrt(1 - q^2 t),
-/// 0 < n < 2, from where m I_m = sqrt(1 - q^2) + (m - 1) q^2 I_{m-2} leads up to m. That integral
-/// has no power of the point in it: t^(-n/2) is in the weights of the rule.
+/// eqn:MossakovskiiPressure): I_m is the integral of s^m/sqrt(s^2 - q^2) over q < s < 1. No node
+/// that a point has to itself takes a power:
+///   m I_m = W + (m - 1) q^2 I_{m-2},  W = sqrt(1 - q^2),
+/// leads down to 0 <= n < 2, where away from the apex Euler's integral is
+///   I_n/W = 1 + (2b/3) mean of 1/(q^2/W^2 + 1 - t),  weight t^b (1 - t)^(n/2), b = (1 - n)/2,
+/// and near it q^n comes out with a constant of the contact (DLMF 15.8.4):
+///   I_n = C q^n + 1/n - (mean of q^2/(r (1 + r)))/(2 - n),  weight t^(-n/2), r = sqrt(1 - q^2 t).
+/// The rules have those weights in theirs. Exponents beyond some hundreds are left to
+///   I_m = integral of (q^2 + w^2)^((m-1)/2) over 0 < w < W.
 class FastPowerLaw {
 public:
     /// At the thread's working precision; `rate` is P'(a).
-    FastPowerLaw(const Exact& m, Real rate, Real a, unsigned digits, FastPressure::Rule rule);
+    FastPowerLaw(const Exact& m, const Real& rate, const Real& a, unsigned digits,
+                 FastPressure::Rule rule);
     [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
     /// Digits that cancel between the parts near the apex, for m near an even number.
     [[nodiscard]] static unsigned lost_digits(const Exact& m);
@@ -33,47 +37,59 @@ private:
         std::size_t nodes = 0;
         bool converged = true;
     };
-    /// Nodes for w: c = 1 - (w/W)^2, and weights over 0 < w/W < 1.
-    struct MiddleNodes {
-        std::vector<Real> c;
+    /// Nodes of a sum of weight/(from + gap), or of weight times a power of 1 - from y.
+    struct Nodes {
+        std::vector<Real> from;
         std::vector<Real> weight;
     };
-    /// Nodes for t, with t^(-n/2) in the weights: exact for polynomials of their number.
-    struct ApexNodes {
-        std::vector<Real> t;
-        std::vector<Real> weight;
-        double ln_size; ///< of the sum of |weight|, and of the weight's integral
+    struct Choice {
+        std::size_t n;
+        double rho;
+        double ln_M;
     };
-    [[nodiscard]] Share by_gauss(const Real& root, const Real& y, double q);
-    [[nodiscard]] Share by_tanh_sinh(const Real& root, const Real& y);
-    [[nodiscard]] Share by_tanh_sinh_far(const Real& q);
-    [[nodiscard]] Share near_apex(const Real& root, const Real& q);
-    [[nodiscard]] Share base_near_apex(const Real& root, const Real& q, const Real& square);
-    [[nodiscard]] double gauss_nodes_needed(double q, double y, double* ln_error,
-                                            std::size_t n) const;
-    [[nodiscard]] const MiddleNodes& gauss(std::size_t n);
-    [[nodiscard]] const MiddleNodes& level(int level);
-    [[nodiscard]] const ApexNodes& apex(std::size_t n);
-    void add_powers(Real& sum, const MiddleNodes& nodes, const Real& y);
+    /// By I_n for the n that the recurrence ends at.
+    template <class Base> [[nodiscard]] Share lifted(const Base& base);
+    [[nodiscard]] Share edge_by_rule(const Choice& choice);
+    void close_edge(Share& share);
+    [[nodiscard]] Share edge_by_levels();
+    [[nodiscard]] Share apex_by_rule();
+    [[nodiscard]] Share powers_by_rule(double q);
+    [[nodiscard]] Share powers_by_levels();
+    [[nodiscard]] Share far_by_levels();
+    [[nodiscard]] Choice choose_edge(double q) const;
+    template <class AddLevel> [[nodiscard]] Share by_levels(const AddLevel& add_level);
+    void add_powers(Real& sum, const Nodes& nodes);
+    [[nodiscard]] const Nodes& power_nodes(std::size_t n);
+    [[nodiscard]] const Nodes& power_level(int level);
+    [[nodiscard]] const Nodes& edge_level(int level);
 
-    Exact m_;
-    Real m_real_;
+    Real m_;
     double m_double_;
     Real scale_; ///< P'(a)/pi
-    Real a_;
-    unsigned digits_;
+    Real inverse_a_;
+    double ln_tolerance_; ///< relative
     FastPressure::Rule rule_;
     RealPower power_;     ///< to (m - 1)/2
     unsigned long steps_; ///< m = n + 2 steps
-    std::optional<Rational> n_exact_;
     Real n_;
+    Real b_;
     double n_double_;
-    Real apex_factor_; ///< of q^n
-    std::map<std::size_t, MiddleNodes> gauss_;
-    std::map<int, MiddleNodes> levels_;
-    std::map<std::size_t, ApexNodes> apex_;
+    Real apex_factor_; ///< C
+
+    Real q_;
+    Real square_; ///< q^2
+    Real y_;      ///< 1 - q^2
+    Real root_;   ///< W
+    Real gap_;    ///< q^2/W^2
     Real below_;
     Real above_;
+    NodeSums sums_;
+
+    std::map<std::size_t, ProductRule> edge_;
+    std::map<std::size_t, ProductRule> apex_;
+    std::map<int, Nodes> edge_levels_;
+    std::map<std::size_t, Nodes> powers_;
+    std::map<int, Nodes> power_levels_;
 };
 
 } // namespace edgeproof

@@ -17,6 +17,16 @@ namespace edgeproof {
     return std::log(std::abs(mantissa)) + 0.6931471805599453 * static_cast<double>(exponent);
 }
 
+/// exp(ln), to the digits of binary64, for any ln: what an estimate needs and no more.
+[[nodiscard]] inline Real from_ln_size(double ln) {
+    ln = std::clamp(ln, -1e15, 1e15);
+    const double exponent = std::floor(ln / 0.6931471805599453);
+    Real x;
+    mpfr_set_d(x.backend().data(), std::exp(ln - 0.6931471805599453 * exponent), MPFR_RNDN);
+    mpfr_mul_2si(x.backend().data(), x.backend().data(), static_cast<long>(exponent), MPFR_RNDN);
+    return x;
+}
+
 /// How far the last of a sequence of levels is from the integral, from the last two differences:
 /// the digits of a rule that converges quadratically grow as d_1^2/d_2 (D. H. Bailey, K. Jeyabalan,
 /// X. S. Li, Experimental Mathematics 14 (2005) 317). They double in theory; no more than 1.4 times

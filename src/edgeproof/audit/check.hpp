@@ -2,9 +2,10 @@
 #pragma once
 #include "edgeproof/audit/claim.hpp"
 #include "edgeproof/audit/evidence.hpp"
+#include "edgeproof/audit/family.hpp"
 #include "edgeproof/audit/ledger.hpp"
-#include "edgeproof/audit/setting.hpp"
 #include "edgeproof/audit/verdict.hpp"
+#include "edgeproof/contact/edge.hpp"
 
 #include <functional>
 #include <map>
@@ -63,6 +64,21 @@ public:
         return std::static_pointer_cast<const T>(slot.value);
     }
 
+    /// What belongs to one thread at a time and is dear to make: one that was given back, or a new
+    /// one. It goes back when the last pointer to it does; the context must outlive it.
+    template <class T>
+    [[nodiscard]] std::shared_ptr<T> borrow(const std::string& key,
+                                            const std::function<std::unique_ptr<T>()>& make) const {
+        std::shared_ptr<void> kept = take(key);
+        if (!kept) {
+            kept = std::shared_ptr<T>(make());
+        }
+        T* const object = static_cast<T*>(kept.get());
+        return {object, [this, key, kept = std::move(kept)](T*) mutable {
+                    give_back(key, std::move(kept));
+                }};
+    }
+
 private:
     struct Slot {
         std::mutex mutex;
@@ -72,8 +88,12 @@ private:
         const std::lock_guard lock(slots_mutex_);
         return slots_[key];
     }
+    [[nodiscard]] std::shared_ptr<void> take(const std::string& key) const;
+    void give_back(const std::string& key, std::shared_ptr<void> object) const;
     const Ledger& ledger_;
     unsigned digits_;
+    mutable std::mutex lent_mutex_;
+    mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> at_home_;
     mutable std::mutex slots_mutex_;
     mutable std::map<std::string, Slot, std::less<>> slots_;
 };

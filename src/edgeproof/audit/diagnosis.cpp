@@ -53,6 +53,9 @@ void diagnose(const Patient& patient, Outcome& outcome) {
     std::size_t checked = 0;
     for (const Edit& edit : single_edits(patient.printed, patient.alphabet)) {
         ++tried;
+        if (edit.formula == patient.exact) {
+            continue; // says nothing: a thing equals itself
+        }
         if (!safe(patient.looks_right, edit.formula)) {
             continue;
         }
@@ -90,14 +93,20 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
                           const SceneSpec* scene) {
     std::set<std::string> names = free_symbols(printed);
     names.merge(free_symbols(exact));
+    const std::set<std::string> written = names;
     const auto any = [&](char letter) {
         return std::any_of(names.begin(), names.end(),
                            [&](const std::string& n) { return numbered(n, letter); });
     };
-    if (any('P')) {
+    // The coefficients are made of the derivatives of the law.
+    const bool coefficient = std::any_of(names.begin(), names.end(), [](const std::string& n) {
+        return n.starts_with("right_c") || n.starts_with("left_c");
+    });
+    const bool rates = coefficient || any('P');
+    if (rates) {
         names.insert({"P1", "P2", "P3"});
     }
-    if (any('b')) {
+    if (coefficient || any('b')) {
         names.insert({"b", "b1", "b2", "b3"});
     }
     names.insert("a");
@@ -106,8 +115,13 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
             names.insert(name);
         }
     }
+    // What stands in the formula already, or in its scene, before what could also stand there.
+    std::vector<std::string> in_order(names.begin(), names.end());
+    std::stable_partition(in_order.begin(), in_order.end(), [&](const std::string& name) {
+        return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));
+    });
     EditAlphabet alphabet;
-    for (const std::string& name : names) {
+    for (const std::string& name : in_order) {
         if (name.starts_with("right_c") || name.starts_with("left_c")) {
             continue;
         }
@@ -121,7 +135,7 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
         alphabet.factors.push_back(pow(e, Expr::number(2)));
     }
     for (const char* rate : {"P1", "P2", "P3"}) {
-        if (any('P')) {
+        if (rates) {
             alphabet.factors.push_back(Expr::symbol(rate));
         }
     }
@@ -131,6 +145,11 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
                 alphabet.factors.push_back(Expr::symbol(name));
             }
         }
+    }
+    if (names.contains("b")) {
+        const Expr length = Expr::symbol("a") + Expr::symbol("b");
+        alphabet.factors.push_back(length);
+        alphabet.factors.push_back(Expr::call("sqrt", {length}));
     }
     alphabet.factors.push_back(Expr::pi());
     alphabet.factors.push_back(Expr::call("sqrt", {Expr::number(2)}));

@@ -11,6 +11,7 @@ namespace edgeproof {
 /// What is wrong with a refuted formula, and what would be right.
 struct Patient {
     Expr printed; ///< as written, definitions not put in
+    Expr exact;   ///< what it should equal, as written
     EditAlphabet alphabet;
     /// Whether a formula agrees with the exact one at a few points, to a few digits: cheap.
     std::function<bool(const Expr&)> looks_right;

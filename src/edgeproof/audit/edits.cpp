@@ -156,7 +156,9 @@ private:
             put(Expr::number(Rational(n * k)), what, 2);
             put(node_ / whole(k), what, 2);
         }
-        put(-node_, "sign", 2);
+        if (n != 0) {
+            put(-node_, "sign", 2);
+        }
     }
 
     void symbol() {
@@ -210,6 +212,10 @@ private:
         if (parent_kind() == Kind::pow || is_power) {
             return; // its exponent is edited where it stands
         }
+        const bool product = node_.kind() == Kind::mul && parent_kind() != Kind::mul;
+        if (node_.kind() == Kind::pi || product) {
+            put(Expr::call("sqrt", {node_}), "root", 1);
+        }
         if (node_.kind() == Kind::symbol || node_.kind() == Kind::add ||
             node_.kind() == Kind::sub || node_.kind() == Kind::call) {
             if (node_.builtin() != Builtin::sqrt) {
@@ -224,7 +230,7 @@ private:
     }
 
     void factors() {
-        for (const int k : {2, 3, 4, 5, 6, 8, 16}) {
+        for (const int k : {2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 16, 20, 32, 64}) {
             put(whole(k) * node_, "factor missing", 2);
             put(node_ / whole(k), "factor missing", 2);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/comparison.hpp"
+#include "edgeproof/audit/equivalence.hpp"
 #include "edgeproof/audit/mutants.hpp"
 
 #include <tbb/parallel_for.h>
@@ -40,6 +41,16 @@ Claim broken(const Claim& claim, const Expr& formula) {
     return mutant;
 }
 
+Outcome outcome_of(const Claim& claim, const AuditContext& context) {
+    try {
+        return find_check_kind(claim.kind)->check(claim, context);
+    } catch (const Error& e) {
+        Outcome o;
+        o.note = e.what();
+        return o;
+    }
+}
+
 MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext& context) {
     MutantFate fate;
     fate.claim = claim.id;
@@ -47,18 +58,13 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
     const Expr original = claim.written("says");
     fate.original = to_text(original);
     fate.mutated = to_text(mutant.formula);
-    const Outcome outcome =
-        find_check_kind(claim.kind)->check(broken(claim, mutant.formula), context);
+    const Outcome outcome = outcome_of(broken(claim, mutant.formula), context);
     fate.verdict = outcome.verdict;
     fate.note = outcome.note;
     const auto same_as_original = [&](const Expr& e) {
-        try {
-            return e == original || proved_equal(expand_definitions(e, claim.vocabulary),
-                                                 expand_definitions(original, claim.vocabulary),
-                                                 symbolic_case(claim, context));
-        } catch (const Error&) {
-            return false; // not by symbols
-        }
+        return surely_equal(expand_definitions(e, claim.vocabulary),
+                            expand_definitions(original, claim.vocabulary),
+                            symbolic_case(claim, context));
     };
     if (outcome.verdict != Verdict::refuted) {
         fate.equivalent = same_as_original(mutant.formula);

@@ -36,15 +36,25 @@ Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
     return split;
 }
 
-/// f at the working precision of the caller, evaluated at the integrand's. Nearer to an end, or a
-/// cut, than the precision of the nodes f may have no value (a logarithm at a corner): what is
-/// integrable adds nothing there that is kept.
+/// How many decades y is below x > 0.
+long decades(const Real& x, const Real& y) {
+    if (y == 0) {
+        return 0;
+    }
+    const auto bits = mpfr_get_exp(x.backend().data()) - mpfr_get_exp(y.backend().data());
+    return bits * 30103L / 100000 + 1;
+}
+
+/// f at the working precision of the caller, evaluated at what its distance from an end takes.
+/// Nearer to an end, or a cut, than the precision of the nodes f may have no value (a logarithm at
+/// a corner): what is integrable adds nothing there that is kept.
 Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& base,
                const Real& distance, bool upwards, const Real& length) {
     Real value;
     try {
-        const PrecisionScope scope(precision.integrand());
-        value = f(upwards ? Real(base + distance) : Real(base - distance));
+        const PrecisionScope scope(precision.at(decades(precision.scale, distance)));
+        const Real x = upwards ? Real(base + distance) : Real(base - distance);
+        value = f(at_working_precision(x));
     } catch (const DomainError&) {
         if (distance > length * pow(Real(10), -static_cast<int>(precision.nodes))) {
             throw;
@@ -66,8 +76,13 @@ NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision prec
                        ? evaluated(f, precision, split.marks[i], from_lo, true, lengths[i])
                        : evaluated(f, precision, split.marks[i + 1], from_hi, false, lengths[i]);
         },
-        lengths, split.beyond_lo, split.beyond_hi);
+        lengths, split.beyond_lo, split.beyond_hi, {.last_level = precision.last_level});
     return {result.value, result.estimate, result.converged};
+}
+
+NaivePrecision with_scale(NaivePrecision precision, const Real& lo, const Real& hi) {
+    precision.scale = std::max({precision.scale, Real(abs(lo)), Real(abs(hi)), Real(hi - lo)});
+    return precision;
 }
 
 } // namespace
@@ -83,7 +98,7 @@ NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& 
         result.value = -result.value;
         return result;
     }
-    return pieces(f, split_at(lo, hi, std::move(cuts)), precision);
+    return pieces(f, split_at(lo, hi, std::move(cuts)), with_scale(precision, lo, hi));
 }
 
 NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const Real& hi,
@@ -100,6 +115,7 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
             h = d;
         }
     }
+    precision = with_scale(std::move(precision), lo, hi);
     const Real left = pole - h;
     const Real right = pole + h;
     NaiveIntegral sum{};
@@ -112,7 +128,7 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
                                 : Real(evaluated(f, precision, right, rest, false, h) +
                                        evaluated(f, precision, left, rest, true, h));
             },
-            h, Real(0), Real(0));
+            h, Real(0), Real(0), {.last_level = precision.last_level});
         sum = {fold.value, fold.estimate, fold.converged};
     }
     cuts.push_back(pole);

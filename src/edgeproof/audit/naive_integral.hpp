@@ -10,10 +10,20 @@ namespace edgeproof {
 
 /// How a printed integrand is integrated as it stands, with no distance to its end points split
 /// off: the nodes at `nodes` digits come as near to an end as 10^-(2 nodes + 20) of the interval,
-/// and the integrand is evaluated at `integrand` digits, enough to see that distance.
+/// and the integrand is evaluated at as many digits as that distance takes to be seen, 3 nodes + 60
+/// for the nearest. What a distance d takes is counted from `scale`, the largest number that d may
+/// be left over from, in steps, so that a caller need not be ready for every precision there is.
 struct NaivePrecision {
     unsigned nodes = 0;
+    Real scale = 0;      ///< 0: the larger end point, and the length
+    int last_level = 14; ///< of the quadrature, where it gives up
     [[nodiscard]] unsigned integrand() const { return 3 * nodes + 60; }
+    /// Digits to evaluate the integrand at, `decades` below the scale.
+    [[nodiscard]] unsigned at(long decades) const {
+        const unsigned step = nodes / 2;
+        const auto beyond = static_cast<unsigned>(decades < 20 ? 0 : decades - 20);
+        return nodes + 60 + (beyond + step - 1) / step * step;
+    }
 };
 
 struct NaiveIntegral {
@@ -22,7 +32,7 @@ struct NaiveIntegral {
     bool converged = true;
 };
 
-/// f at one point; called at the integrand's precision.
+/// f at one point; called at the precision that the point takes.
 using Integrand = std::function<Real(const Real&)>;
 
 /// The integral of f from lo to hi (also for hi < lo). `cuts` are places where f is not analytic,

@@ -14,6 +14,8 @@ namespace {
 /// The contact is computed to more digits than formulas are compared at.
 constexpr unsigned contact_guard = 15;
 constexpr unsigned quadrature_guard = 20;
+constexpr unsigned screening_guard = 6;
+constexpr int screening_level = 6;
 
 std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
 
@@ -28,30 +30,22 @@ std::optional<unsigned> order_in(std::string_view name, std::string_view prefix)
 
 } // namespace
 
-SettingState::SettingState(SceneSpec scene, unsigned digits_wanted)
-    : spec(std::move(scene)), digits(digits_wanted), precision{digits_wanted + quadrature_guard},
-      profile(spec.make_profile()),
-      contact(profile, spec.parameter("Es"), Load::right_edge(spec.parameter("a")),
-              digits_wanted + contact_guard),
-      law([this] {
-          const PrecisionScope scope(precision.integrand());
-          return ContactLaw<Real>(profile, spec.parameter("Es").to<Real>());
-      }()) {
-    const PrecisionScope scope(precision.integrand());
+SettingLevel::SettingLevel(const SceneSpec& spec, const Profile& profile)
+    : law(profile, spec.parameter("Es").to<Real>()) {
     for (const auto& [name, value] : spec.parameters) {
         parameters.emplace(name, value.to<Real>());
     }
     extent = law.extent(parameters.at("a"));
 }
 
-const Extent<Real>& SettingState::extent_at(const Real& s) {
+const Extent<Real>& SettingLevel::extent_at(const Real& s) {
     if (!last_extent || last_extent->a != s) {
         last_extent = law.extent(s);
     }
     return *last_extent;
 }
 
-Real SettingState::right_edge_of(const Real& y) {
+Real SettingLevel::right_edge_of(const Real& y) {
     if (y == extent.b) {
         return extent.a;
     }
@@ -60,6 +54,27 @@ Real SettingState::right_edge_of(const Real& y) {
         last_right_edge.emplace(y, law.right_edge(y));
     }
     return last_right_edge->second;
+}
+
+SettingState::SettingState(SceneSpec scene, unsigned digits_wanted, Effort effort)
+    : spec(std::move(scene)),
+      digits(digits_wanted), precision{digits_wanted + (effort == Effort::full ? quadrature_guard
+                                                                               : screening_guard)},
+      profile(spec.make_profile()),
+      contact(profile, spec.parameter("Es"), Load::right_edge(spec.parameter("a")),
+              digits_wanted + contact_guard) {
+    if (effort == Effort::screening) {
+        precision.last_level = screening_level;
+    }
+    const PrecisionScope scope(precision.integrand());
+    const Extent<Real>& extent = here().extent;
+    precision.scale = std::max(extent.a, extent.b);
+}
+
+SettingLevel& SettingState::here() {
+    const auto it = levels.find(working_digits());
+    return it != levels.end() ? it->second
+                              : levels.try_emplace(working_digits(), spec, profile).first->second;
 }
 
 const std::vector<Real>& SettingState::expansion(Edge edge, std::size_t terms) {
@@ -72,10 +87,10 @@ const std::vector<Real>& SettingState::expansion(Edge edge, std::size_t terms) {
 
 std::optional<Real> SettingState::derived_symbol(std::string_view name) {
     if (name == "b") {
-        return extent.b;
+        return here().extent.b;
     }
     if (name == "L") {
-        return extent.length();
+        return here().extent.length();
     }
     const auto it = derived.find(name);
     if (it != derived.end()) {
@@ -106,6 +121,7 @@ std::optional<Real> SettingState::derived_symbol(std::string_view name) {
 }
 
 ShearLoad<Real> SettingState::shear_load() const {
+    const auto& parameters = top().parameters;
     const auto Q = parameters.find("Q");
     const auto tension = parameters.find("sig0");
     if (Q == parameters.end() || tension == parameters.end()) {
@@ -115,10 +131,11 @@ ShearLoad<Real> SettingState::shear_load() const {
 }
 
 std::vector<Real> SettingState::shear_coefficients(Edge edge, std::size_t terms) const {
-    return full_stick_expansion(extent.length(), shear_load(), edge, terms);
+    return full_stick_expansion(top().extent.length(), shear_load(), edge, terms);
 }
 
 Place SettingState::place_of_x(const Real& x) const {
+    const Extent<Real>& extent = top().extent;
     const Real right = extent.a - x;
     const Real left = x + extent.b;
     return right < left ? Place{Edge::right, right, x, {}} : Place{Edge::left, left, x, {}};
@@ -126,6 +143,11 @@ Place SettingState::place_of_x(const Real& x) const {
 
 Real SettingState::call(const std::string& name, std::span<const Real> args, const Place* place) {
     const Real& s = args[0];
+    SettingLevel& level = here();
+    const auto& law = level.law;
+    const auto at_place = [&](const Real& x) {
+        return place != nullptr && at_working_precision(place->x) == x;
+    };
     if (name == "g1") {
         // On a knot the mean of both sides: a point that no integral sees.
         const auto& slope = law.slope();
@@ -136,24 +158,24 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
         return slope.value(piece, s);
     }
     if (name == "Pof") {
-        return law.force(extent_at(s));
+        return law.force(level.extent_at(s));
     }
     if (name == "P1of") {
-        return law.force_rate(extent_at(s));
+        return law.force_rate(level.extent_at(s));
     }
     if (name == "bof") {
-        return extent_at(s).b;
+        return level.extent_at(s).b;
     }
     if (name == "binv") {
-        return right_edge_of(s);
+        return level.right_edge_of(s);
     }
     if (name == "p") {
-        const Place at = place != nullptr && place->x == s ? *place : place_of_x(s);
+        const Place at = at_place(s) ? *place : place_of_x(s);
         return contact.pressure(at.edge, at.u).value;
     }
     if (name == "q") {
-        const Place at = place != nullptr && place->x == s ? *place : place_of_x(s);
-        return full_stick_traction(point_at(extent, at.edge, at.u), shear_load());
+        const Place at = at_place(s) ? *place : place_of_x(s);
+        return full_stick_traction(point_at(top().extent, at.edge, at.u), shear_load());
     }
     if (name == "right_local" || name == "left_local") {
         const Edge edge = name == "right_local" ? Edge::right : Edge::left;
@@ -161,7 +183,8 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
         if (n < 0 || n > 1000 || Real(n) != args[0]) {
             throw DomainError(name + " is asked for a number of terms that is no whole number");
         }
-        const Real u = place != nullptr && place->x == args[1] && place->edge == edge
+        const Extent<Real>& extent = top().extent;
+        const Real u = at_place(args[1]) && place->edge == edge
                            ? place->u
                            : Real(edge == Edge::right ? extent.a - args[1] : args[1] + extent.b);
         const auto terms = static_cast<std::size_t>(n);
@@ -177,15 +200,17 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
 
 std::vector<Real> SettingState::critical_arguments(const std::string& function) {
     std::vector<Real> values;
+    SettingLevel& level = here();
+    const auto& law = level.law;
     for (const Real& knot : law.slope().knots()) {
         if (function == "g1" || function == "p") {
             values.push_back(knot);
         } else if (function == "binv") {
-            values.push_back(knot > 0 ? extent_at(knot).b : Real(-knot));
+            values.push_back(knot > 0 ? level.extent_at(knot).b : Real(-knot));
         } else if (knot > 0) {
             values.push_back(knot);
         } else if (knot < 0 && !law.symmetric()) {
-            values.push_back(right_edge_of(Real(-knot)));
+            values.push_back(level.right_edge_of(Real(-knot)));
         } else {
             values.push_back(Real(0));
         }
@@ -193,21 +218,22 @@ std::vector<Real> SettingState::critical_arguments(const std::string& function) 
     return values;
 }
 
-Setting::Setting(SceneSpec spec, unsigned digits)
-    : state_(std::make_unique<SettingState>(std::move(spec), digits)) {}
+Setting::Setting(SceneSpec spec, unsigned digits, Effort effort)
+    : state_(std::make_unique<SettingState>(std::move(spec), digits, effort)) {}
 Setting::~Setting() = default;
 Setting::Setting(Setting&&) noexcept = default;
 
 const SceneSpec& Setting::spec() const noexcept { return state_->spec; }
 unsigned Setting::digits() const noexcept { return state_->digits; }
 const NormalContact& Setting::contact() const { return state_->contact; }
-Real Setting::a() const { return state_->extent.a; }
-Real Setting::b() const { return state_->extent.b; }
-Real Setting::length() const { return state_->extent.length(); }
+Real Setting::a() const { return state_->top().extent.a; }
+Real Setting::b() const { return state_->top().extent.b; }
+Real Setting::length() const { return state_->top().extent.length(); }
 
 Real Setting::parameter(std::string_view name) const {
-    const auto it = state_->parameters.find(name);
-    if (it == state_->parameters.end()) {
+    const auto& parameters = state_->top().parameters;
+    const auto it = parameters.find(name);
+    if (it == parameters.end()) {
         throw Error("a scene of family " + spec().family + " has no '" + std::string(name) + "'");
     }
     return it->second;
@@ -223,7 +249,7 @@ Place Setting::place(Edge edge, const Exact& fraction) const {
 
 Place Setting::place_at_u(Edge edge, const Real& u) const {
     const PrecisionScope scope(state_->precision.integrand());
-    const auto& e = state_->extent;
+    const auto& e = state_->top().extent;
     return {edge, u, edge == Edge::right ? Real(e.a - u) : Real(u - e.b), {}};
 }
 

@@ -41,6 +41,10 @@ struct FormulaValue {
 /// variables.
 using IntegralCache = std::unordered_map<Expr, FormulaValue, ExprHash>;
 
+/// How much an integral may cost: a screening is for telling many wrong formulas from a right one,
+/// and gives up early on integrals that do not converge.
+enum class Effort { screening, full };
+
 /// A scene in numbers, good for `digits` digits: what the formulas of a ledger are evaluated in.
 ///
 /// Symbols: every parameter of the scene (m, C, t, R, phi, alpha, Es, ...), a, b, P, M, L = a + b,
@@ -53,7 +57,7 @@ using IntegralCache = std::unordered_map<Expr, FormulaValue, ExprHash>;
 /// nothing at their end points. One object belongs to one thread.
 class Setting {
 public:
-    Setting(SceneSpec spec, unsigned digits);
+    explicit Setting(SceneSpec spec, unsigned digits, Effort effort = Effort::full);
     ~Setting();
     Setting(Setting&&) noexcept;
 

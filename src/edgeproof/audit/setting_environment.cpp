@@ -7,16 +7,17 @@ namespace edgeproof {
 
 Real SettingEnvironment::symbol(std::string_view name) const {
     if (const auto it = variables_.find(name); it != variables_.end()) {
-        return it->second;
+        return at_working_precision(it->second);
     }
-    if (const auto it = state_.parameters.find(name); it != state_.parameters.end()) {
+    const auto& parameters = state_.here().parameters;
+    if (const auto it = parameters.find(name); it != parameters.end()) {
         return it->second;
     }
     if (name == "u" || name == "x") {
         if (place_ == nullptr) {
             throw Error("'" + std::string(name) + "' has no value: no place is given");
         }
-        return name == "u" ? place_->u : place_->x;
+        return at_working_precision(name == "u" ? place_->u : place_->x);
     }
     if (const auto value = state_.derived_symbol(name)) {
         return *value;
@@ -26,7 +27,8 @@ Real SettingEnvironment::symbol(std::string_view name) const {
 }
 
 std::vector<Real> SettingEnvironment::places(const Real& lo, const Real& hi) const {
-    std::vector<Real> all{Real(0), lo, hi, state_.extent.a, state_.extent.b};
+    const Extent<Real>& extent = state_.top().extent;
+    std::vector<Real> all{Real(0), lo, hi, extent.a, extent.b};
     if (place_ != nullptr) {
         all.push_back(place_->x);
     }

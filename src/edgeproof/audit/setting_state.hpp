@@ -9,22 +9,14 @@
 
 namespace edgeproof {
 
-/// What a Setting holds: the exact contact, and the family of contacts that it belongs to at the
-/// precision at which formulas are worked.
-struct SettingState {
-    SettingState(SceneSpec scene, unsigned digits_wanted);
+/// The family of contacts that the one of a Setting belongs to, and the parameters, at one
+/// precision.
+struct SettingLevel {
+    SettingLevel(const SceneSpec& spec, const Profile& profile);
 
-    SceneSpec spec;
-    unsigned digits;
-    /// Enough for naive integrals; plain formulas get the same.
-    NaivePrecision precision;
-    Profile profile;
-    NormalContact contact;
     ContactLaw<Real> law;
-    Extent<Real> extent;
     std::map<std::string, Real, std::less<>> parameters;
-    std::map<std::string, Real, std::less<>> derived;     ///< P, P1, ... as they are asked for
-    std::array<std::vector<Real>, 2> expansions;          ///< right, left
+    Extent<Real> extent;
     std::optional<Extent<Real>> last_extent;              ///< of the contact with right edge at .a
     std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
 
@@ -32,6 +24,27 @@ struct SettingState {
     const Extent<Real>& extent_at(const Real& s);
     /// b^{-1}(y).
     Real right_edge_of(const Real& y);
+};
+
+/// What a Setting holds: the exact contact, and the family of contacts that it belongs to.
+struct SettingState {
+    SettingState(SceneSpec scene, unsigned digits_wanted, Effort effort);
+
+    SceneSpec spec;
+    unsigned digits;
+    /// Enough for naive integrals; plain formulas get the same.
+    NaivePrecision precision;
+    Profile profile;
+    NormalContact contact;
+    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ... as they are asked for
+    std::array<std::vector<Real>, 2> expansions;      ///< right, left
+    std::map<unsigned, SettingLevel> levels;          ///< by digits
+
+    /// At the working precision: far from their ends integrands need few digits, and everything
+    /// that they are made of has to have as few, for that to be cheap.
+    SettingLevel& here();
+    /// At the precision at which plain formulas are worked.
+    [[nodiscard]] const SettingLevel& top() const { return levels.at(precision.integrand()); }
     const std::vector<Real>& expansion(Edge edge, std::size_t terms);
     /// A name that is no parameter, place or variable; nullopt if unknown.
     std::optional<Real> derived_symbol(std::string_view name);

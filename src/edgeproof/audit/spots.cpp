@@ -4,8 +4,10 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeproof {
 namespace {
@@ -23,21 +25,44 @@ double digits_of_ratio(const Real& difference, const Real& scale) {
 }
 
 /// The sum of the sizes of the terms that e is made of: what its value cancels from.
-Real magnitude(const Expr& e, const Spot& spot) {
+Real magnitude(const Expr& e, Spots& spots, std::size_t i) {
     using Kind = Expr::Kind;
     switch (e.kind()) {
     case Kind::neg:
-        return magnitude(e.arg(0), spot);
+        return magnitude(e.arg(0), spots, i);
     case Kind::add:
     case Kind::sub:
-        return magnitude(e.arg(0), spot) + magnitude(e.arg(1), spot);
+        return magnitude(e.arg(0), spots, i) + magnitude(e.arg(1), spots, i);
     case Kind::mul:
-        return magnitude(e.arg(0), spot) * magnitude(e.arg(1), spot);
+        return magnitude(e.arg(0), spots, i) * magnitude(e.arg(1), spots, i);
     case Kind::div:
-        return magnitude(e.arg(0), spot) / abs(spot.evaluate(e.arg(1)).value);
+        return magnitude(e.arg(0), spots, i) / abs(spots.value(e.arg(1), i).value);
     default:
-        return abs(spot.evaluate(e).value);
+        return abs(spots.value(e, i).value);
     }
+}
+
+/// How far, on the scale of logarithms, a sample is from a fifth of the contact's length.
+double away_from(const Sample& sample) {
+    return sample.fraction ? std::abs(std::log10(5 * sample.fraction->to<double>())) : 0;
+}
+
+/// All that the samples of a claim depend on.
+std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) {
+    std::string key = fmt::format("spots/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
+                                  claim.text_or("edge", "right"), claim.text_or("points", ""));
+    if (claim.has("where")) {
+        for (const Relation& r : claim.condition("where")) {
+            key += fmt::format("/{} {} {}", to_text(r.lhs), static_cast<int>(r.op), to_text(r.rhs));
+        }
+    }
+    if (claim.has("vary")) {
+        key += "/" + claim.id; // what is drawn depends on it
+        for (const auto& [name, values] : claim.table("vary")) {
+            key += fmt::format("/{} = {}", name, fmt::join(values, ", "));
+        }
+    }
+    return key;
 }
 
 } // namespace
@@ -60,20 +85,35 @@ bool Agreement::differ(double digits_needed) const {
     });
 }
 
-Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most)
+std::shared_ptr<Spots> Spots::of(const Claim& claim, const AuditContext& context, unsigned digits,
+                                 std::size_t most, Effort effort) {
+    return context.borrow<Spots>(
+        sampling_key(claim, digits, most) + (effort == Effort::screening ? "/screening" : ""),
+        [&] { return std::make_unique<Spots>(claim, context, digits, most, effort); });
+}
+
+Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most,
+             Effort effort)
     : digits_(digits) {
     std::optional<Condition> where;
     if (claim.has("where")) {
         where = claim.condition("where");
     }
+    std::vector<Sample> samples = context.samples(claim);
+    if (effort == Effort::screening) {
+        // Away from the edge first: there integrals converge soonest.
+        std::stable_sort(samples.begin(), samples.end(), [](const Sample& x, const Sample& y) {
+            return away_from(x) < away_from(y);
+        });
+    }
     std::string last;
-    for (const Sample& sample : context.samples(claim)) {
+    for (const Sample& sample : samples) {
         if (most != 0 && spots_.size() >= most) {
             break;
         }
         const std::string scene = sample.scene.family + ": " + sample.scene.text();
         if (settings_.empty() || scene != last) {
-            settings_.push_back(std::make_unique<Setting>(sample.scene, digits));
+            settings_.push_back(std::make_unique<Setting>(sample.scene, digits, effort));
             last = scene;
         }
         const Setting& setting = *settings_.back();
@@ -88,18 +128,28 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
         }
         spots_.push_back(std::move(spot));
     }
+    caches_.resize(spots_.size());
 }
 
-Agreement Spots::compare(const Expr& printed, const Expr& exact,
-                         const std::optional<Expr>& scale) const {
+FormulaValue Spots::known(const Expr& e, std::size_t spot) {
+    IntegralCache& cache = caches_[spot];
+    if (const auto it = cache.find(e); it != cache.end()) {
+        return it->second;
+    }
+    FormulaValue value = spots_[spot].evaluate(e, &cache);
+    cache.emplace(e, value);
+    return value;
+}
+
+Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::optional<Expr>& scale) {
     Agreement agreement;
     const PrecisionScope scope(digits_ + 20);
-    for (const Spot& spot : spots_) {
+    for (std::size_t i = 0; i < spots_.size(); ++i) {
         SpotAgreement s;
         try {
-            const FormulaValue x = spot.evaluate(exact);
+            const FormulaValue x = known(exact, i);
             s.undefined = true; // if what comes next throws
-            const FormulaValue y = spot.evaluate(printed);
+            const FormulaValue y = value(printed, i);
             s.undefined = false;
             s.exact = x.value;
             s.printed = y.value;
@@ -110,10 +160,10 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact,
             const Real difference = abs(s.printed - s.exact);
             Real against = abs(s.exact);
             if (scale) {
-                against = abs(spot.evaluate(*scale).value);
+                against = abs(known(*scale, i).value);
             } else if (difference != 0) {
                 // Where the exact value is zero but for roundoff, hold it against its terms.
-                const Real terms = magnitude(printed, spot);
+                const Real terms = magnitude(printed, *this, i);
                 if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
                     against = terms;
                 }

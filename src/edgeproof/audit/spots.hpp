@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/setting.hpp"
 
 #include <memory>
 #include <optional>
@@ -45,10 +46,16 @@ struct Agreement {
     [[nodiscard]] bool differ(double digits_needed) const;
 };
 
-/// All samples of a claim at so many digits, those that its `where` admits.
+/// All samples of a claim at so many digits, those that its `where` admits. It keeps the values of
+/// what it was compared with, and of integrals; one object belongs to one thread.
 class Spots {
 public:
-    Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most = 0);
+    /// Of a claim, or of another that is sampled alike: made once a run and thread.
+    [[nodiscard]] static std::shared_ptr<Spots> of(const Claim& claim, const AuditContext& context,
+                                                   unsigned digits, std::size_t most = 0,
+                                                   Effort effort = Effort::full);
+    Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most = 0,
+          Effort effort = Effort::full);
 
     [[nodiscard]] const std::vector<Spot>& all() const noexcept { return spots_; }
     /// Samples that `where` leaves out.
@@ -56,11 +63,18 @@ public:
     [[nodiscard]] std::size_t scenes() const noexcept { return settings_.size(); }
     /// `scale`: what a difference is held against where the exact value is zero.
     [[nodiscard]] Agreement compare(const Expr& printed, const Expr& exact,
-                                    const std::optional<Expr>& scale = std::nullopt) const;
+                                    const std::optional<Expr>& scale = std::nullopt);
+    /// The value of a formula that many others are compared with, at a spot.
+    [[nodiscard]] FormulaValue known(const Expr& e, std::size_t spot);
+    /// The value of a formula at a spot.
+    [[nodiscard]] FormulaValue value(const Expr& e, std::size_t spot) {
+        return spots_[spot].evaluate(e, &caches_[spot]);
+    }
 
 private:
     std::vector<std::unique_ptr<Setting>> settings_;
     std::vector<Spot> spots_;
+    std::vector<IntegralCache> caches_;
     std::size_t left_out_ = 0;
     unsigned digits_;
 };

@@ -8,6 +8,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <exception>
 #include <map>
 
 namespace edgeproof {
@@ -118,6 +119,19 @@ SymbolLaurent expansion_through(const Expr& e, const ExpansionIn& in, const Symb
     }
 }
 
+/// The result of f, which works with symbols: what GiNaC throws (a pole, a division by zero) as an
+/// Error.
+template <class F> auto by_symbols(const F& f) {
+    const auto lock = ginac::hold();
+    try {
+        return f();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw Error(std::string("by symbols: ") + problem.what());
+    }
+}
+
 } // namespace
 
 bool ExpansionComparison::equal() const { return first_wrong() == nullptr; }
@@ -129,50 +143,51 @@ const ExpansionComparison::Term* ExpansionComparison::first_wrong() const {
 }
 
 Expr derive(const Expr& e, const SymbolicCase& under) {
-    const auto lock = ginac::hold();
-    const SymbolField field(under);
-    return ginac::tidy(meaning_of(e, field));
+    return by_symbols([&] { return ginac::tidy(meaning_of(e, SymbolField(under))); });
 }
 
 bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
-    const auto lock = ginac::hold();
-    const SymbolField field(under);
-    return ginac::is_zero(meaning_of(x, field) - meaning_of(y, field));
+    return by_symbols([&] {
+        const SymbolField field(under);
+        return ginac::is_zero(meaning_of(x, field) - meaning_of(y, field));
+    });
 }
 
 std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in, const SymbolicCase& under) {
-    const auto lock = ginac::hold();
-    const SymbolField field(under);
-    const SymbolLaurent series = expansion_through(e, in, field);
-    std::vector<ExpansionTerm> terms;
-    for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
-        const ex c = series[k];
-        if (!ginac::is_zero(c)) {
-            terms.push_back({Rational(k, 2), ginac::tidy(c)});
+    return by_symbols([&] {
+        const SymbolField field(under);
+        const SymbolLaurent series = expansion_through(e, in, field);
+        std::vector<ExpansionTerm> terms;
+        for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
+            const ex c = series[k];
+            if (!ginac::is_zero(c)) {
+                terms.push_back({Rational(k, 2), ginac::tidy(c)});
+            }
         }
-    }
-    return terms;
+        return terms;
+    });
 }
 
 ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                        const ExpansionIn& in, const SymbolicCase& under) {
-    const auto lock = ginac::hold();
-    const SymbolField field(under);
-    const SymbolLaurent x = expansion_through(printed, in, field);
-    const SymbolLaurent y = expansion_through(derived, in, field);
-    ExpansionComparison comparison;
-    for (long k = std::min(x.lowest(), y.lowest()); Rational(k, 2) <= in.through; ++k) {
-        const ex cx = x[k];
-        const ex cy = y[k];
-        const bool equal = ginac::is_zero(cx - cy);
-        const Expr derived_text = ginac::tidy(cy);
-        if (equal && derived_text == Expr::number(0)) {
-            continue;
+    return by_symbols([&] {
+        const SymbolField field(under);
+        const SymbolLaurent x = expansion_through(printed, in, field);
+        const SymbolLaurent y = expansion_through(derived, in, field);
+        ExpansionComparison comparison;
+        for (long k = std::min(x.lowest(), y.lowest()); Rational(k, 2) <= in.through; ++k) {
+            const ex cx = x[k];
+            const ex cy = y[k];
+            const bool equal = ginac::is_zero(cx - cy);
+            const Expr derived_text = ginac::tidy(cy);
+            if (equal && derived_text == Expr::number(0)) {
+                continue;
+            }
+            comparison.terms.push_back(
+                {Rational(k, 2), equal ? derived_text : ginac::tidy(cx), derived_text, equal});
         }
-        comparison.terms.push_back(
-            {Rational(k, 2), equal ? derived_text : ginac::tidy(cx), derived_text, equal});
-    }
-    return comparison;
+        return comparison;
+    });
 }
 
 Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable) {

@@ -2,6 +2,7 @@
 #include "edgeproof/report/figures_residual.hpp"
 
 #include "edgeproof/audit/residual_fit.hpp"
+#include "edgeproof/audit/setting.hpp"
 #include "edgeproof/precision/text.hpp"
 
 #include <fmt/format.h>

@@ -87,6 +87,10 @@ std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& sp
         for (const auto& [name, value] : spot.setting->spec().parameters) {
             parameters.emplace(name, spot.setting->parameter(name));
         }
+        if (spot.setting->b() != spot.setting->a()) {
+            parameters.emplace("b", spot.setting->b());
+            parameters.emplace("L", spot.setting->length());
+        }
         samples.push_back({std::move(parameters), at_working_precision(s.printed / s.exact)});
     }
     if (samples.empty()) {
@@ -99,6 +103,7 @@ std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& sp
                                                          value_text(most->ratio, 12)});
     auto ratio = recognise_ratio(samples, 20);
     if (ratio) {
+        ratio = substitute(*ratio, "L", Expr::symbol("a") + Expr::symbol("b"));
         evidence.add("ratio", to_text(*ratio));
         evidence.add("ratio_tex", to_tex(*ratio));
     }
@@ -106,15 +111,14 @@ std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& sp
 }
 
 QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context, const Expr& exact)
-    : claim_(claim), spots_(claim, context, digits, most_spots) {
-    for (std::size_t i = 0; i < spots_.all().size(); ++i) {
+    : claim_(claim), spots_(Spots::of(claim, context, digits, most_spots, Effort::screening)) {
+    for (std::size_t i = 0; i < spots_->all().size(); ++i) {
         try {
-            targets_.emplace_back(i, spots_.all()[i].evaluate(exact).value);
+            targets_.emplace_back(i, spots_->known(exact, i).value);
         } catch (const DomainError&) {
             continue;
         }
     }
-    caches_.resize(spots_.all().size());
 }
 
 bool QuickSamples::looks_right(const Expr& written) {
@@ -126,7 +130,7 @@ bool QuickSamples::looks_right(const Expr& written) {
     const Real tolerance = pow(Real(10), -static_cast<int>(digits - 2));
     return std::all_of(targets_.begin(), targets_.end(), [&](const auto& target) {
         const auto& [i, exact] = target;
-        const Real value = spots_.all()[i].evaluate(e, &caches_[i]).value;
+        const Real value = spots_->value(e, i).value;
         return abs(value - exact) <= tolerance * abs(exact);
     });
 }

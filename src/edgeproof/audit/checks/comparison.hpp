@@ -6,6 +6,7 @@
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/audit/symbolic.hpp"
 
+#include <memory>
 #include <optional>
 
 /// What the kinds value, identity and expansion share.
@@ -35,9 +36,8 @@ private:
     static constexpr unsigned digits = 10;
     static constexpr std::size_t most_spots = 4;
     const Claim& claim_;
-    Spots spots_;
+    std::shared_ptr<Spots> spots_;
     std::vector<std::pair<std::size_t, Real>> targets_;
-    std::vector<IntegralCache> caches_;
 };
 
 } // namespace edgeproof

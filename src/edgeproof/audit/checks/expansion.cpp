@@ -117,7 +117,8 @@ Remainder measure_remainder(const Claim& claim, const AuditContext& context, con
     // An order needs few digits, but (from the power -1/2 on) that many cancel before it shows.
     constexpr double decades = 18; // the variable goes down to about 1e-18
     const auto digits = static_cast<unsigned>((through.convert_to<double>() + 1.5) * decades) + 30;
-    const Spots spots(claim, context, digits);
+    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, digits);
+    const Spots& spots = *sampled;
     Remainder remainder;
     for (const Spot& spot : spots.all()) {
         Spot near = spot;
@@ -248,6 +249,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     }
     Patient patient;
     patient.printed = claim.written("says");
+    patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, exact);
     std::erase(patient.alphabet.symbols, variable);
     std::vector<ExpansionTerm> derived;

@@ -13,7 +13,8 @@ int badness(Verdict v) { return v == Verdict::confirmed ? 0 : v == Verdict::impr
 Outcome check_figure(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     const Expr of = claim.formula("of");
-    const Spots spots(claim, context, context.digits());
+    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
+    const Spots& spots = *sampled;
     const PrecisionScope scope(context.digits() + 20);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of")).add("samples", spots.all().size());

@@ -59,30 +59,32 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         outcome.evidence.add("derived", to_text(*derived)).add("derived_tex", to_tex(*derived));
     }
     // The same at samples: there the exact value comes from the contact itself, not from symbols.
-    const Spots spots(claim, context, context.digits());
+    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
+    Spots& spots = *sampled;
     const Agreement agreement = spots.compare(printed, exact);
     outcome.verdict =
         spots.all().empty() ? Verdict::undecided : verdict_by_samples(agreement, context);
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
     add_enclosures(agreement, spots, printed, exact, context.digits(), outcome);
-    const Verdict sampled = outcome.verdict;
+    const Verdict by_samples = outcome.verdict;
     if (proved) {
-        outcome.verdict = sampled == Verdict::confirmed ? Verdict::proved : Verdict::undecided;
-        outcome.note = sampled == Verdict::confirmed
+        outcome.verdict = by_samples == Verdict::confirmed ? Verdict::proved : Verdict::undecided;
+        outcome.note = by_samples == Verdict::confirmed
                            ? "identically equal to the derived form; agrees at " +
                                  std::to_string(spots.all().size()) + " samples"
                            : "equal in symbols but not at the samples";
         return outcome;
     }
-    outcome.verdict = sampled;
-    if (sampled != Verdict::refuted) {
-        outcome.note = sampled == Verdict::confirmed
+    outcome.verdict = by_samples;
+    if (by_samples != Verdict::refuted) {
+        outcome.note = by_samples == Verdict::confirmed
                            ? "agrees at the samples; not proved in symbols"
                            : "the values are not good enough to decide";
         return outcome;
     }
     Patient patient;
     patient.printed = claim.written("says");
+    patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
                                     &spots.all().front().sample.scene);
     patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);

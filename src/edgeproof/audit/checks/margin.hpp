@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/setting.hpp"
 
 #include <array>
 #include <memory>

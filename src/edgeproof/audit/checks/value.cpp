@@ -12,7 +12,8 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     if (claim.has("scale")) {
         scale = claim.formula("scale");
     }
-    const Spots spots(claim, context, context.digits());
+    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
+    Spots& spots = *sampled;
     Outcome outcome;
     if (spots.all().empty()) {
         outcome.note = "no sample fulfils the condition";
@@ -34,6 +35,7 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     QuickSamples quick(claim, context, exact);
     Patient patient;
     patient.printed = claim.written("says");
+    patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
                                     &spots.all().front().sample.scene);
     patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);

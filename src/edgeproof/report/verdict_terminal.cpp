@@ -140,9 +140,12 @@ std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool
             out += "\nErrata\n" + std::string(6, '-') + "\n";
             any = true;
         }
-        out += paint(Verdict::refuted, r.claim.id) + " (lines " +
-               std::to_string(r.claim.lines.first) + "-" + std::to_string(r.claim.lines.second) +
-               ")\n";
+        out += paint(Verdict::refuted, r.claim.id);
+        if (r.claim.lines.first > 0) { // somebody's own formulas are of no source
+            out += " (lines " + std::to_string(r.claim.lines.first) + "-" +
+                   std::to_string(r.claim.lines.second) + ")";
+        }
+        out += "\n";
         if (r.claim.has("says")) {
             out += "  printed  " + r.claim.text("says") + "\n";
         }

@@ -103,10 +103,16 @@ bool BallContact::has_closed_form(const Profile& profile) {
 }
 
 Ball enclosed_constant(const Exact& x, long bits) {
+    if (const Rational* q = x.expr().rational()) {
+        return {*q, bits};
+    }
     return evaluate<Ball>(x.expr(), ConstantEnvironment{bits});
 }
 
 Ball BallContact::constant(const Expr& e) const {
+    if (const Rational* q = e.rational()) {
+        return {*q, bits_};
+    }
     return evaluate<Ball>(e, ConstantEnvironment{bits_});
 }
 
@@ -131,6 +137,7 @@ void BallContact::solve(const Load& load) {
     const Ball given = constant(load.value.expr());
     a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
     b_ = solve_left_edge(a_);
+    fix();
 }
 
 /// g' of Profile::tilted_wedge and Profile::tilted_flat_and_rounded, alpha > 0 in the latter.
@@ -217,6 +224,7 @@ BallContact BallContact::mirrored() const {
             m.on_edge_[on_edge_.size() - 1 - i] = opposite(*on_edge_[i]);
         }
     }
+    m.fix();
     return m;
 }
 

@@ -90,6 +90,21 @@ private:
     /// Of a constant; false where it is not told from zero.
     [[nodiscard]] static bool is_zero(const Expr& e);
     void find_knots_on_edges(const Exact& a);
+    /// What the pressure has of the contact and not of the point.
+    struct Fixed {
+        std::vector<BallMark> marks;  ///< of the knots
+        std::vector<bool> bends;      ///< whether a knot inside has a part in the pressure
+        std::vector<Ball> rate_drops; ///< of g'' across a knot
+        std::vector<Ball> insets;     ///< a - knot
+        std::vector<Ball> outsets;    ///< b + knot
+        /// The same two where they are exactly known.
+        std::vector<std::optional<Rational>> exact_insets;
+        std::vector<std::optional<Rational>> exact_outsets;
+        Ball length;
+        Ball arc;    ///< the integral of g'' over the angle h
+        Ball factor; ///< E*/(2 pi); of a power law P'(a)/pi
+    };
+    void fix();
     struct Place;
     [[nodiscard]] Place place(Edge edge, const Ball& u) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
@@ -120,6 +135,7 @@ private:
     Ball power_factor_; ///< P = power_factor a^(m+1)
     Ball a_;
     Ball b_;
+    Fixed fixed_;
 };
 
 /// A constant in a ball.

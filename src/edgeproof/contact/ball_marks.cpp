@@ -47,9 +47,11 @@ BallMark BallMark::left_end(const Ball& a, const Ball& b) {
 
 BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x, const Ball& D,
                      const Ball& offset) {
-    const Ball p = v.right * left_x;
-    const Ball q = right_x * v.left;
-    const Ball gap = D * abs(offset);
+    return ball_green(v, right_x, left_x, root(right_x * left_x), D, offset);
+}
+
+BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x, const Ball& w_x,
+                     const Ball& D, const Ball& offset) {
     BallGreen g;
     if (offset.is_exact() && contains_zero(offset)) {
         g.value = Ball(0, offset.bits());
@@ -58,10 +60,18 @@ BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
         g.least = g.moment;
         return g;
     }
-    // |p - q| = D |offset|, so that the argument is 1 + (2 min + 2 sqrt(pq))/gap: near an edge it
-    // is near 1 and the logarithm keeps its relative digits.
-    const Ball smaller = min(p, q);
-    const Ball beyond = smaller * 2 + root(p * q) * 2;
+    // p - q = -D offset, so that the argument is 1 + (2 min + 2 sqrt(pq))/gap: near an edge it is
+    // near 1 and the logarithm keeps its relative digits.
+    const Ball gap = D * abs(offset);
+    Ball beyond = v.w * w_x;
+    if (certainly_positive(offset)) {
+        arb_addmul(beyond.data(), v.right.data(), left_x.data(), beyond.bits());
+    } else if (certainly_negative(offset)) {
+        arb_addmul(beyond.data(), right_x.data(), v.left.data(), beyond.bits());
+    } else {
+        beyond += min(v.right * left_x, right_x * v.left);
+    }
+    arb_mul_2exp_si(beyond.data(), beyond.data(), 1);
     g.value = log1p(beyond / gap);
     if (!contains_zero(offset)) {
         g.moment = offset * g.value;
@@ -70,7 +80,7 @@ BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
     }
     g.least = log1p(clamped(beyond) / Ball(gap.upper(), offset.bits()));
     // |t ln(C/t)| grows with t up to C/e: over |offset| <= t it is at most t ln(C/t).
-    const Ball sum = root(p) + root(q);
+    const Ball sum = root(v.right * left_x) + root(right_x * v.left);
     const Ball C(Ball(sum * sum / D).upper(), offset.bits());
     const Ball t(abs(offset).upper(), offset.bits());
     const Ball largest = t * log(C / t);

@@ -33,5 +33,8 @@ struct BallGreen {
 };
 [[nodiscard]] BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
                                    const Ball& D, const Ball& offset);
+/// The same where w_x = sqrt(right_x left_x) is known: no root is left to take.
+[[nodiscard]] BallGreen ball_green(const BallMark& v, const Ball& right_x, const Ball& left_x,
+                                   const Ball& w_x, const Ball& D, const Ball& offset);
 
 } // namespace edgeproof

@@ -14,16 +14,57 @@ struct BallContact::Place {
     std::vector<Ball> offsets;
 };
 
+void BallContact::fix() {
+    fixed_ = {};
+    fixed_.length = a_ + b_;
+    const auto exactly = [&](const Expr& e) {
+        const Rational* q = e.rational();
+        return q != nullptr ? std::optional<Rational>(*q) : std::nullopt;
+    };
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        fixed_.insets.push_back(a_ - knots_[i]);
+        fixed_.outsets.push_back(b_ + knots_[i]);
+        std::optional<Rational> inset;
+        std::optional<Rational> outset;
+        if (given_a_) {
+            inset = exactly(given_a_->expr() - profile_.knots()[i].expr());
+            if (profile_.symmetric()) {
+                outset = exactly(given_a_->expr() + profile_.knots()[i].expr());
+            }
+        }
+        fixed_.exact_insets.push_back(std::move(inset));
+        fixed_.exact_outsets.push_back(std::move(outset));
+    }
+    if (power_law_) {
+        // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
+        fixed_.factor = power_factor_ * (exponent_ + 1) * pow(a_, exponent_) / Ball::pi(bits_);
+        return;
+    }
+    fixed_.factor = modulus_ / (Ball::pi(bits_) * 2);
+    fixed_.arc = Ball(0, bits_);
+    BallMark previous = BallMark::left_end(a_, b_);
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        BallMark next = mark(a_, b_, i);
+        fixed_.arc += pieces_[i].rate * (previous.h - next.h);
+        fixed_.bends.push_back(!next.outside && bends(i));
+        fixed_.rate_drops.push_back(pieces_[i].rate - pieces_[i + 1].rate);
+        fixed_.marks.push_back(next);
+        previous = std::move(next);
+    }
+    fixed_.arc += pieces_.back().rate * previous.h;
+}
+
 BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
-    const Ball other = a_ + b_ - u;
+    const Ball other = fixed_.length - u;
     if (certainly_negative(u) || certainly_negative(other)) {
         throw DomainError("a point lies outside the contact");
     }
     // A ball that reaches beyond an edge stands for its part inside.
     Place at{
         clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
-    for (const Ball& knot : knots_) {
-        at.offsets.push_back(edge == Edge::right ? u - (a_ - knot) : b_ + knot - u);
+    at.offsets.reserve(knots_.size());
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        at.offsets.push_back(edge == Edge::right ? u - fixed_.insets[i] : fixed_.outsets[i] - u);
     }
     return at;
 }
@@ -32,14 +73,24 @@ Ball BallContact::pressure(Edge edge, const Exact& u) const {
     Place at = place(edge, constant(u.expr()));
     if (given_a_ && (edge == Edge::right || profile_.symmetric())) {
         // x is known exactly: so is whether it is on a knot, and how far from it.
-        const Expr& a = given_a_->expr();
-        const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
+        const Rational* distance = u.expr().rational();
         for (std::size_t i = 0; i < knots_.size(); ++i) {
-            const Expr offset = profile_.knots()[i].expr() - x;
-            if (const Rational* q = offset.rational()) {
-                at.offsets[i] = Ball(*q, bits_);
-            } else if (contains_zero(at.offsets[i]) && is_zero(offset)) {
-                at.offsets[i] = Ball(0, bits_);
+            if (at.offsets[i].relative_accuracy_bits() >= bits_ - 8) {
+                continue;
+            }
+            const auto& exact =
+                edge == Edge::right ? fixed_.exact_insets[i] : fixed_.exact_outsets[i];
+            if (exact && distance != nullptr) {
+                const Rational offset = edge == Edge::right ? Rational(*distance - *exact)
+                                                            : Rational(*exact - *distance);
+                at.offsets[i] = Ball(offset, bits_);
+            } else if (contains_zero(at.offsets[i])) {
+                const Expr& a = given_a_->expr();
+                const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
+                const Expr offset = profile_.knots()[i].expr() - x;
+                if (is_zero(offset)) {
+                    at.offsets[i] = Ball(0, bits_);
+                }
             }
         }
     }
@@ -54,33 +105,27 @@ Ball BallContact::least_pressure(Edge edge, const Ball& u) const {
 
 Ball BallContact::pressure(const Place& at, bool least) const {
     if (power_law_) {
-        // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
-        const Ball rate = power_factor_ * (exponent_ + 1) * pow(a_, exponent_);
         const Ball y = at.right * at.left / (a_ * a_);
-        return rate / Ball::pi(bits_) *
-               power_law_integral(profile_.parameters().at("m"), exponent_, abs(at.offsets[0]) / a_,
-                                  y);
+        return fixed_.factor * power_law_integral(profile_.parameters().at("m"), exponent_,
+                                                  abs(at.offsets[0]) / a_, y);
     }
+    // The sum over the pieces of g'' times ((v - x) G + w_x h) between their ends, the terms of
+    // each knot taken together; G is 0 at the edges.
     const Ball w_x = root(at.right * at.left);
-    Ball sum(0, bits_);
-    BallMark previous = BallMark::left_end(a_, b_);
-    Ball previous_moment(0, bits_);
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const bool edge_here = i == knots_.size();
-        const BallMark next = edge_here ? BallMark::right_end(a_, b_) : mark(a_, b_, i);
-        Ball moment(0, bits_); // (v - x) G(x, v)
-        if (!edge_here && !next.outside && bends(i)) {
-            const BallGreen green = ball_green(next, at.right, at.left, a_ + b_, at.offsets[i]);
-            moment = green.moment;
-            if (profile_.has_corner(i)) {
-                sum += jumps_[i] * (least ? green.least : green.value);
-            }
+    Ball sum = fixed_.arc * w_x;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (!fixed_.bends[i]) {
+            continue;
         }
-        sum += pieces_[i].rate * (moment - previous_moment + w_x * (previous.h - next.h));
-        previous = next;
-        previous_moment = moment;
+        const BallGreen green =
+            ball_green(fixed_.marks[i], at.right, at.left, w_x, fixed_.length, at.offsets[i]);
+        if (profile_.has_corner(i)) {
+            sum += jumps_[i] * (least ? green.least : green.value);
+        }
+        arb_addmul(sum.data(), fixed_.rate_drops[i].data(), green.moment.data(), bits_);
     }
-    return modulus_ / (Ball::pi(bits_) * 2) * sum;
+    sum *= fixed_.factor;
+    return sum;
 }
 
 Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus, const Load& load,

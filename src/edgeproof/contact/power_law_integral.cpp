@@ -4,6 +4,7 @@
 #include "edgeproof/contact/ball_marks.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace edgeproof {
 namespace {
@@ -25,22 +26,47 @@ bool negligible(const Ball& x, const Ball& sum) {
            arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
 }
 
+/// 1 + n/2 + k over k + 1, times x, in place.
+void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
+    // A quotient of small numbers: no division of balls.
+    if (n && denominator(*n) < (1 << 20)) {
+        const long q = denominator(*n).convert_to<long>();
+        const long p = numerator(*n).convert_to<long>();
+        arb_mul_si(x.data(), x.data(), p + 2 * q * (k + 1), bits);
+        arb_div_si(x.data(), x.data(), 2 * q * (k + 1), bits);
+        return;
+    }
+    const Ball factor = (first + k) / (k + 1);
+    arb_mul(x.data(), x.data(), factor.data(), bits);
+}
+
 /// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (Euler's transformation of 2F1, DLMF
 /// 15.8.1): all terms are positive, and from where their ratio is below 1 on it falls on.
-Ball edge_series(const Ball& n, const Ball& q, const Ball& y) {
+Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ball& q,
+                 const Ball& y) {
     const long bits = y.bits();
     const Ball first = n / 2 + 1;
     Ball term(1, bits);
     Ball sum(0, bits);
+    Ball share(0, bits);
     for (long k = 0; k < static_cast<long>(most_terms); ++k) {
-        const Ball ratio = (first + k) / (k + 1) * y;
-        const Ball share = term / (2 * k + 1);
-        if (certainly_less(ratio, Ball(1, bits)) && k > 0 && negligible(share, sum)) {
-            const Ball factor = pow(q, n);
-            return root(y) * factor * (sum + from_zero(share / (1 - ratio)));
+        // A term counts for what it is beside the sum: small ones are made of fewer bits.
+        const long below = k == 0 ? 0
+                                  : arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) -
+                                        arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
+        const long here = std::clamp(bits + 16 - below, 30L, bits);
+        arb_div_si(share.data(), term.data(), 2 * k + 1, here);
+        if (k > 0 && negligible(share, sum)) {
+            Ball ratio = y;
+            to_next_term(ratio, first, exactly, k, bits);
+            if (certainly_less(ratio, Ball(1, bits))) {
+                const Ball factor = pow(q, n);
+                return root(y) * factor * (sum + from_zero(share / (1 - ratio)));
+            }
         }
         sum += share;
-        term *= ratio;
+        arb_mul(term.data(), term.data(), y.data(), here);
+        to_next_term(term, first, exactly, k, here);
         if (!term.is_finite()) {
             break;
         }
@@ -104,7 +130,7 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
             return asinh(root / q);
         }
         if (by_edge && (about_y <= 0.75 || !certainly_less(q, most))) {
-            return edge_series(n, q, y);
+            return edge_series(n, m.is_rational() ? std::optional(left) : std::nullopt, q, y);
         }
         return certainly_less(q, most) ? apex_series(n, q) : unknown(bits);
     };
@@ -119,7 +145,8 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
         return unknown(bits);
     }
     if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
-        return edge_series(enclosed_m, q, y);
+        return edge_series(enclosed_m, m.is_rational() ? std::optional(m.rational()) : std::nullopt,
+                           q, y);
     }
     // m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, by parts; and 0 <= I_n <= sqrt(y) for n >= 1.
     const Ball square = q * q;

@@ -23,6 +23,7 @@ void add_points(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_mutate(CLI::App& app, int& code);
 void add_bounds(CLI::App& app, int& code);
+void add_cost(CLI::App& app, int& code);
 
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();

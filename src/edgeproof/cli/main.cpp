@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
     cli::add_check(app, code);
     cli::add_mutate(app, code);
     cli::add_bounds(app, code);
+    cli::add_cost(app, code);
     cli::add_verify(app, code);
     try {
         app.parse(argc, argv);

@@ -6,6 +6,7 @@
 ///   work.hpp             Counts and Work: what was done, counted where it is done
 ///   contact_law.hpp      ContactLaw<T>: b(a), P(a), M(a) and their series, in any arithmetic
 ///   pressure_routes.hpp  p(x) by routes that share no formula
+///   fast_pressure.hpp    many pressures of one contact, each at the least cost of a quadrature
 ///   ball_contact.hpp     the same contact in balls: enclosures that are proved
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
@@ -19,6 +20,7 @@
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/fast_pressure.hpp"
 #include "edgeproof/contact/forward.hpp"
 #include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/contact/normal_contact.hpp"

@@ -80,13 +80,20 @@ std::string to_csv(const Plot& plot) {
 
 std::string gnuplot_script(const Plot& plot, std::string_view output) {
     std::string script = "set encoding utf8\n";
-    script += fmt::format("set terminal svg size 560,400 dynamic font \"sans-serif,14\" name {}\n",
-                          gnuplot_text(element_name(plot.id)));
+    constexpr std::size_t named_in_a_line = 2;
+    constexpr std::size_t line_height = 19;
+    const std::size_t key_lines =
+        plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
+    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" name {}\n",
+                          400 + line_height * key_lines, gnuplot_text(element_name(plot.id)));
     script += fmt::format("set output {}\n", gnuplot_text(output));
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
     constexpr std::size_t most_inside = 4; // more would lie on the curves
-    if (plot.curves.size() > most_inside) {
+    if (plot.key_below) {
+        script +=
+            fmt::format("set key outside below center horizontal maxcols {} height 0.6\n", named_in_a_line);
+    } else if (plot.curves.size() > most_inside) {
         script += "set key outside right center\n";
     } else if (plot.y.logarithmic && !plot.x.logarithmic) {
         script += "set key bottom right\n";

@@ -47,6 +47,7 @@ struct Plot {
     std::vector<Curve> curves;
     /// A horizontal line: where it is, and what it says.
     std::optional<std::pair<std::string, std::string>> level = {};
+    bool key_below = false; ///< the curves are named under the plot, however many they are
 };
 
 /// A figure of the page: panels with one caption.

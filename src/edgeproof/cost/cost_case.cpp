@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cost/cost_case.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace edgeproof {
+namespace {
+
+constexpr std::size_t many = 40;
+constexpr std::size_t some = 10;
+constexpr unsigned digits_of_places = 6;
+
+/// In equal ratios from 1e-8 to 1, as decimals of 6 digits, times `unit`.
+std::vector<Exact> ladder(std::size_t count, const std::string& unit) {
+    const PrecisionScope scope(30);
+    std::vector<Exact> u;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Real exponent = Real(8 * k) / Real(count - 1) - 8;
+        const std::string text = to_decimal(Real(pow(Real(10), exponent)), digits_of_places);
+        u.push_back(Exact::parse(unit == "1" ? text : "(" + unit + ")*" + text));
+    }
+    return u;
+}
+
+std::vector<Exact> listed(const std::vector<const char*>& texts) {
+    std::vector<Exact> u;
+    for (const char* text : texts) {
+        u.push_back(Exact::parse(text));
+    }
+    return u;
+}
+
+Scene unit_contact(const std::string& name, const std::string& profile) {
+    return parse_scene("[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                       name);
+}
+
+} // namespace
+
+std::vector<CostCase> usual_cases() {
+    const std::string flat = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"";
+    const std::string wedge = "kind = \"power-law\"\nm = \"0\"\nC = \"1\"";
+    const std::string power = "kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"";
+    const std::string tilted_wedge = "kind = \"tilted-wedge\"\nphi = \"pi/16\"\nalpha = \"pi/32\"";
+    const std::string tilted_flat =
+        "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"1/2\"\nR = \"2\"";
+    const std::string curved = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
+                               "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]";
+    std::vector<CostCase> cases;
+    const auto add = [&](const std::string& name, const std::string& profile, std::vector<Exact> u,
+                         const char* near = "0") {
+        cases.push_back(
+            {name, unit_contact(name, profile), Edge::right, std::move(u), Exact::parse(near)});
+    };
+    std::vector<Exact> off_centre = ladder(some, "1");
+    off_centre.back() = Exact::parse("1/2"); // at u = a is the apex, where some p are infinite
+    add("flat-and-rounded", flat, ladder(many, "1"));
+    add("wedge", wedge, off_centre);
+    add("power law, m = 1/2", power, off_centre);
+    add("tilted wedge", tilted_wedge, off_centre);
+    add("tilted flat-and-rounded", tilted_flat, off_centre);
+    add("curved", curved, off_centre);
+    add("by the end of the flat", flat,
+        listed({"0.6 - 1e-2", "0.6 + 1e-3", "0.6 - 1e-4", "0.6 + 1e-6", "0.6 - 1e-8", "0.6 + 1e-10",
+                "0.6 - 1e-12", "0.6 + 1e-16", "0.6 - 1e-20", "0.6 - 1e-30"}),
+        "0.6");
+    add("by the apex of a wedge", wedge,
+        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
+    add("by the apex of a power law", power,
+        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
+    add("within 1e-300 of the edge", tilted_flat,
+        listed({"1e-12", "1e-20", "1e-30", "1e-60", "1e-100", "1e-300"}));
+    return cases;
+}
+
+CostCase case_of(const Scene& scene) {
+    if (!scene.profile) {
+        throw InputError("the cost of a scene of P and M is not told: its tilt is found once, and "
+                         "its pressures cost what those of the tilted profile do",
+                         "give alpha, and a or P")
+            .at(scene.file, scene.load_line);
+    }
+    CostCase c{std::filesystem::path(scene.file).stem().string(),
+               scene,
+               scene.ask.edges.empty() ? Edge::right : scene.ask.edges.front(),
+               {},
+               {}};
+    for (const AskedPoint& point : scene.ask.u) {
+        c.u.push_back(point.u);
+    }
+    if (c.u.empty()) {
+        const NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
+        const Real size = c.edge == Edge::right ? contact.a() : contact.b();
+        c.u = ladder(many, to_decimal(size, digits_of_places));
+    }
+    return c;
+}
+
+double CostCase::distance(std::size_t point) const {
+    const PrecisionScope scope(400);
+    return Real(abs(Real(u.at(point).to<Real>() - near.to<Real>()))).convert_to<double>();
+}
+
+std::vector<std::size_t> thinned(std::size_t points, std::size_t most) {
+    std::vector<std::size_t> chosen;
+    const std::size_t n = std::min(points, most);
+    for (std::size_t i = 0; i < n; ++i) {
+        chosen.push_back(n == 1 ? 0 : i * (points - 1) / (n - 1));
+    }
+    return chosen;
+}
+
+} // namespace edgeproof

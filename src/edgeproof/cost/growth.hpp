@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/cost/measure.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+
+/// y = factor x^exponent, by least squares in the logarithms.
+struct PowerLawFit {
+    double factor = 0;
+    double exponent = 0;
+    std::size_t points = 0;
+};
+/// Nothing for fewer than two different x > 0.
+[[nodiscard]] std::optional<PowerLawFit>
+power_law_fit(const std::vector<std::pair<double, double>>& points);
+
+/// How the cost of one route in one arithmetic grows with the digits, over one case.
+struct Growth {
+    std::string scene;
+    std::string route;
+    std::string arithmetic;
+    PowerLawFit time;                       ///< median seconds a value
+    std::optional<PowerLawFit> evaluations; ///< median
+    /// What a value of ten digits more costs, as a ratio, at 50 digits by the fit.
+    [[nodiscard]] double ten_more() const;
+};
+/// Of routes with two digits or more, in the order of the cells. Cells that were not timed, or
+/// failed at every point, are left out.
+[[nodiscard]] std::vector<Growth> growths(const std::vector<CostCell>& cells);
+
+/// What a proof costs: the median time of an enclosure over that of the bare value.
+struct BoundCost {
+    std::string scene;
+    unsigned digits = 0;
+    std::string bare; ///< the fastest route in MPFR that keeps its digits
+    double bare_seconds = 0;
+    double enclosure_seconds = 0;
+    double rounded_seconds = 0; ///< enclosed, and rounded to the digits asked for
+};
+/// For each case and number of digits that has both.
+[[nodiscard]] std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells);
+
+} // namespace edgeproof

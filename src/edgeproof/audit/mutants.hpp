@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ struct MutationOptions {
     AuditOptions audit;
     std::size_t mutants = 1000; ///< how many, fewer if there are no more
     std::uint64_t seed = 1;
+    /// Fates found by an earlier run over the same formulas: those mutants are not checked again.
+    std::vector<MutantFate> known = {};
+    /// Told now and then, and at a stop, of every fate found so far; one call at a time.
+    std::function<void(const std::vector<MutantFate>&)> checkpoint = {};
 };
 
 /// Breaks the `value` and `identity` claims of a ledger that are confirmed or proved, and has each

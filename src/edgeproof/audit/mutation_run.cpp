@@ -7,6 +7,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
 #include <random>
 
 namespace edgeproof {
@@ -75,6 +78,70 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
     return fate;
 }
 
+/// The fates as they are found, laid aside every few seconds.
+class Fates {
+public:
+    Fates(const MutationOptions& options, std::size_t size)
+        : options_(options), fates_(size), found_(size, false) {
+        for (const MutantFate& f : options.known) {
+            known_.emplace(key(f.claim, f.mutated), &f);
+        }
+    }
+
+    /// The fate of number i by an earlier run, if it had it.
+    [[nodiscard]] bool take_known(std::size_t i, const Claim& claim, const Mutant& mutant) {
+        const auto it = known_.find(key(claim.id, to_text(mutant.formula)));
+        if (it == known_.end()) {
+            return false;
+        }
+        found(i, *it->second);
+        return true;
+    }
+
+    void found(std::size_t i, MutantFate fate) {
+        const std::lock_guard lock(mutex_);
+        fates_[i] = std::move(fate);
+        found_[i] = true;
+        ++done_;
+        if (options_.audit.progress) {
+            options_.audit.progress(done_, fates_.size());
+        }
+        const auto now = std::chrono::steady_clock::now();
+        if (now - laid_aside_ > std::chrono::seconds(5)) {
+            lay_aside();
+            laid_aside_ = now;
+        }
+    }
+
+    void lay_aside() const {
+        if (!options_.checkpoint) {
+            return;
+        }
+        std::vector<MutantFate> some;
+        for (std::size_t i = 0; i < fates_.size(); ++i) {
+            if (found_[i]) {
+                some.push_back(fates_[i]);
+            }
+        }
+        options_.checkpoint(some);
+    }
+
+    [[nodiscard]] std::vector<MutantFate> all() { return std::move(fates_); }
+
+private:
+    static std::string key(const std::string& claim, const std::string& mutated) {
+        return claim + "\n" + mutated;
+    }
+
+    const MutationOptions& options_;
+    std::map<std::string, const MutantFate*> known_;
+    std::vector<MutantFate> fates_;
+    std::vector<bool> found_;
+    std::size_t done_ = 0;
+    std::chrono::steady_clock::time_point laid_aside_ = std::chrono::steady_clock::now();
+    std::mutex mutex_;
+};
+
 } // namespace
 
 MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
@@ -106,30 +173,34 @@ MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
         }
     }
     const AuditContext context(ledger, options.audit.digits);
-    run.fates.resize(chosen.size());
-    std::atomic<std::size_t> done{0};
+    Fates fates(options, chosen.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (!fates.take_known(i, *chosen[i].first, *chosen[i].second)) {
+            open.push_back(i);
+        }
+    }
     std::atomic<bool> skipped{false};
     tbb::task_arena arena(options.audit.threads > 0 ? options.audit.threads
                                                     : tbb::task_arena::automatic);
     arena.execute([&] {
         tbb::parallel_for(
-            std::size_t{0}, chosen.size(),
-            [&](std::size_t i) {
+            std::size_t{0}, open.size(),
+            [&](std::size_t k) {
                 if (options.audit.stop != nullptr && options.audit.stop->load()) {
                     skipped = true;
                     return;
                 }
-                run.fates[i] = fate_of(*chosen[i].first, *chosen[i].second, context);
-                const std::size_t now = ++done;
-                if (options.audit.progress) {
-                    options.audit.progress(now, chosen.size());
-                }
+                const auto& [claim, mutant] = chosen[open[k]];
+                fates.found(open[k], fate_of(*claim, *mutant, context));
             },
             tbb::simple_partitioner());
     });
+    fates.lay_aside();
     if (skipped) {
         throw Interrupted("stopped before all mutants were checked");
     }
+    run.fates = fates.all();
     return run;
 }
 

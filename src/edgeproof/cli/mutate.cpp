@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/mutation_report.hpp"
 #include "edgeproof/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace edgeproof::cli {
@@ -17,6 +21,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string only = "*";
     std::string out;
+    std::string state;
     int threads = 0;
 };
 
@@ -39,7 +44,7 @@ std::vector<std::string> false_alarms(const MutationRun& run, const std::string&
     return all;
 }
 
-int mutate(const Options& o) {
+int mutate(const Options& o, const std::string& version) {
     if (o.digits < 10 || o.digits > 1000) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to 1000");
@@ -56,16 +61,33 @@ int mutate(const Options& o) {
     options.audit.stop = &interrupted();
     options.mutants = static_cast<std::size_t>(o.mutants);
     options.seed = o.seed;
+    if (!o.state.empty()) {
+        const std::string of =
+            fmt::format("edgeproof mutate, ledger {:016x}, {} digits, edgeproof {}",
+                        fnv1a(read_text(o.ledger, "ledger (TOML)")), o.digits, version);
+        if (std::filesystem::exists(o.state)) {
+            options.known =
+                parse_mutation_state(read_text(o.state, "state of mutants"), o.state, of);
+        }
+        options.checkpoint = [&o, of](const std::vector<MutantFate>& fates) {
+            write_whole(o.state, mutation_state(of, fates));
+        };
+    }
     MutationRun run;
-    {
+    try {
         Progress progress("mutants");
         options.audit.progress = [&](std::size_t done, std::size_t total) {
             progress(done, total);
         };
         run = run_mutants(ledger, options);
+    } catch (const Interrupted& e) {
+        throw Interrupted(e.what() +
+                          (o.state.empty()
+                               ? std::string("; with --state FILE they can be gone on with")
+                               : ", those done kept in " + o.state));
     }
     if (!o.out.empty()) {
-        write_whole(o.out, mutation_csv(run));
+        write_whole(o.out, mutation_csv(run.fates));
     }
     const std::vector<std::string> alarms = false_alarms(run, o.ledger);
     std::fputs(mutation_text(run, alarms).c_str(), stdout);
@@ -84,9 +106,11 @@ void add_mutate(CLI::App& app, int& code) {
     sub->add_option("--digits", o->digits, "digits to check to")->capture_default_str();
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
     sub->add_option("--out", o->out, "file for a row a mutant (CSV)");
+    sub->add_option("--state", o->state,
+                    "file that keeps what is done: a run that was stopped goes on from it");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
-    sub->callback([o, &code] { code = mutate(*o); });
+    sub->callback([o, &code, &app] { code = mutate(*o, app.version()); });
 }
 
 } // namespace edgeproof::cli

@@ -91,8 +91,9 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
     constexpr std::size_t most_inside = 4; // more would lie on the curves
     if (plot.key_below) {
-        script +=
-            fmt::format("set key outside below center horizontal maxcols {} height 0.6\n", named_in_a_line);
+        script += fmt::format("set key outside below center horizontal maxcols {} height 0.6 "
+                              "samplen 2 width -4 font \",12\"\n",
+                              named_in_a_line);
     } else if (plot.curves.size() > most_inside) {
         script += "set key outside right center\n";
     } else if (plot.y.logarithmic && !plot.x.logarithmic) {

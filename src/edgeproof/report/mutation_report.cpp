@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/mutation_report.hpp"
 
+#include "edgeproof/conformance/csv.hpp"
+#include "edgeproof/precision/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace edgeproof {
 namespace {
+
+constexpr const char* columns = "claim,kind,verdict,equivalent,named,original,mutant,note";
 
 struct Count {
     std::size_t made = 0;
@@ -82,14 +87,50 @@ std::string mutation_text(const MutationRun& run, const std::vector<std::string>
     return out;
 }
 
-std::string mutation_csv(const MutationRun& run) {
-    std::string out = "claim,kind,verdict,equivalent,named,original,mutant,note\n";
-    for (const MutantFate& f : run.fates) {
-        out += fmt::format("{},{},{},{},{},{},{},{}\n", f.claim, f.kind, name_of(f.verdict),
+std::string mutation_csv(const std::vector<MutantFate>& fates) {
+    std::string out = std::string(columns) + "\n";
+    for (const MutantFate& f : fates) {
+        out += fmt::format("{},{},{},{},{},{},{},{}\n", f.claim, quoted(f.kind), name_of(f.verdict),
                            f.equivalent ? "yes" : "no", f.named ? "yes" : "no", quoted(f.original),
                            quoted(f.mutated), quoted(f.note));
     }
     return out;
+}
+
+std::string mutation_state(const std::string& of, const std::vector<MutantFate>& fates) {
+    return "# " + of + "\n" + mutation_csv(fates);
+}
+
+std::vector<MutantFate> parse_mutation_state(std::string_view text, const std::string& file,
+                                             const std::string& of) {
+    const Csv csv = parse_csv(text, file);
+    const auto reject = [&](std::size_t line, const std::string& problem) {
+        throw InputError(problem, "remove the file to begin anew").at(file, line);
+    };
+    if (csv.notes.size() != 1 || csv.notes[0] != of) {
+        reject(1, "the state is not one of \"" + of + "\"");
+    }
+    std::vector<MutantFate> fates;
+    for (const Csv::Row& row : csv.rows) {
+        if (row.cells.size() != 8) {
+            reject(row.line, "a mutant has 8 cells, not " + std::to_string(row.cells.size()));
+        }
+        const auto verdict = find_verdict(row.cells[2]);
+        if (!verdict) {
+            reject(row.line, "\"" + row.cells[2] + "\" is no verdict");
+        }
+        MutantFate f;
+        f.claim = row.cells[0];
+        f.kind = row.cells[1];
+        f.verdict = *verdict;
+        f.equivalent = row.cells[3] == "yes";
+        f.named = row.cells[4] == "yes";
+        f.original = row.cells[5];
+        f.mutated = row.cells[6];
+        f.note = row.cells[7];
+        fates.push_back(std::move(f));
+    }
+    return fates;
 }
 
 } // namespace edgeproof

@@ -3,6 +3,7 @@
 #include "edgeproof/audit/mutants.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof {
@@ -16,6 +17,13 @@ namespace edgeproof {
                                         const std::vector<std::string>& false_alarms);
 
 /// A row a mutant: claim, kind, verdict, equivalent, named, the two formulas, the note.
-[[nodiscard]] std::string mutation_csv(const MutationRun& run);
+[[nodiscard]] std::string mutation_csv(const std::vector<MutantFate>& fates);
+
+/// A run laid aside: a note that says what it is of, and the rows found so far.
+[[nodiscard]] std::string mutation_state(const std::string& of,
+                                         const std::vector<MutantFate>& fates);
+/// Throws InputError with the line for a text that is no such state, or one of something else.
+[[nodiscard]] std::vector<MutantFate>
+parse_mutation_state(std::string_view text, const std::string& file, const std::string& of);
 
 } // namespace edgeproof

@@ -76,7 +76,8 @@ NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision prec
                        ? evaluated(f, precision, split.marks[i], from_lo, true, lengths[i])
                        : evaluated(f, precision, split.marks[i + 1], from_hi, false, lengths[i]);
         },
-        lengths, split.beyond_lo, split.beyond_hi, {.last_level = precision.last_level});
+        lengths, split.beyond_lo, split.beyond_hi,
+        {.last_level = precision.last_level, .gives_up = true});
     return {result.value, result.estimate, result.converged};
 }
 
@@ -128,7 +129,7 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
                                 : Real(evaluated(f, precision, right, rest, false, h) +
                                        evaluated(f, precision, left, rest, true, h));
             },
-            h, Real(0), Real(0), {.last_level = precision.last_level});
+            h, Real(0), Real(0), {.last_level = precision.last_level, .gives_up = true});
         sum = {fold.value, fold.estimate, fold.converged};
     }
     cuts.push_back(pole);

@@ -3,13 +3,43 @@
 #include "edgeproof/contact/pressure_routes.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 namespace edgeproof {
 namespace {
 
-/// Where P'(s) or b(s) is not analytic in (0, a): s on a knot, or b(s) on one. Ascending.
+/// So many digits more, in an arithmetic that can have them: beyond a corner of the profile P'(s)
+/// grows like (s - knot)^(-1/2), so that s takes the digits that s - knot has.
+template <Arithmetic T> class MoreDigits {
+public:
+    explicit MoreDigits(unsigned) {}
+};
+template <> class MoreDigits<Real> {
+public:
+    explicit MoreDigits(unsigned more) : scope_(working_digits() + more) {}
+
+private:
+    PrecisionScope scope_;
+};
+
+/// The digits of s/part that are lost when part is taken from s: none where part is of its size.
+template <Arithmetic T> unsigned digits_lost(const T& s, const T& part) {
+    if constexpr (std::is_same_v<T, Real>) {
+        constexpr double digits_a_bit = 0.30103;
+        const auto bits = mpfr_get_exp(s.backend().data()) - mpfr_get_exp(part.backend().data());
+        return bits > 0 && part > 0
+                   ? static_cast<unsigned>(digits_a_bit * static_cast<double>(bits)) + 1
+                   : 0;
+    } else {
+        return 0;
+    }
+}
+
+/// Where P'(s) or b(s) is not analytic in (0, a): s on a knot, or b(s) on one. Ascending, and with
+/// twice the digits of the rest where they are solved for.
 template <Arithmetic T> std::vector<T> kinks(const ContactLaw<T>& law, const Extent<T>& e) {
+    const MoreDigits<T> twice(working_digits());
     std::vector<T> s;
     for (const T& knot : law.slope().knots()) {
         if (knot > T(0) && knot < e.a) {
@@ -34,13 +64,14 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
     // P' and b(s) are not analytic at the kinks below x either: the nearest tells how close the
     // first interval lies to trouble. At the apex it is the origin itself.
     T below(0);
-    std::vector<T> offsets; // from x: the first interval's lower end
-    offsets.push_back(T(0));
+    std::vector<T> starts{at.x};
+    std::vector<T> offsets{T(0)}; // of the starts, from x
     for (const T& s : kinks(law, e)) {
         const T offset = s - at.x;
         if (!(offset > T(0))) {
             below = s;
         } else if (offset < at.right) {
+            starts.push_back(s);
             offsets.push_back(offset);
         }
     }
@@ -51,7 +82,8 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
     }
     const auto integrand = [&](std::size_t i, const T& lo, const T&) {
         const T from_x = offsets[i] + lo;
-        const T s = at.x + from_x;
+        const MoreDigits<T> beside_the_kink(i > 0 ? digits_lost(at.right, lo) : 0);
+        const T s = starts[i] + lo;
         const Extent<T> then = law.extent(s);
         const T rate = law.force_rate(then);
         return T(rate / sqrt(T(from_x * (at.x + then.b))));

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace edgeproof::test;
+
+// Whatever stops a run (an interrupt, a kill, a full disk, a folder that goes): no file is half
+// written or wrong, the program says one line, and the same command ends the work later.
+
+namespace {
+
+/// The right Hertz pressure, and one that is a factor off: enough work to be stopped in.
+const std::string ledger = R"toml([ledger]
+name = "own"
+source = "a test"
+[[family]]
+name = "hertz"
+profile = "power-law"
+count = 3
+points = 2
+u = ["1e-12", "1/20", "1/5", "3/7"]
+[family.parameters]
+m = ["1"]
+C = ["3/7", "1e-6"]
+a = ["3/2", "0.02"]
+Es = ["7/3"]
+[[claim]]
+id = "right"
+kind = "value"
+lines = [1, 2]
+printed = '''Es C/2 sqrt(a^2-x^2)'''
+over = "hertz"
+of = "p(x)"
+says = "Es*C/2*sqrt(a^2-x^2)"
+[[claim]]
+id = "wrong"
+kind = "value"
+lines = [3, 4]
+printed = '''Es C/3 sqrt(a^2-x^2)'''
+over = "hertz"
+of = "p(x)"
+says = "Es*C/3*sqrt(a^2-x^2)"
+)toml";
+
+const std::string scene = R"toml([profile]
+kind = "tilted-flat-and-rounded"
+alpha = "1/100"
+t = "2/5"
+R = "1"
+[load]
+a = "1"
+contact_modulus = "1"
+[ask]
+edges = ["right"]
+u = ["1e-12", "1e-3", "1/7"]
+)toml";
+
+/// What `command` says on both streams, run in the folder by a shell.
+Outcome shell(const Folder& folder, const std::string& command) {
+    const Folder aside;
+    folder.write("run.sh", command + "\n");
+    // A pipe for what it says, since a limit on files holds for these as well.
+    const std::string all = "cd '" + folder.path().string() + "' && { sh run.sh >'" +
+                            (aside.path() / "out").string() + "'; echo $? >'" +
+                            (aside.path() / "code").string() + "'; } 2>&1 </dev/null | cat >'" +
+                            (aside.path() / "err").string() + "'";
+    (void)std::system(all.c_str());
+    std::filesystem::remove(folder.path() / "run.sh");
+    return {std::stoi(file_text(aside.path() / "code")), file_text(aside.path() / "out"),
+            file_text(aside.path() / "err")};
+}
+
+std::string seconds(int milliseconds) {
+    const std::string rest = std::to_string(1000 + milliseconds % 1000);
+    return std::to_string(milliseconds / 1000) + "." + rest.substr(1);
+}
+
+std::string the_program(const std::string& arguments) {
+    return "'" + program().string() + "' " + arguments;
+}
+
+/// Every file under a folder that has its final name, and its text.
+std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> all;
+    if (std::filesystem::exists(folder)) {
+        for (const auto& e : std::filesystem::recursive_directory_iterator(folder)) {
+            if (e.is_regular_file() && e.path().extension() != ".tmp") {
+                all[std::filesystem::relative(e.path(), folder).string()] = file_text(e.path());
+            }
+        }
+    }
+    return all;
+}
+
+/// Those of `found` that are not the same in `whole`.
+std::set<std::string> unlike(const std::map<std::string, std::string>& found,
+                             const std::map<std::string, std::string>& whole) {
+    std::set<std::string> names;
+    for (const auto& [name, text] : found) {
+        const auto at = whole.find(name);
+        if (at == whole.end() || at->second != text) {
+            names.insert(name);
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("verify --out: stopped at many moments, every file that is there is the whole one") {
+    const Folder folder;
+    folder.write("own.toml", ledger);
+    REQUIRE(run(folder, "verify own.toml --digits 30 --out whole").code == 0);
+    const auto whole = files_of(folder.path() / "whole");
+    REQUIRE(whole.size() > 4);
+    int stopped = 0;
+    for (const char* signal : {"KILL", "INT", "TERM"}) {
+        for (int ms = 5; ms < 300; ms = ms * 6 / 5 + 1) {
+            CAPTURE(signal);
+            CAPTURE(ms);
+            const std::string out = std::string("out-") + signal;
+            const Outcome o =
+                shell(folder, std::string("timeout -s ") + signal + " " + seconds(ms) + " " +
+                                  the_program("verify own.toml --digits 30 --out " + out));
+            CHECK(unlike(files_of(folder.path() / out), whole).empty());
+            if (o.code != 0) {
+                ++stopped;
+                CHECK(lines(o.err).size() <= 1);
+            }
+        }
+        REQUIRE(run(folder, std::string("verify own.toml --digits 30 --out out-") + signal).code ==
+                0);
+        CHECK(files_of(folder.path() / (std::string("out-") + signal)) == whole);
+    }
+    CHECK(stopped > 10);
+}
+
+TEST_CASE("verify --out: a full disk, and a folder that goes, are one line each") {
+    const Folder folder;
+    folder.write("own.toml", ledger);
+    REQUIRE(run(folder, "verify own.toml --digits 20 --out whole").code == 0);
+    const auto whole = files_of(folder.path() / "whole");
+    // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
+    for (const char* blocks : {"0", "1", "8", "20"}) {
+        CAPTURE(blocks);
+        const Outcome o = shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
+                                            the_program("verify own.toml --digits 20 --out full"));
+        CHECK(o.code == 2);
+        CHECK(lines(o.err).size() == 1);
+        CHECK(o.err.rfind("cannot write full/", 0) == 0);
+        CHECK(unlike(files_of(folder.path() / "full"), whole).empty());
+    }
+    const Outcome gone =
+        shell(folder, the_program("verify own.toml --digits 20 --out d/e") +
+                          " & while [ ! -d d/e ]; do :; done; rm -r d; touch d; wait $!");
+    CHECK(gone.code == 2);
+    CHECK(lines(gone.err).size() == 1);
+    CHECK(gone.err.find("d/e") != std::string::npos);
+    CHECK(run(folder, "verify own.toml --digits 20 --out full").code == 0);
+    CHECK(files_of(folder.path() / "full") == whole);
+}
+
+TEST_CASE("scenes: stopped at many moments, --out is the old file or the whole new one") {
+    const Folder folder;
+    folder.write("s.toml", scene);
+    for (const char* command : {"pressure", "expand", "extent"}) {
+        const std::string arguments = command + std::string(" s.toml --digits 400 --out t.csv");
+        if (std::string(command) == "extent") {
+            folder.write("s.toml", scene + "terms = [2]\ntolerance = \"0.01\"\n");
+        }
+        REQUIRE(run(folder, arguments).code == 0);
+        const std::string whole = file_text(folder.path() / "t.csv");
+        folder.write("t.csv", "old\n");
+        for (const char* signal : {"KILL", "INT", "TERM"}) {
+            for (int ms = 4; ms < 2000; ms = ms * 4 / 3 + 1) {
+                const Outcome o = shell(folder, std::string("timeout -s ") + signal + " " +
+                                                    seconds(ms) + " " + the_program(arguments));
+                const std::string found = file_text(folder.path() / "t.csv");
+                CAPTURE(signal);
+                CAPTURE(ms);
+                CHECK((found == "old\n" || found == whole));
+                CHECK(lines(o.err).size() <= 1);
+            }
+        }
+        CHECK(run(folder, arguments).code == 0);
+        CHECK(file_text(folder.path() / "t.csv") == whole);
+    }
+}
+
+TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are one line") {
+    const Folder folder;
+    folder.write("s.toml", scene);
+    folder.write("t.csv", "old\n");
+    for (const char* command :
+         {"trap '' XFSZ; ulimit -f 0; P s.toml --out t.csv", "P s.toml --out t.csv/t.csv",
+          "P s.toml > /dev/full", "P s.toml --format json > /dev/full"}) {
+        CAPTURE(command);
+        std::string line = command;
+        line.replace(line.find("P "), 1, the_program("pressure"));
+        const Outcome o = shell(folder, line);
+        CHECK(o.code == 2);
+        CHECK(lines(o.err).size() == 1);
+        CHECK(file_text(folder.path() / "t.csv") == "old\n");
+    }
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("mutate --state: stopped again and again, the same mutants in the end") {
+    const Folder folder;
+    folder.write("own.toml", ledger);
+    const std::string command = "mutate own.toml --mutants 12 --digits 15 --threads 2 --out ";
+    const Outcome whole = run(folder, command + "whole.csv");
+    REQUIRE(lines(file_text(folder.path() / "whole.csv")).size() > 8);
+    const std::string state = command + "again.csv --state laid-aside";
+    int runs = 0;
+    for (int ms = 20; !std::filesystem::exists(folder.path() / "again.csv") && runs < 200;
+         ms += 20, ++runs) {
+        (void)shell(folder, std::string("timeout -s ") + (runs % 2 == 0 ? "TERM " : "KILL ") +
+                                seconds(ms) + " " + the_program(state));
+    }
+    CHECK(runs > 1);
+    CHECK(run(folder, state).out == whole.out);
+    CHECK(file_text(folder.path() / "again.csv") == file_text(folder.path() / "whole.csv"));
+    folder.write("laid-aside", "# something else\n" + file_text(folder.path() / "whole.csv"));
+    const Outcome other = run(folder, state);
+    CHECK(other.code == 2);
+    CHECK(lines(other.err).size() == 1);
+    CHECK(other.err.rfind("laid-aside:1: the state is not one of ", 0) == 0);
+}

@@ -15,6 +15,10 @@ function(edgeproof_own_flags target)
     if(EDGEPROOF_PCH)
         if(target STREQUAL "edgeproof_precision")
             target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+        elseif(target STREQUAL "edgeproof_cli")
+            # CLI11 is all header, and every source of the room includes it.
+            target_precompile_headers(${target} PRIVATE
+                ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp <CLI/CLI.hpp>)
         else()
             target_precompile_headers(${target} REUSE_FROM edgeproof_precision)
         endif()

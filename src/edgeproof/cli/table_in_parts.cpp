@@ -5,6 +5,7 @@
 #include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/conformance/shared_work.hpp"
 #include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/conformance/whole_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/part_file.hpp"
 
 #include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/conformance/whole_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
@@ -19,23 +20,6 @@
 
 namespace edgeproof {
 namespace {
-
-constexpr std::size_t write_at_once = 1 << 20;
-const std::string make_room = "give a folder that can be written to, with room in it";
-
-/// 0, or what went wrong.
-int write_all(int fd, const std::string& text) {
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const ssize_t n = ::write(fd, text.data() + at, text.size() - at);
-        if (n > 0) {
-            at += static_cast<std::size_t>(n);
-        } else if (n == 0 || errno != EINTR) {
-            return n == 0 ? ENOSPC : errno;
-        }
-    }
-    return 0;
-}
 
 /// Numbers, a blank between two, to the end of the line.
 template <std::size_t N>
@@ -204,47 +188,5 @@ std::vector<PartFile::Entry> PartFile::piece(std::size_t number) const {
 }
 
 void PartFile::remove() { ::unlink(file_.c_str()); }
-
-WholeFile::WholeFile(std::filesystem::path file)
-    : file_(std::move(file)), aside_(file_.string() + "." + std::to_string(::getpid()) + ".tmp") {
-    fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd_ < 0) {
-        cannot(errno);
-    }
-}
-
-WholeFile::~WholeFile() {
-    if (fd_ >= 0) {
-        ::close(fd_);
-        ::unlink(aside_.c_str());
-    }
-}
-
-void WholeFile::cannot(int error) {
-    throw InputError("cannot write " + file_.string() + ": " + std::strerror(error), make_room);
-}
-
-void WholeFile::write(const std::string& text) {
-    waiting_ += text;
-    if (waiting_.size() >= write_at_once) {
-        flush();
-    }
-}
-
-void WholeFile::flush() {
-    if (const int error = write_all(fd_, waiting_); error != 0) {
-        cannot(error);
-    }
-    waiting_.clear();
-}
-
-void WholeFile::commit() {
-    flush();
-    if (::fsync(fd_) != 0 || ::rename(aside_.c_str(), file_.c_str()) != 0) {
-        cannot(errno);
-    }
-    ::close(fd_);
-    fd_ = -1;
-}
 
 } // namespace edgeproof

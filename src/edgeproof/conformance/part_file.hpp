@@ -62,26 +62,4 @@ private:
     std::size_t marked_ = 0;
 };
 
-/// A file written in parts, seen by others only when it is whole. Throws InputError where it cannot
-/// be written; what was written is removed then, and where it is not committed.
-class WholeFile {
-public:
-    explicit WholeFile(std::filesystem::path file);
-    ~WholeFile();
-    WholeFile(const WholeFile&) = delete;
-    WholeFile& operator=(const WholeFile&) = delete;
-
-    void write(const std::string& text);
-    void commit();
-
-private:
-    void flush();
-    [[noreturn]] void cannot(int error);
-
-    std::filesystem::path file_;
-    std::filesystem::path aside_;
-    std::string waiting_;
-    int fd_ = -1;
-};
-
 } // namespace edgeproof

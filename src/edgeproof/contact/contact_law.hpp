@@ -68,8 +68,8 @@ private:
     };
     template <template <class, class> class Kernel, class U>
     [[nodiscard]] U over_measure(const Extent<U>& e, Part part = Part::all) const {
-        return integrate_measure<T, U, Kernel>(slope_, e, part, symmetric_, target_digits_,
-                                               &evaluations_);
+        return integrate_measure<T, U>(measure_kernel<U, Kernel<U, T>>(), slope_, e, part,
+                                       symmetric_, target_digits_, &evaluations_);
     }
     /// The imbalance at a trial edge, positive when it lies further out, and Newton's step.
     struct EdgeStep {

@@ -18,13 +18,21 @@ template <class T> struct LeadingTerm<Series<T>> {
     static const T& of(const Series<T>& x) { return x[0]; }
 };
 
-/// The integral of Kernel(v) dg'(v) over the contact (or a part of it): corners, pieces with
+/// A kernel of kernels.hpp for integrate_measure, which is compiled once for all of them.
+template <class U> struct MeasureKernel {
+    U (*at)(const Extent<U>&, const Mark<U>&);
+    U (*between)(const Extent<U>&, const Mark<U>&, const Mark<U>&);
+};
+template <class U, class Kernel> [[nodiscard]] MeasureKernel<U> measure_kernel() {
+    return {&Kernel::at, &Kernel::between};
+}
+
+/// The integral of kernel(v) dg'(v) over the contact (or a part of it): corners, pieces with
 /// constant g'' in closed form, other pieces by quadrature. U is T, or Series<T> for derivatives
 /// of any order by a (with b a function of a). `evaluations` counts the integrand.
-template <Arithmetic T, class U, template <class, class> class Kernel>
-U integrate_measure(const SlopeIn<T>& slope, const Extent<U>& e, Part part, bool symmetric,
-                    unsigned target_digits, std::size_t* evaluations) {
-    using K = Kernel<U, T>;
+template <Arithmetic T, class U>
+U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, const Extent<U>& e,
+                    Part part, bool symmetric, unsigned target_digits, std::size_t* evaluations) {
     const auto& knots = slope.knots();
     const T a0 = LeadingTerm<U>::of(e.a);
     const T b0 = LeadingTerm<U>::of(e.b);
@@ -44,7 +52,7 @@ U integrate_measure(const SlopeIn<T>& slope, const Extent<U>& e, Part part, bool
                    (part == Part::left_of_origin && i > slope.origin())) {
             continue;
         }
-        sum += K::at(e, mark<U, T>(e, knots[i])) * weight;
+        sum += kernel.at(e, mark<U, T>(e, knots[i])) * weight;
     }
 
     for (std::size_t i = 0; i <= knots.size(); ++i) {
@@ -66,7 +74,7 @@ U integrate_measure(const SlopeIn<T>& slope, const Extent<U>& e, Part part, bool
         if (piece.linear) {
             const Mark<U> m = from_left_edge ? left_end<U, T>(e) : mark<U, T>(e, knots[i - 1]);
             const Mark<U> n = to_right_edge ? right_end<U, T>(e) : mark<U, T>(e, knots[i]);
-            sum += K::between(e, m, n) * piece.rate;
+            sum += kernel.between(e, m, n) * piece.rate;
             continue;
         }
         // The piece's ends move with the edges: v = lo + (hi - lo) r, all distances exact.
@@ -95,11 +103,11 @@ U integrate_measure(const SlopeIn<T>& slope, const Extent<U>& e, Part part, bool
             const U v = i == slope.origin()       ? U(-from_hi)
                         : i == slope.origin() + 1 ? from_lo
                                                   : U(lo + from_lo);
-            U kernel = K::at(e, m);
+            U weight = kernel.at(e, m);
             if (fold) {
-                kernel += K::at(e, Mark<U>{U(-m.y), m.w, U(pi<T>() - m.h)});
+                weight += kernel.at(e, Mark<U>{U(-m.y), m.w, U(pi<T>() - m.h)});
             }
-            return U(kernel * slope.template rate<U>(i, v) * U(extent / length));
+            return U(weight * slope.template rate<U>(i, v) * U(extent / length));
         };
         const auto result =
             integrate_near<T>(f, length, LeadingTerm<U>::of(beyond_left),

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,53 +12,27 @@ namespace edgeproof {
 /// away from one end (0: none known). One that is near would slow tanh-sinh down without end; the
 /// map r = beyond (e^y - 1) moves it to y = -i pi whatever its distance. f is called with the
 /// distances from both ends, both exact.
+template <Arithmetic T, class R>
+[[nodiscard]] QuadratureResult<R>
+integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length, const T& beyond, bool at_lo,
+                       const QuadratureOptions& options);
 template <Arithmetic T, class F>
-auto integrate_one_sided(const F& f, const T& length, const T& beyond, bool at_lo,
-                         const QuadratureOptions& options = {}) {
-    using std::expm1;
-    using std::log1p;
-    if (beyond > T(0) && beyond < length / T(8)) {
-        const T y_end = log1p(T(length / beyond));
-        const T whole = length + beyond;
-        auto result = tanh_sinh<T>(
-            [&](const T& lo, const T& hi) {
-                const T& y = at_lo ? lo : hi;
-                const T& y_rest = at_lo ? hi : lo;
-                const T grown = expm1(T(y_end * y));
-                const T r = beyond * grown;
-                const T rest = -whole * expm1(T(-(y_end * y_rest)));
-                return (at_lo ? f(r, rest) : f(rest, r)) * T(beyond * (grown + T(1)));
-            },
-            options);
-        result.value = result.value * y_end;
-        return result;
-    }
-    auto result = tanh_sinh<T>(
-        [&](const T& lo, const T& hi) { return f(T(length * lo), T(length * hi)); }, options);
-    result.value = result.value * length;
-    return result;
+[[nodiscard]] auto integrate_one_sided(const F& f, const T& length, const T& beyond, bool at_lo,
+                                       const QuadratureOptions& options = {}) {
+    using R = IntegrandResult<T, F>;
+    return integrate_one_sided_of<T, R>(IntegrandRef<T, R>(f), length, beyond, at_lo, options);
 }
 
 /// The same with singularities beyond both ends: halved where both are near.
+template <Arithmetic T, class R>
+[[nodiscard]] QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& length,
+                                                    const T& beyond_lo, const T& beyond_hi,
+                                                    const QuadratureOptions& options);
 template <Arithmetic T, class F>
-auto integrate_near(const F& f, const T& length, const T& beyond_lo, const T& beyond_hi,
-                    const QuadratureOptions& options = {}) {
-    const T close = length / T(8);
-    const bool near_lo = beyond_lo > T(0) && beyond_lo < close;
-    const bool near_hi = beyond_hi > T(0) && beyond_hi < close;
-    if (!(near_lo && near_hi)) {
-        return integrate_one_sided<T>(f, length, near_hi ? beyond_hi : beyond_lo, !near_hi,
-                                      options);
-    }
-    const T half = length / T(2);
-    auto left =
-        integrate_one_sided<T>([&](const T& lo, const T& hi) { return f(lo, T(half + hi)); }, half,
-                               beyond_lo, true, options);
-    const auto right =
-        integrate_one_sided<T>([&](const T& lo, const T& hi) { return f(T(half + lo), hi); }, half,
-                               beyond_hi, false, options);
-    left.add(right);
-    return left;
+[[nodiscard]] auto integrate_near(const F& f, const T& length, const T& beyond_lo,
+                                  const T& beyond_hi, const QuadratureOptions& options = {}) {
+    using R = IntegrandResult<T, F>;
+    return integrate_near_of<T, R>(IntegrandRef<T, R>(f), length, beyond_lo, beyond_hi, options);
 }
 
 /// The integral over consecutive intervals given by their lengths: each is told how far beyond its

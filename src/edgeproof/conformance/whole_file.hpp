@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace edgeproof {
+
+/// Writes all of the text to an open file: 0, or the error.
+[[nodiscard]] int write_all(int fd, const std::string& text);
+
+/// What to do about a file that cannot be written.
+inline constexpr const char* make_room = "give a folder that can be written to, with room in it";
+
+/// A file written in parts, seen by others only when it is whole: until then it has no name, or,
+/// where the file system knows no such files, one by the process ("t.csv.4711.tmp"). Throws
+/// InputError where it cannot be written; what was written is removed then, and where it is not
+/// committed. What runs that were killed left beside it under such names is removed first.
+class WholeFile {
+public:
+    explicit WholeFile(std::filesystem::path file);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    void write(const std::string& text);
+    void commit();
+
+private:
+    void flush();
+    void give_name();
+    [[noreturn]] void cannot(int error);
+
+    std::filesystem::path file_;
+    std::filesystem::path aside_; ///< its name before it is whole
+    std::string waiting_;
+    int fd_ = -1;
+    bool named_ = false;
+};
+
+} // namespace edgeproof

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/quadrature/near_singularity.hpp"
+
+#include <cmath>
+
+namespace edgeproof {
+
+template <Arithmetic T, class R>
+QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length,
+                                           const T& beyond, bool at_lo,
+                                           const QuadratureOptions& options) {
+    using std::expm1;
+    using std::log1p;
+    if (beyond > T(0) && beyond < length / T(8)) {
+        const T y_end = log1p(T(length / beyond));
+        const T whole = length + beyond;
+        auto result = tanh_sinh<T>(
+            [&](const T& lo, const T& hi) {
+                const T& y = at_lo ? lo : hi;
+                const T& y_rest = at_lo ? hi : lo;
+                const T grown = expm1(T(y_end * y));
+                const T r = beyond * grown;
+                const T rest = -whole * expm1(T(-(y_end * y_rest)));
+                return R((at_lo ? f(r, rest) : f(rest, r)) * T(beyond * (grown + T(1))));
+            },
+            options);
+        result.value = result.value * y_end;
+        return result;
+    }
+    auto result = tanh_sinh<T>(
+        [&](const T& lo, const T& hi) { return f(T(length * lo), T(length * hi)); }, options);
+    result.value = result.value * length;
+    return result;
+}
+
+template <Arithmetic T, class R>
+QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& length,
+                                      const T& beyond_lo, const T& beyond_hi,
+                                      const QuadratureOptions& options) {
+    const T close = length / T(8);
+    const bool near_lo = beyond_lo > T(0) && beyond_lo < close;
+    const bool near_hi = beyond_hi > T(0) && beyond_hi < close;
+    if (!(near_lo && near_hi)) {
+        return integrate_one_sided_of<T, R>(f, length, near_hi ? beyond_hi : beyond_lo, !near_hi,
+                                            options);
+    }
+    const T half = length / T(2);
+    auto left =
+        integrate_one_sided<T>([&](const T& lo, const T& hi) { return f(lo, T(half + hi)); }, half,
+                               beyond_lo, true, options);
+    const auto right =
+        integrate_one_sided<T>([&](const T& lo, const T& hi) { return f(T(half + lo), hi); }, half,
+                               beyond_hi, false, options);
+    left.add(right);
+    return left;
+}
+
+#define EDGEPROOF_INSTANTIATE_FOR(T, R)                                                            \
+    template QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>&, const T&,       \
+                                                        const T&, bool, const QuadratureOptions&); \
+    template QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>&, const T&, const T&,  \
+                                                   const T&, const QuadratureOptions&);
+#define EDGEPROOF_INSTANTIATE(T)                                                                   \
+    EDGEPROOF_INSTANTIATE_FOR(T, T)                                                                \
+    EDGEPROOF_INSTANTIATE_FOR(T, Series<T>)
+EDGEPROOF_INSTANTIATE(double)
+EDGEPROOF_INSTANTIATE(long double)
+EDGEPROOF_INSTANTIATE(Float128)
+EDGEPROOF_INSTANTIATE(Real)
+#undef EDGEPROOF_INSTANTIATE
+#undef EDGEPROOF_INSTANTIATE_FOR
+
+} // namespace edgeproof

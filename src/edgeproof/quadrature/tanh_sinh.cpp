@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/quadrature/tanh_sinh.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace edgeproof {
+
+template <Arithmetic T, class R>
+QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOptions& options) {
+    using std::pow;
+    using V = QuadratureValue<R>;
+    const TanhSinhNodes<T>& nodes = tanh_sinh_nodes<T>();
+    const T tolerance = options.target_digits == 0 || options.target_digits + 2 >= digits_of<T>()
+                            ? T(T(100) * unit_roundoff<T>())
+                            : T(pow(T(10), -static_cast<int>(options.target_digits)));
+
+    std::optional<R> sum;
+    std::optional<R> magnitude;
+    std::size_t evaluations = 0;
+    const auto accumulate = [&](const T& weight, const R& value) {
+        if (!sum) {
+            sum = value * T(0);
+            magnitude = value * T(0);
+        }
+        V::add(*sum, weight, value);
+        V::add_magnitude(*magnitude, weight, value);
+    };
+    const auto evaluate = [&](const T& lo, const T& hi) {
+        ++evaluations;
+        R value = f(lo, hi);
+        if (!V::finite(value)) {
+            throw DomainError("an integrand is not finite inside its interval");
+        }
+        return value;
+    };
+
+    // A tail ends where its terms stay below roundoff three times running; finer levels then
+    // need not look beyond that abscissa.
+    const T negligible = tolerance / T(1 << 11);
+    T end_lo = nodes.end();
+    T end_hi = nodes.end();
+    std::optional<R> previous;
+    T before_last(0); // the estimate two levels ago, and
+    T last(0);        // one level ago
+    QuadratureResult<R> result{};
+    for (int level = 0; level <= options.last_level; ++level) {
+        const auto& table = nodes.level(level);
+        for (const bool left : {true, false}) {
+            int quiet = 0;
+            T& end = left ? end_lo : end_hi;
+            for (const auto& node : table) {
+                if (node.t > end) {
+                    break;
+                }
+                if (node.t == T(0)) {
+                    if (left) {
+                        accumulate(node.weight, evaluate(node.near, node.far));
+                    }
+                    continue;
+                }
+                const R value =
+                    left ? evaluate(node.near, node.far) : evaluate(node.far, node.near);
+                accumulate(node.weight, value);
+                const bool small =
+                    node.near < T(1) / T(8) &&
+                    V::distance(value * node.weight, value * T(0), *magnitude) < negligible;
+                quiet = small ? quiet + 1 : 0;
+                if (quiet == 3 && level <= options.first_level) {
+                    end = node.t;
+                    break;
+                }
+            }
+        }
+        // Level h = 2^-level: the sums of all levels together are h times the new total.
+        R estimate_now = *sum * T(nodes.step(level));
+        if (level >= options.first_level && previous) {
+            const R scale = *magnitude * T(nodes.step(level));
+            result.estimate = V::distance(estimate_now, *previous, scale);
+            if (result.estimate <= tolerance) {
+                result.value = std::move(estimate_now);
+                result.evaluations = evaluations;
+                result.converged = true;
+                return result;
+            }
+            // Far from settled, that is: near the end it may be roundoff that holds it up.
+            if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
+                result.estimate * T(4) > before_last) {
+                previous = std::move(estimate_now);
+                break;
+            }
+            before_last = std::exchange(last, result.estimate);
+        }
+        previous = std::move(estimate_now);
+    }
+    result.value = std::move(*previous);
+    result.evaluations = evaluations;
+    return result;
+}
+
+#define EDGEPROOF_INSTANTIATE(T)                                                                   \
+    template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&,                           \
+                                              const QuadratureOptions&);                           \
+    template QuadratureResult<Series<T>> tanh_sinh_of(const IntegrandRef<T, Series<T>>&,           \
+                                                      const QuadratureOptions&);
+EDGEPROOF_INSTANTIATE(double)
+EDGEPROOF_INSTANTIATE(long double)
+EDGEPROOF_INSTANTIATE(Float128)
+EDGEPROOF_INSTANTIATE(Real)
+#undef EDGEPROOF_INSTANTIATE
+
+} // namespace edgeproof

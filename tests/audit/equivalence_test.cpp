@@ -59,6 +59,17 @@ TEST_CASE("surely equal: by b = a, by symbols, and by a principal value that is 
         equal(full, "pv((Q + sig0*(2*s + b + a))/sqrt((a - s)*(s + b))/(s - x), s, -b, x, x)"));
 }
 
+TEST_CASE("surely equal: by what is odd about the middle of an interval") {
+    const char* full =
+        "integral(Q/sqrt((a-s)*(s+b)) + sig0*(2*s+b-a)/(8*sqrt((a-s)*(s+b))), s, -b, a)";
+    CHECK(equal(full, "integral(Q/sqrt((a-s)*(s+b)) + (2*s+b-a)/(8*sqrt((a-s)*(s+b))), s, -b, a)"));
+    CHECK(equal(full, "integral(Q/sqrt((a-s)*(s+b)), s, -b, a)"));
+    CHECK_FALSE(equal(
+        full, "integral(Q/sqrt((a-s)*(s+b)) + sig0*(2*s+b+a)/(8*sqrt((a-s)*(s+b))), s, -b, a)"));
+    CHECK_FALSE(equal(full, "integral(2*Q/sqrt((a-s)*(s+b)), s, -b, a)"));
+    CHECK_FALSE(equal(full, "integral(Q/sqrt((a-s)*(s+b)), s, -b, b)"));
+}
+
 TEST_CASE("surely equal: what symbols cannot divide by is no proof") {
     CHECK_FALSE(equal("1/(a - b)", "1/(a + b)", true));
 }

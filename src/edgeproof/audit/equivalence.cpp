@@ -109,6 +109,21 @@ bool differ_by_a_zero_integral(const Expr& x, const Expr& y, const SymbolicCase&
                         under);
 }
 
+/// Integrals over one interval whose integrands differ by what is odd about its middle.
+bool differ_by_an_odd_part(const Expr& x, const Expr& y, const SymbolicCase& under) {
+    if (x.kind() != Kind::integral || y.kind() != Kind::integral) {
+        return false;
+    }
+    for (std::size_t i = 1; i < x.args().size(); ++i) {
+        if (!(x.arg(i) == y.arg(i))) {
+            return false;
+        }
+    }
+    const Expr difference = x.arg(0) - y.arg(0);
+    const Expr mirrored = substitute(difference, x.arg(1).name(), x.arg(2) + x.arg(3) - x.arg(1));
+    return proved_equal(difference, -mirrored, under);
+}
+
 } // namespace
 
 std::string ordered_text(const Expr& e) {
@@ -127,7 +142,8 @@ bool surely_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
         return true;
     }
     try {
-        return differ_by_a_zero_integral(one, other, under) || proved_equal(one, other, under);
+        return differ_by_a_zero_integral(one, other, under) ||
+               differ_by_an_odd_part(one, other, under) || proved_equal(one, other, under);
     } catch (const Error&) {
         return false; // not by symbols
     }

@@ -64,6 +64,36 @@ Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& 
     return at_working_precision(value);
 }
 
+/// Whether |f| grows towards an end at least like one over the distance, which no integral bears:
+/// by its slope on the scale of logarithms, over two stretches of many decades. An estimate.
+bool grows_beyond_bounds(const Integrand& f, const NaivePrecision& precision, const Real& end,
+                         bool upwards, const Real& length) {
+    std::vector<double> logarithms;
+    const int stretch = static_cast<int>(precision.nodes / 4);
+    for (int k = 1; k <= 3; ++k) {
+        const Real distance = length * pow(Real(10), -k * stretch);
+        const Real value = abs(evaluated(f, precision, end, distance, upwards, length));
+        if (value == 0 || !isfinite(value)) {
+            return false;
+        }
+        logarithms.push_back(log10(value).convert_to<double>());
+    }
+    constexpr double nearly_one = 0.999;
+    return logarithms[1] - logarithms[0] > nearly_one * stretch &&
+           logarithms[2] - logarithms[1] > nearly_one * stretch;
+}
+
+void require_a_value(const Integrand& f, const Split& split, const NaivePrecision& precision) {
+    for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
+        const Real length = split.marks[i + 1] - split.marks[i];
+        if (grows_beyond_bounds(f, precision, split.marks[i], true, length) ||
+            grows_beyond_bounds(f, precision, split.marks[i + 1], false, length)) {
+            throw DomainError("an integral has no finite value: its integrand grows like one over "
+                              "the distance from an end, or faster");
+        }
+    }
+}
+
 NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision precision) {
     std::vector<Real> lengths;
     for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
@@ -78,6 +108,9 @@ NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision prec
         },
         lengths, split.beyond_lo, split.beyond_hi,
         {.last_level = precision.last_level, .gives_up = true});
+    if (!result.converged) {
+        require_a_value(f, split, precision);
+    }
     return {result.value, result.estimate, result.converged};
 }
 

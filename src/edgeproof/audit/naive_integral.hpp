@@ -37,6 +37,7 @@ using Integrand = std::function<Real(const Real&)>;
 
 /// The integral of f from lo to hi (also for hi < lo). `cuts` are places where f is not analytic,
 /// inside (the interval is split there) or outside (an end near to one is taken care of).
+/// Throws DomainError for one that does not settle and grows at an end as no integral bears.
 [[nodiscard]] NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& hi,
                                               std::vector<Real> cuts, NaivePrecision precision);
 

@@ -89,7 +89,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
             }
             // Far from settled, that is: near the end it may be roundoff that holds it up.
             if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
-                result.estimate * T(4) > before_last) {
+                result.estimate * T(8) > before_last) {
                 previous = std::move(estimate_now);
                 break;
             }

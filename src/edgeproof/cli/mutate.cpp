@@ -63,7 +63,7 @@ int mutate(const Options& o, const std::string& version) {
     options.seed = o.seed;
     if (!o.state.empty()) {
         const std::string of =
-            fmt::format("edgeproof mutate, ledger {:016x}, {} digits, edgeproof {}",
+            fmt::format("edgeproof mutate, ledger {:016x}, {} digits, {}",
                         fnv1a(read_text(o.ledger, "ledger (TOML)")), o.digits, version);
         if (std::filesystem::exists(o.state)) {
             options.known =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hertz_ledger.hpp"
 #include "run_program.hpp"
 
 #include <doctest/doctest.h>
@@ -17,37 +18,7 @@ using namespace edgeproof::test;
 namespace {
 
 /// The right Hertz pressure, and one that is a factor off: enough work to be stopped in.
-const std::string ledger = R"toml([ledger]
-name = "own"
-source = "a test"
-[[family]]
-name = "hertz"
-profile = "power-law"
-count = 3
-points = 2
-u = ["1e-12", "1/20", "1/5", "3/7"]
-[family.parameters]
-m = ["1"]
-C = ["3/7", "1e-6"]
-a = ["3/2", "0.02"]
-Es = ["7/3"]
-[[claim]]
-id = "right"
-kind = "value"
-lines = [1, 2]
-printed = '''Es C/2 sqrt(a^2-x^2)'''
-over = "hertz"
-of = "p(x)"
-says = "Es*C/2*sqrt(a^2-x^2)"
-[[claim]]
-id = "wrong"
-kind = "value"
-lines = [3, 4]
-printed = '''Es C/3 sqrt(a^2-x^2)'''
-over = "hertz"
-of = "p(x)"
-says = "Es*C/3*sqrt(a^2-x^2)"
-)toml";
+const std::string ledger = hertz_head + hertz_right + hertz_wrong;
 
 const std::string scene = R"toml([profile]
 kind = "tilted-flat-and-rounded"

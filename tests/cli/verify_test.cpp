@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hertz_ledger.hpp"
 #include "run_program.hpp"
 
 #include <doctest/doctest.h>
@@ -8,36 +9,15 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// Hertz, whose pressure E* C sqrt(a^2 - x^2)/2 is a textbook's.
-const std::string head = R"([ledger]
-name = "own"
-source = "a test"
-[[family]]
-name = "hertz"
-profile = "power-law"
-count = 3
-points = 2
-u = ["1e-12", "1/20", "1/5", "3/7"]
-[family.parameters]
-m = ["1"]
-C = ["3/7", "1e-6"]
-a = ["3/2", "0.02"]
-Es = ["7/3"]
-)";
-
-std::string claim(const std::string& id, const std::string& says, const std::string& more = "") {
-    return "[[claim]]\nid = \"" + id + "\"\nkind = \"value\"\nlines = [1, 2]\nprinted = '''" +
-           says + "'''\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n" + more;
-}
+const std::string& head = hertz_head;
+const std::string& right = hertz_right;
+const std::string& wrong = hertz_wrong;
 
 /// The head with one line written otherwise, and a claim that is right.
 std::string with(const std::string& line, const std::string& instead) {
-    std::string text = head + claim("one", "Es*C/2*sqrt(a^2-x^2)");
+    std::string text = head + hertz_claim("one", "Es*C/2*sqrt(a^2-x^2)");
     return text.replace(text.find(line), line.size(), instead);
 }
-
-const std::string right = claim("right", "Es*C/2*sqrt(a^2-x^2)");
-const std::string wrong = claim("wrong", "Es*C/3*sqrt(a^2-x^2)");
 
 } // namespace
 
@@ -75,11 +55,11 @@ TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they dif
     folder.write("own.toml", head + right);
     REQUIRE(run(folder, "verify own.toml --record").code == 0);
     CHECK(run(folder, "verify own.toml").code == 0);
-    folder.write("own.toml", head + claim("right", "Es*C/3*sqrt(a^2-x^2)"));
+    folder.write("own.toml", head + hertz_claim("right", "Es*C/3*sqrt(a^2-x^2)"));
     const Outcome changed = run(folder, "verify own.toml");
     CHECK(changed.code == 1);
     CHECK(changed.out.find("right") != std::string::npos);
-    folder.write("own.toml", head + right + claim("new", "Es*C/2*sqrt(a^2-x^2)"));
+    folder.write("own.toml", head + right + hertz_claim("new", "Es*C/2*sqrt(a^2-x^2)"));
     CHECK(run(folder, "verify own.toml").code == 1); // a claim without a recorded verdict
 }
 
@@ -90,15 +70,15 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
     };
     // What a family's scenes turn out to be is told at the family; what a line says, at the line.
     const Bad all[] = {
-        {head + claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
-        {head + claim("one", "Es*C/"), "own.toml:22: "},
+        {head + hertz_claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
+        {head + hertz_claim("one", "Es*C/"), "own.toml:22: "},
         {head + right + right, "own.toml:24: "},
-        {head + claim("one", "Es", "quotd = \"1\"\n"), "own.toml:23: "},
+        {head + hertz_claim("one", "Es", "quotd = \"1\"\n"), "own.toml:23: "},
         {head + "[[claim]]\nid = \"one\"\nkind = \"guess\"\nlines = [1, 1]\nprinted = \"x\"\n",
          "own.toml:17: unknown kind 'guess'"},
-        {head + claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
+        {head + hertz_claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
         {head + "[[claim]\n", "own.toml:15: "},
-        {head + claim("one", "Es*(C/2"), "own.toml:22: "},
+        {head + hertz_claim("one", "Es*(C/2"), "own.toml:22: "},
         {with("m = [\"1\"]", "m = [\"-1\"]"),
          "own.toml:4: the power-law exponent m = -1 is negative; "},
         {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:11: unknown name 'nan'"},

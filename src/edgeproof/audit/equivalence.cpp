@@ -87,15 +87,23 @@ void collect_terms(const Expr& e, bool plus, std::vector<std::string>& terms) {
                     joined(std::move(product.under), "/"));
 }
 
-/// Principal values over the contact whose integrands differ by a constant over w(s)(s - x).
-bool differ_by_a_zero_integral(const Expr& x, const Expr& y, const SymbolicCase& under) {
-    if (x.kind() != Kind::pv || y.kind() != Kind::pv) {
+/// Binders of one kind, the same but for what they integrate.
+bool differ_inside(const Expr& x, const Expr& y, Kind kind) {
+    if (x.kind() != kind || y.kind() != kind) {
         return false;
     }
     for (std::size_t i = 1; i < x.args().size(); ++i) {
         if (!(x.arg(i) == y.arg(i))) {
             return false;
         }
+    }
+    return true;
+}
+
+/// Principal values over the contact whose integrands differ by a constant over w(s)(s - x).
+bool differ_by_a_zero_integral(const Expr& x, const Expr& y, const SymbolicCase& under) {
+    if (!differ_inside(x, y, Kind::pv)) {
+        return false;
     }
     const Expr a = Expr::symbol("a");
     const Expr b = under.symmetric ? a : Expr::symbol("b");
@@ -111,13 +119,8 @@ bool differ_by_a_zero_integral(const Expr& x, const Expr& y, const SymbolicCase&
 
 /// Integrals over one interval whose integrands differ by what is odd about its middle.
 bool differ_by_an_odd_part(const Expr& x, const Expr& y, const SymbolicCase& under) {
-    if (x.kind() != Kind::integral || y.kind() != Kind::integral) {
+    if (!differ_inside(x, y, Kind::integral)) {
         return false;
-    }
-    for (std::size_t i = 1; i < x.args().size(); ++i) {
-        if (!(x.arg(i) == y.arg(i))) {
-            return false;
-        }
     }
     const Expr difference = x.arg(0) - y.arg(0);
     const Expr mirrored = substitute(difference, x.arg(1).name(), x.arg(2) + x.arg(3) - x.arg(1));

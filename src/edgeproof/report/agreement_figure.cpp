@@ -4,8 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures_gnuplot.hpp"
 #include "edgeproof/report/files.hpp"
-
-#include <unistd.h>
+#include "edgeproof/report/scratch.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -86,18 +85,8 @@ void write_agreement_figure(const Conformance& result, const std::filesystem::pa
         throw InputError("there is no gnuplot to draw " + file.string(),
                          "install gnuplot-nox, or write a .csv");
     }
-    const std::filesystem::path scratch =
-        std::filesystem::temp_directory_path() / ("edgeproof-figure-" + std::to_string(::getpid()));
-    make_folder(scratch);
-    std::string drawn;
-    try {
-        drawn = draw_svg(plot, *gnuplot, scratch);
-    } catch (...) {
-        std::filesystem::remove_all(scratch);
-        throw;
-    }
-    std::filesystem::remove_all(scratch);
-    write_whole(file, drawn);
+    const Scratch scratch;
+    write_whole(file, draw_svg(plot, *gnuplot, scratch.path()));
 }
 
 } // namespace edgeproof

@@ -1,44 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/cost_page.hpp"
 
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/cost_figures.hpp"
 #include "edgeproof/report/figures_gnuplot.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/html_markup.hpp"
+#include "edgeproof/report/scratch.hpp"
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 
 namespace edgeproof {
 namespace {
-
-/// A folder for what gnuplot reads and writes, gone in the end.
-class Scratch {
-public:
-    Scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "edgeproof-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw Error("no temporary folder can be made as " + name);
-        }
-        path_ = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string notes_html(const Table& table) {
     std::string out;

@@ -6,41 +6,16 @@
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/html.hpp"
 #include "edgeproof/report/html_markup.hpp"
-
-#include <unistd.h>
+#include "edgeproof/report/scratch.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <thread>
 
 namespace edgeproof {
 namespace {
-
-/// A folder of one's own under the system's temporary one, removed in the end: files on the way to
-/// a picture are never among the results.
-class Scratch {
-public:
-    Scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "edgeproof-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw Error("no temporary folder can be made as " + name);
-        }
-        path_ = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// A plot to be made, and what came of it.
 struct Job {

@@ -137,7 +137,8 @@ FormulaValue Spots::known(const Expr& e, std::size_t spot) {
         return it->second;
     }
     FormulaValue value = spots_[spot].evaluate(e, &cache);
-    cache.emplace(e, value);
+    // Not emplace: an integral has been kept already on the way, without the digits of the whole.
+    cache.insert_or_assign(e, value);
     return value;
 }
 

@@ -101,3 +101,23 @@ TEST_CASE("the seed decides which, not the threads") {
         CHECK(one.fates[k].verdict == two.fates[k].verdict);
     }
 }
+
+TEST_CASE("the second mutant of a claim that is held to an integral is decided as the first is") {
+    const MutationRun r = run(hertz + R"toml([[claim]]
+id = "P"
+kind = "value"
+lines = [1, 2]
+printed = "P"
+over = "hertz"
+of = "integral(p(s), s, -a, a)"
+says = "Pi*Es*C*a^2/4"
+)toml",
+                              1);
+    std::size_t different = 0;
+    for (const MutantFate& f : r.fates) {
+        CAPTURE(f.mutated);
+        CHECK((f.equivalent || f.verdict == Verdict::refuted));
+        different += f.equivalent ? 0 : 1;
+    }
+    CHECK(different > 4);
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hertz_ledger.hpp"
 #include "run_program.hpp"
 
 #include <doctest/doctest.h>
@@ -44,20 +45,7 @@ std::string tag_of(const std::string& page, const std::string& id) {
     return page.substr(begin, page.find('>', at) - begin);
 }
 
-const std::string ledger = R"toml([ledger]
-name = "own"
-source = "a test"
-[[family]]
-name = "hertz"
-profile = "power-law"
-count = 3
-u = ["1e-12", "1/20", "1/5", "3/7"]
-[family.parameters]
-m = ["1"]
-C = ["3/7", "1e-6"]
-a = ["3/2", "0.02"]
-Es = ["7/3"]
-[[claim]]
+const std::string ledger = hertz_head + R"toml([[claim]]
 id = "good"
 kind = "value"
 lines = [1, 2]

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -132,4 +133,27 @@ TEST_CASE("a file is seen when it is whole, and not before") {
     }
     CHECK(read_text(file, "file") == "new");
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("what a killed run left beside a file is removed, what a living one writes is not") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.csv";
+    const pid_t gone = ::fork();
+    if (gone == 0) {
+        ::_exit(0);
+    }
+    ::waitpid(gone, nullptr, 0);
+    const fs::path left = file.string() + "." + std::to_string(gone) + ".tmp";
+    const fs::path living = file.string() + "." + std::to_string(::getppid()) + ".tmp";
+    const fs::path another = folder.path / "t.csv.notes.tmp";
+    for (const fs::path& p : {left, living, another}) {
+        write(p, "half");
+    }
+    WholeFile whole(file);
+    whole.write("new");
+    whole.commit();
+    CHECK_FALSE(fs::exists(left));
+    CHECK(fs::exists(living));
+    CHECK(fs::exists(another));
+    CHECK(read_text(file, "file") == "new");
 }

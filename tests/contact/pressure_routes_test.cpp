@@ -143,3 +143,29 @@ TEST_CASE("a profile of one's own: the singular integral and nested Barber-Mossa
                      1, 1);
 }
 TEST_SUITE_END();
+
+TEST_CASE("Barber-Mossakovskii beyond a corner: P' grows like the distance to the power -1/2") {
+    // Of the distance from the corner s loses all digits but few, where few are all that it takes.
+    const Symbols x{"x"};
+    const Profile profile =
+        Profile::piecewise_symmetric({exact("1/4")}, {parse("x/10", x), parse("x/10 + 1/50", x)});
+    const auto pressure = [&](auto route, const char* a, const char* u, unsigned digits) {
+        const PrecisionScope scope(digits);
+        const ContactLaw<Real> law(profile, Real(1));
+        const Extent<Real> e = law.extent(exact(a).to<Real>());
+        return route(law, e, point_at(e, Edge::right, exact(u).to<Real>())).value;
+    };
+    const auto by_rates = [](const auto& law, const auto& e, const auto& at) {
+        return barber_mossakovskii(law, e, at, 50);
+    };
+    const auto closed = [](const auto& law, const auto& e, const auto& at) {
+        return logarithmic_closed_form(law, e, at);
+    };
+    const std::pair<const char*, const char*> points[] = {
+        {"1", "7/8"}, {"1", "3/4 + 1e-15"}, {"1/4 + 1e-20", "11e-21"}, {"1/4 + 1e-20", "3e-20"}};
+    for (const auto& [a, u] : points) {
+        CAPTURE(std::string(a));
+        CAPTURE(std::string(u));
+        CHECK(common_digits(pressure(by_rates, a, u, 90), pressure(closed, a, u, 200)) >= 50);
+    }
+}

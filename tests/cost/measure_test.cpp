@@ -151,22 +151,6 @@ TEST_CASE("machine arithmetic has the digits that it has, and no more") {
     CHECK(seen == 9); // three routes in each
 }
 
-TEST_CASE("digits are those of the true error, and no more than the enclosure tells") {
-    const PrecisionScope scope(60);
-    const Real one(1);
-    const Ball narrow = Ball::around(one, pow(Real(10), -50), 200);
-    CHECK(digits_reached(Real(one + pow(Real(10), -10)), narrow) ==
-          doctest::Approx(10).epsilon(1e-6));
-    CHECK(digits_reached(Real(one - 3 * pow(Real(10), -7)), narrow) ==
-          doctest::Approx(6.5229).epsilon(1e-4));
-    CHECK(digits_reached(one, narrow) == doctest::Approx(50).epsilon(1e-3));
-    CHECK(digits_reached(Real(-one), narrow) == 0);
-    CHECK(digits_reached(one, Ball::around(Real(0), one, 200)) == 0);
-    Real none(0);
-    mpfr_set_nan(none.backend().data());
-    CHECK(digits_reached(none, narrow) == 0);
-}
-
 TEST_CASE("the points compared are forty, in equal ratios from 1e-8 a to a") {
     const std::vector<CostCase> cases = usual_cases();
     const CostCase& first = cases.front();

@@ -2,7 +2,6 @@
 #include "edgeproof/evidence/count.hpp"
 #include "edgeproof/evidence/count_contact.hpp"
 #include "edgeproof/evidence/count_state.hpp"
-#include "edgeproof/evidence/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
 
@@ -170,16 +169,6 @@ TEST_CASE("a count stopped is gone on with: the same result; a contact with a fi
           std::string::npos);
     CHECK(message_of("edgeproof bounds count, seed 1, values 150, digits 20\n0 x:3\nend\n", whole)
               .find("s:2: a contact's counts are malformed") == 0);
-}
-
-TEST_CASE("digits that are right: against the worst number of the ball") {
-    const PrecisionScope scope(60);
-    CHECK(digits_right(Real(1), Ball(Rational(1), 200)) == most_digits_right);
-    CHECK(digits_right(Real(1) + pow(Real(10), -7) * 2, Ball(Rational(1), 200)) == 6);
-    CHECK(digits_right(Real(1), Ball::around(Real(1), pow(Real(10), -9) * 3, 200)) == 8);
-    CHECK(digits_right(Real(2), Ball(Rational(1), 200)) == 0);
-    CHECK(digits_right(Real(0) / Real(0), Ball(Rational(1), 200)) == 0);
-    CHECK(digits_proved(Ball::around(Real(2), pow(Real(10), -9), 200)) == 9);
 }
 
 TEST_SUITE("slow") {

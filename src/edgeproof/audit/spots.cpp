@@ -74,8 +74,13 @@ bool Agreement::to(double digits) const {
 }
 
 bool Agreement::undefined() const {
-    return !spots.empty() && std::all_of(spots.begin(), spots.end(),
-                                         [](const SpotAgreement& s) { return s.undefined; });
+    // A right formula that roundoff keeps from a value at one spot shows at another that it is.
+    constexpr double anything_like = 3;
+    return std::any_of(spots.begin(), spots.end(),
+                       [](const SpotAgreement& s) { return s.undefined; }) &&
+           std::all_of(spots.begin(), spots.end(), [](const SpotAgreement& s) {
+               return s.undefined || s.digits < anything_like;
+           });
 }
 
 bool Agreement::differ(double digits_needed) const {

@@ -40,7 +40,8 @@ struct Agreement {
     [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
     /// At every spot.
     [[nodiscard]] bool to(double digits) const;
-    /// Nowhere has the printed formula a value, though the exact one has.
+    /// The printed formula has no value at some spot where the exact one has, and nowhere, not even
+    /// by an integral that did not settle, one that is anything like it.
     [[nodiscard]] bool undefined() const;
     /// At some spot they differ by more than their errors allow for.
     [[nodiscard]] bool differ(double digits_needed) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/bounds_tables.hpp"
 
+#include "edgeproof/precision/digits_right.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

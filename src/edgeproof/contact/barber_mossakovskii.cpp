@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/instantiate.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
+#include "edgeproof/precision/instantiate.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -82,7 +82,7 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
     }
     const auto integrand = [&](std::size_t i, const T& lo, const T&) {
         const T from_x = offsets[i] + lo;
-        const MoreDigits<T> beside_the_kink(i > 0 ? digits_lost(at.right, lo) : 0);
+        const MoreDigits<T> beside_the_kink(i > 0 ? digits_lost(starts[i], lo) : 0);
         const T s = starts[i] + lo;
         const Extent<T> then = law.extent(s);
         const T rate = law.force_rate(then);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/instantiate.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
+#include "edgeproof/precision/instantiate.hpp"
 
 namespace edgeproof {
 

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/cost/machine.hpp"
+#include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 
@@ -161,7 +162,7 @@ public:
                                            : options.full     ? c.u.size()
                                                               : usual_points(route, digits, first);
                 if (points > 0) {
-                    todo_.push_back({&route, digits, points});
+                    planned_.push_back({&route, digits, points});
                 }
             };
             if (route.digits == 0) {
@@ -173,9 +174,9 @@ public:
             }
         }
     }
-    [[nodiscard]] std::size_t cells() const { return todo_.size(); }
+    [[nodiscard]] std::size_t cells() const { return planned_.size(); }
     [[nodiscard]] CostCell cell(std::size_t k) {
-        const auto& [route, digits, points] = todo_[k];
+        const auto& [route, digits, points] = planned_[k];
         const std::vector<std::size_t> chosen = thinned(case_.u.size(), points);
         const std::vector<Ball>& exact = exact_at(digits, chosen);
         CostCell cell{case_.name, route->name, route->arithmetic, digits, route->proves, 0, {}};
@@ -195,6 +196,7 @@ public:
         } catch (const Stop&) {
             throw Error("interrupted: nothing is written");
         } catch (const std::exception& error) {
+            cell.points.clear();
             for (const std::size_t i : chosen) {
                 cell.points.push_back({i, 0, {}, 0, 0, error.what()});
             }
@@ -224,14 +226,14 @@ private:
         std::vector<std::size_t> points;
         std::vector<Ball> balls;
     };
-    struct Todo {
+    struct Planned {
         const CostRoute* route;
         unsigned digits;
         std::size_t points;
     };
     const CostCase& case_;
     const CostOptions& options_;
-    std::vector<Todo> todo_;
+    std::vector<Planned> planned_;
     std::vector<Exactly> exact_;
 };
 
@@ -314,23 +316,6 @@ std::size_t CostCell::total_evaluations() const {
 }
 double CostCell::spread() const {
     return over_points(points, [](const PointCost& p) { return p.spread; }).median;
-}
-
-double digits_reached(const Real& x, const Ball& exact) {
-    if (!isfinite(x) || !exact.is_finite()) {
-        return 0;
-    }
-    const long bits =
-        std::max<long>(exact.bits(), static_cast<long>(mpfr_get_prec(x.backend().data()))) + 64;
-    const Ball at = exact.with_bits(bits);
-    const Ball relative = abs(Ball((Ball(x, bits) - at) / at));
-    if (!relative.is_finite()) {
-        return 0;
-    }
-    const PrecisionScope scope(40);
-    const Real error = relative.upper();
-    const double most = static_cast<double>(bits) * 0.30103;
-    return error > 0 ? std::clamp(Real(-log10(error)).convert_to<double>(), 0.0, most) : most;
 }
 
 std::vector<CostCell> measure(const std::vector<CostCase>& cases, const CostOptions& options) {

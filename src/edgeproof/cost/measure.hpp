@@ -73,7 +73,4 @@ struct CostOptions {
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);
 
-/// -log10 of the largest relative error that x may have, no more than the ball can tell.
-[[nodiscard]] double digits_reached(const Real& x, const Ball& exact);
-
 } // namespace edgeproof

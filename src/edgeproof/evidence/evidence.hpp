@@ -4,8 +4,7 @@
 
 #include "edgeproof/evidence/asked_value.hpp" // one number of a scene: by ball, and by two routes in Real
 #include "edgeproof/evidence/count.hpp" // the values drawn, held to second routes, and counted
-#include "edgeproof/evidence/count_state.hpp"  // a count laid aside as text, and taken up again
-#include "edgeproof/evidence/digits_right.hpp" // how many digits of a number are right
+#include "edgeproof/evidence/count_state.hpp" // a count laid aside as text, and taken up again
 #include "edgeproof/evidence/hard_cases.hpp" // the cases that are hard, as data, each with its reason
 #include "edgeproof/evidence/honesty.hpp" // what routes claim of their error, and the error that they have
 #include "edgeproof/evidence/obvious.hpp" // the textbook's formulas, straight, in any arithmetic

@@ -2,8 +2,8 @@
 #include "edgeproof/evidence/honesty.hpp"
 
 #include "edgeproof/evidence/asked_value.hpp"
-#include "edgeproof/evidence/digits_right.hpp"
 #include "edgeproof/evidence/plain_tanh_sinh.hpp"
+#include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #include "edgeproof/evidence/obvious.hpp"
 
 #include "edgeproof/contact/edge_expansion.hpp"
-#include "edgeproof/contact/instantiate.hpp"
 #include "edgeproof/contact/slope.hpp"
 #include "edgeproof/evidence/plain_tanh_sinh.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/instantiate.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/evidence/run_cases.hpp"
 
-#include "edgeproof/evidence/digits_right.hpp"
 #include "edgeproof/evidence/obvious.hpp"
+#include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <tbb/parallel_for.h>

@@ -8,10 +8,13 @@
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
 ///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
+///   digits_right.hpp  how many digits of a number an enclosure shows to be right
+///   instantiate.hpp  what is compiled for every arithmetic
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/ball_series.hpp"
+#include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 #include "edgeproof/precision/rational.hpp"

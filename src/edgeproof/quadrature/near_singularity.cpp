@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/near_singularity.hpp"
 
+#include "edgeproof/precision/instantiate.hpp"
+
 #include <cmath>
 
 namespace edgeproof {
@@ -63,10 +65,7 @@ QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& leng
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
     EDGEPROOF_INSTANTIATE_FOR(T, T)                                                                \
     EDGEPROOF_INSTANTIATE_FOR(T, Series<T>)
-EDGEPROOF_INSTANTIATE(double)
-EDGEPROOF_INSTANTIATE(long double)
-EDGEPROOF_INSTANTIATE(Float128)
-EDGEPROOF_INSTANTIATE(Real)
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
 #undef EDGEPROOF_INSTANTIATE_FOR
 

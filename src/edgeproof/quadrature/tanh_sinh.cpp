@@ -2,6 +2,7 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/instantiate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include <cmath>
@@ -107,10 +108,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
                                               const QuadratureOptions&);                           \
     template QuadratureResult<Series<T>> tanh_sinh_of(const IntegrandRef<T, Series<T>>&,           \
                                                       const QuadratureOptions&);
-EDGEPROOF_INSTANTIATE(double)
-EDGEPROOF_INSTANTIATE(long double)
-EDGEPROOF_INSTANTIATE(Float128)
-EDGEPROOF_INSTANTIATE(Real)
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
 
 } // namespace edgeproof

@@ -21,7 +21,7 @@ public:
     /// Adds `key`, or replaces its value where it stands.
     Evidence& add(std::string_view key, EvidenceItem value);
     [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
-    [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
+    [[nodiscard]] bool empty() const noexcept;
     /// nullptr if there is none.
     [[nodiscard]] const EvidenceItem* find(std::string_view key) const;
 
@@ -53,5 +53,7 @@ public:
 private:
     Value value_;
 };
+
+inline bool Evidence::empty() const noexcept { return entries_.empty(); }
 
 } // namespace edgeproof

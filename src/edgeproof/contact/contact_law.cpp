@@ -7,6 +7,12 @@
 #include <cmath>
 
 namespace edgeproof {
+namespace {
+
+/// Up to here Newton's steps from the binary64 edge are as cheap as any.
+constexpr unsigned least_digits_halved = 44;
+
+} // namespace
 
 template <Arithmetic T>
 ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned target_digits)
@@ -23,6 +29,16 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
     if constexpr (!std::same_as<T, double>) {
         if (!symmetric_) {
             guess_ = std::make_shared<const ContactLaw<double>>(profile, 1.0);
+        }
+    }
+    if constexpr (std::same_as<T, Real>) {
+        // Half the digits and a few, so that one step of Newton's from there is enough.
+        const unsigned digits = working_digits() / 2 + 14;
+        if (!symmetric_ && working_digits() > least_digits_halved) {
+            const PrecisionScope scope(digits);
+            coarser_ =
+                std::make_shared<const ContactLaw>(profile, T(1), std::min(target_digits, digits));
+            coarser_digits_ = digits;
         }
     }
 }
@@ -58,8 +74,9 @@ template <Arithmetic T> T ContactLaw<T>::left_force_rate(const Extent<T>& e) con
 }
 
 template <Arithmetic T> T ContactLaw<T>::imbalance(const Extent<T>& e) const {
-    const T right = over_measure<RightBalanceKernel>(e, Part::right_of_origin);
-    const T left = over_measure<LeftBalanceKernel>(e, Part::left_of_origin);
+    Marks<T, T> marks(e, slope_.knots());
+    const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
+    const T left = over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
     const T sum = right + left;
     return sum > T(0) ? T((right - left) / sum) : T(0);
 }
@@ -78,14 +95,37 @@ template <Arithmetic T>
 typename ContactLaw<T>::EdgeStep ContactLaw<T>::edge_step(const T& known, const T& unknown,
                                                           bool solve_left) const {
     const Extent<T> e = extent_with(known, unknown, solve_left);
-    const T right = over_measure<RightBalanceKernel>(e, Part::right_of_origin);
-    const T left = over_measure<LeftBalanceKernel>(e, Part::left_of_origin);
+    Marks<T, T> marks(e, slope_.knots());
+    const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
+    const T left = over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
     // d(right - left)/db = -(integral of sqrt((a-v)/(v+b)) dg')/(a+b), and likewise for a.
     const T rate =
-        (solve_left ? over_measure<LeftRateKernel>(e) : over_measure<RightRateKernel>(e)) /
+        (solve_left ? over_measure<LeftRateKernel>(marks) : over_measure<RightRateKernel>(marks)) /
         e.length();
     const T value = solve_left ? T(right - left) : T(left - right);
     return {value, T(value / rate)};
+}
+
+template <Arithmetic T>
+std::optional<T> ContactLaw<T>::guessed_edge(const T& known, bool solve_left) const {
+    try {
+        if constexpr (std::same_as<T, Real>) {
+            if (coarser_) {
+                const auto coarse = [&] {
+                    const PrecisionScope scope(coarser_digits_);
+                    return coarser_->solve_edge(at_working_precision(known), solve_left);
+                };
+                return at_working_precision(coarse());
+            }
+        }
+        const double k = static_cast<double>(known);
+        if (guess_ && k > 1e-150 && k < 1e150) {
+            return T(solve_left ? guess_->left_edge(k) : guess_->right_edge(k));
+        }
+    } catch (const Error&) {
+        // Too few digits to decide; the search with all of them can.
+    }
+    return std::nullopt;
 }
 
 /// The edge that balances a given one. Newton from the binary64 answer settles it nearly always;
@@ -100,16 +140,8 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
     if (symmetric_) {
         return known;
     }
-    T start = known;
+    const T start = guessed_edge(known, solve_left).value_or(known);
     if (guess_) {
-        const double k = static_cast<double>(known);
-        if (k > 1e-150 && k < 1e150) {
-            try {
-                start = T(solve_left ? guess_->left_edge(k) : guess_->right_edge(k));
-            } catch (const Error&) {
-                start = known; // binary64 cannot decide; the search below can
-            }
-        }
         // Newton doubles the digits: once a step is far below the root of roundoff, the next
         // would be below roundoff itself.
         const T enough = sqrt(unit_roundoff<T>()) / T(1 << 17);
@@ -277,9 +309,10 @@ LawSeries<T> ContactLaw<T>::series(const Extent<T>& e, std::size_t order) const 
             std::vector<T> padded = b.coefficients();
             padded.resize(known, T(0));
             const Extent<S> moving{a.truncated(known), S(std::move(padded))};
-            const S gap = over_measure<RightBalanceKernel>(moving, Part::right_of_origin) -
-                          over_measure<LeftBalanceKernel>(moving, Part::left_of_origin);
-            const S rate = over_measure<LeftRateKernel>(moving) / moving.length();
+            Marks<T, S> marks(moving, slope_.knots());
+            const S gap = over_measure<RightBalanceKernel>(marks, Part::right_of_origin) -
+                          over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
+            const S rate = over_measure<LeftRateKernel>(marks) / moving.length();
             b = moving.b + gap / rate;
             b[0] = e.b; // the edge is where it was put; its roundoff is not a correction
         }

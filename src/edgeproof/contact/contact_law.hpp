@@ -67,9 +67,14 @@ private:
         T force_factor;
     };
     template <template <class, class> class Kernel, class U>
-    [[nodiscard]] U over_measure(const Extent<U>& e, Part part = Part::all) const {
-        return integrate_measure<T, U>(measure_kernel<U, Kernel<U, T>>(), slope_, e, part,
+    [[nodiscard]] U over_measure(Marks<T, U>& marks, Part part = Part::all) const {
+        return integrate_measure<T, U>(measure_kernel<U, Kernel<U, T>>(), slope_, marks, part,
                                        symmetric_, target_digits_, &evaluations_);
+    }
+    template <template <class, class> class Kernel, class U>
+    [[nodiscard]] U over_measure(const Extent<U>& e) const {
+        Marks<T, U> marks(e, slope_.knots());
+        return over_measure<Kernel>(marks);
     }
     /// The imbalance at a trial edge, positive when it lies further out, and Newton's step.
     struct EdgeStep {
@@ -78,6 +83,8 @@ private:
     };
     [[nodiscard]] EdgeStep edge_step(const T& known, const T& unknown, bool solve_left) const;
     [[nodiscard]] T solve_edge(const T& known, bool solve_left) const;
+    /// Where Newton starts: nullopt if neither binary64 nor fewer digits decide.
+    [[nodiscard]] std::optional<T> guessed_edge(const T& known, bool solve_left) const;
     [[nodiscard]] T search_edge(const T& known, const T& start, bool solve_left) const;
     [[nodiscard]] Extent<T> extent_with(const T& known, const T& unknown, bool solve_left) const;
 
@@ -87,6 +94,9 @@ private:
     unsigned target_digits_;
     std::optional<PowerLaw> power_;
     std::shared_ptr<const ContactLaw<double>> guess_; ///< starts Newton; decides nothing
+    /// The same law with half the digits, which starts Newton closer; null where guess_ will do.
+    std::shared_ptr<const ContactLaw> coarser_;
+    unsigned coarser_digits_ = 0;
     mutable std::size_t evaluations_ = 0;
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/elementary.hpp"
 #include "edgeproof/series/functions.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 /// Every quantity of the normal contact is an integral over the measure dg'(v), which convexity
 /// makes positive: P, M, P'(a), dP/db, the consistency condition and p(x) differ only in the
@@ -27,12 +30,11 @@ template <class U> struct Mark {
 };
 
 template <class U, class T> [[nodiscard]] Mark<U> mark(const Extent<U>& e, const T& v) {
-    using std::atan;
     using std::sqrt;
     const U right = e.a - v;
     const U left = e.b + v;
     return {U((left - right) / T(2)), U(sqrt(U(right * left))),
-            U(atan(U(sqrt(U(right / left)))) * T(2))};
+            U(arc_tangent(U(sqrt(U(right / left)))) * T(2))};
 }
 template <class U, class T> [[nodiscard]] Mark<U> right_end(const Extent<U>& e) {
     return {U(e.length() / T(2)), U(e.a * T(0)), U(e.a * T(0))};
@@ -40,6 +42,27 @@ template <class U, class T> [[nodiscard]] Mark<U> right_end(const Extent<U>& e) 
 template <class U, class T> [[nodiscard]] Mark<U> left_end(const Extent<U>& e) {
     return {U(-(e.length() / T(2))), U(e.a * T(0)), U(e.a * T(0) + pi<T>())};
 }
+
+/// The marks of a contact at the knots of its profile, each worked out once, when it is first asked
+/// for: all the integrals over one contact share them. Holds on to `knots`.
+template <class T, class U> class Marks {
+public:
+    Marks(const Extent<U>& e, const std::vector<T>& knots)
+        : extent_(e), knots_(knots), at_(knots.size()) {}
+    [[nodiscard]] const Extent<U>& extent() const { return extent_; }
+    [[nodiscard]] const Mark<U>& at(std::size_t knot) {
+        auto& known = at_[knot];
+        if (!known) {
+            known = mark<U, T>(extent_, knots_[knot]);
+        }
+        return *known;
+    }
+
+private:
+    const Extent<U>& extent_;
+    const std::vector<T>& knots_;
+    std::vector<std::optional<Mark<U>>> at_;
+};
 
 /// A kernel phi: its value at a mark (for corners) and its integral between two marks (for pieces
 /// on which g'' is constant). `e` supplies the extent.

@@ -29,11 +29,13 @@ template <class U, class Kernel> [[nodiscard]] MeasureKernel<U> measure_kernel()
 
 /// The integral of kernel(v) dg'(v) over the contact (or a part of it): corners, pieces with
 /// constant g'' in closed form, other pieces by quadrature. U is T, or Series<T> for derivatives
-/// of any order by a (with b a function of a). `evaluations` counts the integrand.
+/// of any order by a (with b a function of a). `marks` are those of the extent. `evaluations`
+/// counts the integrand.
 template <Arithmetic T, class U>
-U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, const Extent<U>& e,
+U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Marks<T, U>& marks,
                     Part part, bool symmetric, unsigned target_digits, std::size_t* evaluations) {
     const auto& knots = slope.knots();
+    const Extent<U>& e = marks.extent();
     const T a0 = LeadingTerm<U>::of(e.a);
     const T b0 = LeadingTerm<U>::of(e.b);
     U sum = e.a * T(0);
@@ -52,7 +54,7 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, con
                    (part == Part::left_of_origin && i > slope.origin())) {
             continue;
         }
-        sum += kernel.at(e, mark<U, T>(e, knots[i])) * weight;
+        sum += kernel.at(e, marks.at(i)) * weight;
     }
 
     for (std::size_t i = 0; i <= knots.size(); ++i) {
@@ -72,8 +74,8 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, con
             continue;
         }
         if (piece.linear) {
-            const Mark<U> m = from_left_edge ? left_end<U, T>(e) : mark<U, T>(e, knots[i - 1]);
-            const Mark<U> n = to_right_edge ? right_end<U, T>(e) : mark<U, T>(e, knots[i]);
+            const Mark<U> m = from_left_edge ? left_end<U, T>(e) : marks.at(i - 1);
+            const Mark<U> n = to_right_edge ? right_end<U, T>(e) : marks.at(i);
             sum += kernel.between(e, m, n) * piece.rate;
             continue;
         }
@@ -90,7 +92,6 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, con
             continue;
         }
         const auto f = [&](const T& r_lo, const T& r_hi) {
-            using std::atan;
             using std::sqrt;
             // r in units of the leading length, as a fraction of the moving length.
             const U from_lo = extent * T(r_lo / length);
@@ -98,7 +99,7 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, con
             const U left = beyond_left + from_lo;
             const U right = beyond_right + from_hi;
             const Mark<U> m{U((left - right) / T(2)), U(sqrt(U(right * left))),
-                            U(atan(U(sqrt(U(right / left)))) * T(2))};
+                            U(arc_tangent(U(sqrt(U(right / left)))) * T(2))};
             // Near the end that is the origin, v itself is the small distance.
             const U v = i == slope.origin()       ? U(-from_hi)
                         : i == slope.origin() + 1 ? from_lo

@@ -8,6 +8,7 @@
 #include "edgeproof/precision/escalate.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeproof {
 namespace {
@@ -21,7 +22,10 @@ unsigned decades_below(const Real& x, const Real& scale) {
     if (!(x > 0) || !(x < scale)) {
         return 0;
     }
-    return static_cast<unsigned>(ceil(log10(scale / x)));
+    // Asked for at every node of some integrals: the logarithm in binary64 will do.
+    int exponent = 0;
+    const double leading = frexp(Real(scale / x), &exponent).convert_to<double>();
+    return static_cast<unsigned>(std::ceil(std::log10(leading) + exponent * std::log10(2.0)));
 }
 
 } // namespace

@@ -9,12 +9,14 @@
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
 ///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
 ///   digits_right.hpp  how many digits of a number an enclosure shows to be right
+///   elementary.hpp  the arc tangent, faster where Real is concerned
 ///   instantiate.hpp  what is compiled for every arithmetic
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/ball_series.hpp"
 #include "edgeproof/precision/digits_right.hpp"
+#include "edgeproof/precision/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 #include "edgeproof/precision/rational.hpp"

@@ -16,14 +16,24 @@ QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T&
     if (beyond > T(0) && beyond < length / T(8)) {
         const T y_end = log1p(T(length / beyond));
         const T whole = length + beyond;
+        const T half = T(1) / T(2);
         auto result = tanh_sinh<T>(
             [&](const T& lo, const T& hi) {
                 const T& y = at_lo ? lo : hi;
                 const T& y_rest = at_lo ? hi : lo;
-                const T grown = expm1(T(y_end * y));
-                const T r = beyond * grown;
-                const T rest = -whole * expm1(T(-(y_end * y_rest)));
-                return R((at_lo ? f(r, rest) : f(rest, r)) * T(beyond * (grown + T(1))));
+                // r = beyond (e^(y_end y) - 1), rest = whole (1 - e^(-y_end y_rest)): the one that
+                // is not small is the difference of the other, so that there is one exponential.
+                const T to_go = y_end * y_rest;
+                T r;
+                T rest;
+                if (to_go < half) {
+                    rest = -whole * expm1(T(-to_go));
+                    r = length - rest;
+                } else {
+                    r = beyond * expm1(T(y_end * y));
+                    rest = length - r;
+                }
+                return R((at_lo ? f(r, rest) : f(rest, r)) * T(r + beyond));
             },
             options);
         result.value = result.value * y_end;

@@ -88,6 +88,11 @@ template <class T> [[nodiscard]] Series<T> atan(const Series<T>& x) {
     return integrate_along(T(1) / (T(1) + x * x), x, T(atan(x[0])));
 }
 
+/// atan by edgeproof/precision/elementary.hpp.
+template <class T> [[nodiscard]] Series<T> arc_tangent(const Series<T>& x) {
+    return integrate_along(T(1) / (T(1) + x * x), x, T(arc_tangent(x[0])));
+}
+
 template <class T> [[nodiscard]] Series<T> asin(const Series<T>& x) {
     using std::asin;
     if (x.order() == 1) {

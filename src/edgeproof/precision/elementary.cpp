@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/elementary.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+/// An integer of GMP's; as a fixed-point number it counts units of 2^-bits.
+class Integer {
+public:
+    Integer() { mpz_init(z_); }
+    Integer(const Integer&) = delete;
+    Integer& operator=(const Integer&) = delete;
+    Integer(Integer&& other) noexcept {
+        mpz_init(z_);
+        mpz_swap(z_, other.z_);
+    }
+    ~Integer() { mpz_clear(z_); }
+    [[nodiscard]] mpz_ptr get() { return z_; }
+
+private:
+    mpz_t z_;
+};
+
+constexpr unsigned coarse_bits = 8;
+constexpr unsigned fine_bits = 16;
+constexpr std::size_t coarse_entries = (1U << coarse_bits) + 1;
+constexpr std::size_t fine_entries = (1U << (fine_bits - coarse_bits - 1)) + 2;
+/// The square of what is left has so many zero bits: |r| <= 2^-17.
+constexpr unsigned zero_bits = 2 * (fine_bits + 1);
+/// Above, MPFR's own sum by halves is as fast.
+constexpr mpfr_prec_t most_bits = 2400;
+/// Bits beyond those asked for: 18 for a result as small as 2^-18, the others for the roundoff of
+/// some sixty truncated operations with room to spare.
+constexpr mpfr_prec_t guard_bits = 40;
+/// Thread-local tables of more precisions than this are made anew.
+constexpr std::size_t most_tables = 48;
+
+/// What arc tangents with one number of bits after the point share.
+class ArcTangents {
+public:
+    explicit ArcTangents(mpfr_prec_t bits) : bits_(static_cast<mp_bitcnt_t>(bits)) {
+        for (mp_bitcnt_t k = 0; k <= bits_ / zero_bits + 1; ++k) {
+            reciprocals_.emplace_back();
+            mpz_setbit(reciprocals_.back().get(), bits_);
+            mpz_fdiv_q_ui(reciprocals_.back().get(), reciprocals_.back().get(), 2 * k + 1);
+        }
+    }
+    /// result = atan t, 2^-17 <= t <= 1.
+    void of(mpfr_ptr result, mpfr_srcptr t) {
+        mpfr_mul_2ui(result, t, bits_, MPFR_RNDN);
+        mpfr_get_z(r_.get(), result, MPFR_RNDN);
+        const long i = reduce(coarse_bits);
+        const long j = reduce(fine_bits);
+        series_of(r_);
+        mpz_mul(sum_.get(), sum_.get(), r_.get());
+        mpz_fdiv_q_2exp(sum_.get(), sum_.get(), bits_);
+        mpz_add(sum_.get(), sum_.get(), entry(coarse_, i, coarse_bits));
+        if (j < 0) {
+            mpz_sub(sum_.get(), sum_.get(), entry(fine_, -j, fine_bits));
+        } else {
+            mpz_add(sum_.get(), sum_.get(), entry(fine_, j, fine_bits));
+        }
+        mpfr_set_z_2exp(result, sum_.get(), -static_cast<mpfr_exp_t>(bits_), MPFR_RNDN);
+    }
+    /// result = atan t, |t| < 2^-17, with the relative error that a product has.
+    void of_small(mpfr_ptr result, mpfr_srcptr t) {
+        mpfr_mul_2ui(result, t, bits_, MPFR_RNDN);
+        mpfr_get_z(r_.get(), result, MPFR_RNDN);
+        series_of(r_);
+        mpfr_set_z_2exp(result, sum_.get(), -static_cast<mpfr_exp_t>(bits_), MPFR_RNDN);
+        mpfr_mul(result, result, t, MPFR_RNDN);
+    }
+
+private:
+    /// r <- (r - q)/(1 + r q) for the q = i/2^k next to it; i.
+    long reduce(unsigned k) {
+        mpz_fdiv_q_2exp(work_.get(), r_.get(), bits_ - k - 1);
+        const long twice = mpz_get_si(work_.get());
+        const long i = (twice + 1) >> 1;
+        if (i == 0) {
+            return 0;
+        }
+        mpz_mul_si(below_.get(), r_.get(), i);
+        mpz_set_ui(work_.get(), 1);
+        mpz_mul_2exp(work_.get(), work_.get(), bits_ + k);
+        mpz_add(below_.get(), below_.get(), work_.get());
+        mpz_mul_2exp(r_.get(), r_.get(), k);
+        mpz_set_si(work_.get(), i);
+        mpz_mul_2exp(work_.get(), work_.get(), bits_);
+        mpz_sub(r_.get(), r_.get(), work_.get());
+        mpz_mul_2exp(r_.get(), r_.get(), bits_);
+        mpz_fdiv_q(r_.get(), r_.get(), below_.get());
+        return i;
+    }
+    /// sum <- atan(r)/r = 1 - r^2/3 + r^4/5 - ...
+    void series_of(Integer& r) {
+        mpz_mul(square_.get(), r.get(), r.get());
+        mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
+        std::size_t k = reciprocals_.size() - 1;
+        mpz_set(sum_.get(), reciprocals_[k].get());
+        while (k-- > 0) {
+            mpz_mul(work_.get(), sum_.get(), square_.get());
+            mpz_fdiv_q_2exp(work_.get(), work_.get(), bits_);
+            mpz_sub(sum_.get(), reciprocals_[k].get(), work_.get());
+        }
+    }
+    /// atan(i/2^k), MPFR's.
+    template <std::size_t N> mpz_srcptr entry(std::array<Integer, N>& table, long i, unsigned k) {
+        Integer& known = table[static_cast<std::size_t>(i)];
+        if (i != 0 && mpz_sgn(known.get()) == 0) {
+            const auto precision = static_cast<mpfr_prec_t>(bits_);
+            mpfr_t value;
+            mpfr_init2(value, precision);
+            mpfr_set_si_2exp(value, i, -static_cast<mpfr_exp_t>(k), MPFR_RNDN);
+            mpfr_atan(value, value, MPFR_RNDN);
+            mpfr_mul_2ui(value, value, bits_, MPFR_RNDN);
+            mpfr_get_z(known.get(), value, MPFR_RNDN);
+            mpfr_clear(value);
+        }
+        return known.get();
+    }
+
+    mp_bitcnt_t bits_;
+    std::array<Integer, coarse_entries> coarse_;
+    std::array<Integer, fine_entries> fine_;
+    std::vector<Integer> reciprocals_; ///< 1/(2k + 1)
+    Integer r_;
+    Integer sum_;
+    Integer square_;
+    Integer below_;
+    Integer work_;
+};
+
+ArcTangents& arc_tangents(mpfr_prec_t bits) {
+    thread_local std::map<mpfr_prec_t, ArcTangents> tables;
+    if (tables.size() > most_tables) {
+        tables.clear();
+    }
+    return tables.try_emplace(bits, bits).first->second;
+}
+
+/// A `Real` for a function of x.
+Real beside(const Real& x) {
+    Real result;
+    const mpfr_prec_t own = mpfr_get_prec(x.backend().data());
+    if (own > mpfr_get_prec(result.backend().data())) {
+        mpfr_set_prec(result.backend().data(), own);
+    }
+    return result;
+}
+
+} // namespace
+
+Real arc_tangent(const Real& x) {
+    Real result = beside(x);
+    mpfr_srcptr from = x.backend().data();
+    const mpfr_prec_t asked = mpfr_get_prec(result.backend().data());
+    if (mpfr_regular_p(from) == 0 || asked > most_bits || std::abs(mpfr_get_exp(from)) > asked) {
+        mpfr_atan(result.backend().data(), from, MPFR_RNDN);
+        return result;
+    }
+    // Whole limbs, so that few precisions have a table.
+    const mpfr_prec_t bits = (asked + guard_bits + 63) / 64 * 64;
+    ArcTangents& table = arc_tangents(bits);
+    mpfr_t t;
+    mpfr_init2(t, bits);
+    mpfr_abs(t, from, MPFR_RNDN);
+    const bool inverted = mpfr_cmp_ui(t, 1) > 0;
+    if (inverted) {
+        mpfr_ui_div(t, 1, t, MPFR_RNDN);
+    }
+    mpfr_t angle;
+    mpfr_init2(angle, bits);
+    if (mpfr_get_exp(t) >= -static_cast<mpfr_exp_t>(fine_bits)) {
+        table.of(angle, t);
+    } else {
+        table.of_small(angle, t);
+    }
+    if (inverted) {
+        mpfr_const_pi(t, MPFR_RNDN);
+        mpfr_div_2ui(t, t, 1, MPFR_RNDN);
+        mpfr_sub(angle, t, angle, MPFR_RNDN);
+    }
+    mpfr_setsign(result.backend().data(), angle, mpfr_signbit(from), MPFR_RNDN);
+    mpfr_clear(angle);
+    mpfr_clear(t);
+    return result;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/elementary.hpp"
+
+#include <doctest/doctest.h>
+
+#include <future>
+#include <random>
+#include <vector>
+
+using namespace edgeproof;
+
+namespace {
+
+/// |x - y| in units of the last place of y.
+double ulps(const Real& x, const Real& y) {
+    if (x == y) {
+        return 0;
+    }
+    const Real off = abs(x - y);
+    const auto bits = mpfr_get_prec(y.backend().data());
+    return ldexp(off, static_cast<int>(bits - mpfr_get_exp(y.backend().data())))
+        .convert_to<double>();
+}
+
+/// By MPFR, correctly rounded, at the precision of the thread.
+Real by_mpfr(const Real& x) {
+    Real result;
+    mpfr_atan(result.backend().data(), x.backend().data(), MPFR_RNDN);
+    return result;
+}
+
+/// Of both signs and of every size from 2^-least to 2^most, those that tables are entered at, and
+/// beside them.
+std::vector<Real> arguments(std::mt19937_64& random, int least, int most) {
+    std::vector<Real> xs;
+    std::uniform_int_distribution<int> exponent(-least, most);
+    gmp_randstate_t state;
+    gmp_randinit_default(state);
+    gmp_randseed_ui(state, random());
+    for (int k = 0; k < 300; ++k) {
+        Real x;
+        mpfr_urandomb(x.backend().data(), state);
+        xs.push_back(ldexp(x, k < 200 ? exponent(random) % 24 : exponent(random)));
+        if (k % 2 == 0) {
+            xs.back() = -xs.back();
+        }
+    }
+    gmp_randclear(state);
+    for (const int numerator : {1, 2, 3, 127, 128, 255, 256, 257, 511, 512}) {
+        for (const int bits : {9, 17, 18}) {
+            const Real x = ldexp(Real(numerator), -bits);
+            for (const Real& beside : {x, Real(x * (1 + unit_roundoff<Real>())),
+                                       Real(x * (1 - unit_roundoff<Real>())), Real(1 / x)}) {
+                xs.push_back(beside);
+            }
+        }
+    }
+    return xs;
+}
+
+} // namespace
+
+TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
+    std::mt19937_64 random(20260101);
+    for (const unsigned digits : {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U}) {
+        CAPTURE(digits);
+        const PrecisionScope scope(digits);
+        for (const Real& x : arguments(random, 700, 900)) {
+            CAPTURE(x);
+            CHECK(ulps(arc_tangent(x), by_mpfr(x)) <= 1);
+        }
+    }
+}
+
+TEST_CASE("what an arc tangent cannot be worked out of as others are") {
+    const PrecisionScope scope(50);
+    const Real infinite = std::numeric_limits<Real>::infinity();
+    CHECK(arc_tangent(Real(0)) == 0);
+    CHECK(arc_tangent(infinite) == by_mpfr(infinite));
+    CHECK(isnan(arc_tangent(std::numeric_limits<Real>::quiet_NaN())));
+    CHECK(arc_tangent(Real(1)) == pi<Real>() / 4);
+    CHECK(arc_tangent(1.0) == std::atan(1.0));
+}
+
+TEST_CASE("a number of more digits than the thread's keeps them") {
+    Real x;
+    {
+        const PrecisionScope scope(200);
+        x = Real(1) / 3;
+    }
+    const Real wide = [&] {
+        const PrecisionScope scope(30);
+        return arc_tangent(x);
+    }();
+    const PrecisionScope scope(200);
+    CHECK(ulps(wide, by_mpfr(x)) <= 1);
+}
+
+TEST_CASE("threads with different digits have tables of their own") {
+    const auto work = [](unsigned digits) {
+        const PrecisionScope scope(digits);
+        double worst = 0;
+        for (int k = 1; k < 400; ++k) {
+            const Real x = Real(k) / 173;
+            worst = std::max(worst, ulps(arc_tangent(x), by_mpfr(x)));
+        }
+        return worst;
+    };
+    auto one = std::async(std::launch::async, work, 60U);
+    auto two = std::async(std::launch::async, work, 61U);
+    auto three = std::async(std::launch::async, work, 300U);
+    CHECK(one.get() <= 1);
+    CHECK(two.get() <= 1);
+    CHECK(three.get() <= 1);
+}

@@ -146,7 +146,11 @@ struct Work {
 
 int integrand_on(acb_ptr out, const acb_t at, void* parameter, slong order, slong bits) {
     auto& work = *static_cast<Work*>(parameter);
-    // No exception may pass through Arb.
+    // No exception may pass through Arb, which goes on asking after the first.
+    if (work.thrown) {
+        acb_indeterminate(out);
+        return 0;
+    }
     try {
         const Box box(at);
         const Box value = OnBox{work.variable, work.names, box, order != 0, bits}(work.integrand);

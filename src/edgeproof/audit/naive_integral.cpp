@@ -107,7 +107,7 @@ NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision prec
                        : evaluated(f, precision, split.marks[i + 1], from_hi, false, lengths[i]);
         },
         lengths, split.beyond_lo, split.beyond_hi,
-        {.last_level = precision.last_level, .gives_up = true});
+        {.last_level = precision.last_level, .gives_up = true, .foresees = true});
     if (!result.converged) {
         require_a_value(f, split, precision);
     }
@@ -162,7 +162,8 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
                                 : Real(evaluated(f, precision, right, rest, false, h) +
                                        evaluated(f, precision, left, rest, true, h));
             },
-            h, Real(0), Real(0), {.last_level = precision.last_level, .gives_up = true});
+            h, Real(0), Real(0),
+            {.last_level = precision.last_level, .gives_up = true, .foresees = true});
         sum = {fold.value, fold.estimate, fold.converged};
     }
     cuts.push_back(pole);

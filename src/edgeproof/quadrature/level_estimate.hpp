@@ -43,7 +43,7 @@ public:
             if (count_ > 1) {
                 const double d2 = ln_size(Real(value - before_)) - size;
                 if (d1 < d2 && d2 < -2) {
-                    error = std::max(d1 * (d1 / d2), 1.4 * d1);
+                    error = d1 * growth(d1, d2);
                 }
             }
             difference_ = d1 + size;
@@ -54,6 +54,10 @@ public:
         ++count_;
         return error;
     }
+    /// How many times its digits a level is counted on to have when it differs from the one before
+    /// by exp(d1), which differed by exp(d2) from its own; d1 < d2 < 0.
+    [[nodiscard]] static double growth(double d1, double d2) { return std::min(d1 / d2, 1.4); }
+
     /// ln of the last difference.
     [[nodiscard]] double difference() const { return difference_; }
 

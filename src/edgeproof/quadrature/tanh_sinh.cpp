@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/instantiate.hpp"
+#include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include <cmath>
@@ -10,6 +11,23 @@
 #include <utility>
 
 namespace edgeproof {
+
+namespace {
+
+/// The error of a level that is `difference` from the one before, which was `last` from its own:
+/// the rule of LevelEstimate.
+template <Arithmetic T> T foreseen(const T& difference, const T& last) {
+    using std::log;
+    using std::pow;
+    if (!(difference > T(0)) || !(difference < last) || !(last < T(1) / T(8))) {
+        return difference;
+    }
+    const auto d1 = static_cast<double>(log(difference));
+    const auto d2 = static_cast<double>(log(last));
+    return pow(difference, T(LevelEstimate::growth(d1, d2)));
+}
+
+} // namespace
 
 template <Arithmetic T, class R>
 QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOptions& options) {
@@ -81,7 +99,8 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
         R estimate_now = *sum * T(nodes.step(level));
         if (level >= options.first_level && previous) {
             const R scale = *magnitude * T(nodes.step(level));
-            result.estimate = V::distance(estimate_now, *previous, scale);
+            const T difference = V::distance(estimate_now, *previous, scale);
+            result.estimate = options.foresees ? foreseen<T>(difference, last) : difference;
             if (result.estimate <= tolerance) {
                 result.value = std::move(estimate_now);
                 result.evaluations = evaluations;
@@ -90,11 +109,11 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
             }
             // Far from settled, that is: near the end it may be roundoff that holds it up.
             if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
-                result.estimate * T(8) > before_last) {
+                difference * T(8) > before_last) {
                 previous = std::move(estimate_now);
                 break;
             }
-            before_last = std::exchange(last, result.estimate);
+            before_last = std::exchange(last, difference);
         }
         previous = std::move(estimate_now);
     }

@@ -38,6 +38,10 @@ struct QuadratureOptions {
     /// double from level to level; one that gains next to none has a kink inside or no finite
     /// integral, and no finer level settles it.
     bool gives_up = false;
+    /// Stop where the digits that the last three levels gained say that this one has those asked
+    /// for (LevelEstimate's rule), a level before two agree to them; `estimate` is then what is
+    /// foreseen. For an integrand whose digits are checked by another route.
+    bool foresees = false;
 };
 
 /// Tanh-sinh quadrature (Takahasi & Mori 1974) of f over the unit interval, 50 digits or 500.

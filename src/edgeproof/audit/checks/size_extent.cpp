@@ -160,14 +160,15 @@ std::vector<Group> largest_groups(const std::vector<Quoted>& figures,
         }
     }
     std::vector<Group> largest;
-    for (const auto& [group, sizes] : at) {
+    for (const auto& found : at) {
+        const std::vector<std::size_t>& group = found.first; // a lambda cannot name a binding
         const bool within_another = std::any_of(at.begin(), at.end(), [&](const auto& other) {
             return other.first.size() > group.size() &&
                    std::includes(other.first.begin(), other.first.end(), group.begin(),
                                  group.end());
         });
         if (!within_another) {
-            Group g{{}, sizes};
+            Group g{{}, found.second};
             for (const std::size_t i : group) {
                 g.ids.push_back(figures[i].id);
             }

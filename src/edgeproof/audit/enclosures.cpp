@@ -103,7 +103,10 @@ void add_refutation(const Agreement& agreement, const Spots& spots, const Expr& 
         }
         overlapping = std::move(e);
     }
-    if (overlapping) {
+    if (overlapping && agreement.undefined()) {
+        // Refuted by having no value where it should have one, which no pair of balls shows.
+        problem = "the printed formula has no value at a sample";
+    } else if (overlapping) {
         outcome.verdict = Verdict::undecided;
         outcome.note = "the estimates have it differ, the enclosures do not";
         outcome.evidence.add("enclosures", std::move(*overlapping));

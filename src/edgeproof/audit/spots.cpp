@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/spots.hpp"
 
+#include "edgeproof/audit/undefined.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
@@ -76,6 +77,10 @@ bool Agreement::to(double digits) const {
 bool Agreement::undefined() const {
     // A right formula that roundoff keeps from a value at one spot shows at another that it is.
     constexpr double anything_like = 3;
+    if (std::any_of(spots.begin(), spots.end(),
+                    [](const SpotAgreement& s) { return s.undefined && s.certainly; })) {
+        return true;
+    }
     return std::any_of(spots.begin(), spots.end(),
                        [](const SpotAgreement& s) { return s.undefined; }) &&
            std::all_of(spots.begin(), spots.end(), [](const SpotAgreement& s) {
@@ -149,6 +154,7 @@ FormulaValue Spots::known(const Expr& e, std::size_t spot) {
 
 Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::optional<Expr>& scale) {
     Agreement agreement;
+    bool certainly_undefined = false;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
         SpotAgreement s;
@@ -156,6 +162,9 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
             const FormulaValue x = known(exact, i);
             s.undefined = true; // if what comes next throws
             const FormulaValue y = value(printed, i);
+            if (isnan(y.value)) {
+                throw DomainError("the root or logarithm of a number that is negative");
+            }
             s.undefined = false;
             s.exact = x.value;
             s.printed = y.value;
@@ -178,6 +187,10 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
         } catch (const DomainError& error) {
             s.problem = error.what();
             s.digits = -all_digits;
+            if (s.undefined && !certainly_undefined) {
+                certainly_undefined = undefined_beyond_roundoff(printed, spots_[i]);
+                s.certainly = certainly_undefined;
+            }
         }
         agreement.spots.push_back(std::move(s));
         if (agreement.spots.back().digits < agreement.spots[agreement.worst].digits) {

@@ -30,7 +30,8 @@ struct SpotAgreement {
     double digits = 0;      ///< to which they agree
     double good_digits = 0; ///< to which both are good
     std::string problem;    ///< why there is no value, if there is none
-    bool undefined = false; ///< the exact formula has a value here, the printed one has none
+    bool undefined = false; ///< the exact formula has a value here, the printed one has none,
+    bool certainly = false; ///< by more than roundoff
 };
 
 /// Two formulas at all spots.
@@ -40,8 +41,9 @@ struct Agreement {
     [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
     /// At every spot.
     [[nodiscard]] bool to(double digits) const;
-    /// The printed formula has no value at some spot where the exact one has, and nowhere, not even
-    /// by an integral that did not settle, one that is anything like it.
+    /// The printed formula has no value at some spot where the exact one has: by more than
+    /// roundoff, or nowhere, not even by an integral that did not settle, one that is anything like
+    /// it.
     [[nodiscard]] bool undefined() const;
     /// At some spot they differ by more than their errors allow for.
     [[nodiscard]] bool differ(double digits_needed) const;

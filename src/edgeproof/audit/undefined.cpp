@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/undefined.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof {
+namespace {
+
+using Kind = Expr::Kind;
+
+constexpr int halvings = 16; // places in an integral: 2^-16 of its length from an end, at the least
+
+/// A formula at a spot, under values for the variables of the integrals that it stands in.
+class At {
+public:
+    At(const Spot& spot, Variables variables) : spot_(spot), variables_(std::move(variables)) {}
+
+    [[nodiscard]] bool undefined(const Expr& e) const {
+        switch (e.kind()) {
+        case Kind::call:
+            if (negative_inside(e) || (e.name() == "q" && beyond_the_contact(e.arg(0)))) {
+                return true;
+            }
+            break;
+        case Kind::pow:
+            if (const Rational* k = e.arg(1).rational();
+                k != nullptr && denominator(*k) != 1 && negative(e.arg(0))) {
+                return true;
+            }
+            break;
+        case Kind::integral:
+        case Kind::pv:
+            return undefined_within(e);
+        case Kind::neg:
+        case Kind::add:
+        case Kind::sub:
+        case Kind::mul:
+        case Kind::div:
+            break;
+        default:
+            return false;
+        }
+        return std::any_of(e.args().begin(), e.args().end(),
+                           [&](const Expr& part) { return undefined(part); });
+    }
+
+private:
+    [[nodiscard]] Real value(const Expr& e) const {
+        return spot_.setting->evaluate(e, spot_.place ? &*spot_.place : nullptr, variables_).value;
+    }
+    /// What the value of e cancels from.
+    [[nodiscard]] Real size(const Expr& e) const {
+        switch (e.kind()) {
+        case Kind::neg:
+            return size(e.arg(0));
+        case Kind::add:
+        case Kind::sub:
+            return size(e.arg(0)) + size(e.arg(1));
+        case Kind::mul:
+            return size(e.arg(0)) * size(e.arg(1));
+        default:
+            return abs(value(e));
+        }
+    }
+    [[nodiscard]] bool negative(const Expr& e) const {
+        try {
+            const Real x = value(e);
+            return x < 0 && -x > size(e) * pow(Real(10), -20);
+        } catch (const Error&) {
+            return false; // it has a part that is undefined, which is looked at by itself
+        }
+    }
+    [[nodiscard]] bool negative_inside(const Expr& e) const {
+        return (e.builtin() == Builtin::sqrt || e.builtin() == Builtin::log) && negative(e.arg(0));
+    }
+    [[nodiscard]] bool beyond_the_contact(const Expr& x) const {
+        return negative(Expr::symbol("a") - x) || negative(x + Expr::symbol("b"));
+    }
+    [[nodiscard]] bool undefined_within(const Expr& integral) const {
+        const Expr& from = integral.arg(2);
+        const Expr& to = integral.arg(3);
+        if (undefined(from) || undefined(to)) {
+            return true;
+        }
+        try {
+            const Real lo = value(from);
+            const Real length = value(to) - lo;
+            for (int k = 1; k <= halvings; ++k) {
+                const Real part = ldexp(length, -k);
+                for (const Real& s : {Real(lo + part), Real(lo + length - part)}) {
+                    Variables inside = variables_;
+                    inside.insert_or_assign(integral.arg(1).name(), s);
+                    if (At(spot_, std::move(inside)).undefined(integral.arg(0))) {
+                        return true;
+                    }
+                }
+            }
+        } catch (const Error&) {
+            return false; // limits without a value, for reasons that are none here
+        }
+        return false;
+    }
+
+    const Spot& spot_;
+    Variables variables_;
+};
+
+} // namespace
+
+bool undefined_beyond_roundoff(const Expr& e, const Spot& spot) {
+    return At(spot, spot.variables).undefined(e);
+}
+
+} // namespace edgeproof

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "small_ledger.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+
+namespace {
+
+std::string verdict_of(const std::string& says, const std::string& vary) {
+    return small_ledger::verdict_of("kind = \"value\"\nover = \"hertz\"\nof = \"Pi\"\nsays = \"" +
+                                    says + "\"\nvary = { " + vary + " }");
+}
+
+} // namespace
+
+TEST_CASE("right at some samples, without a value by far at others: refuted") {
+    const std::string from_edge = "integral(1/sqrt((a-s)*(s+a)), s, -a, k*a)";
+    CHECK(verdict_of(from_edge, R"(k = ["1"])") == "confirmed");
+    CHECK(verdict_of(from_edge, R"(k = ["1", "1.01"])") == "refuted");
+    CHECK(verdict_of(from_edge, R"(k = ["1", "2"])") == "refuted");
+    CHECK(verdict_of("Pi + sqrt(1-k) - sqrt(1-k)", R"(k = ["1/2", "3"])") == "refuted");
+    CHECK(verdict_of("Pi + (1-k)^(3/2) - (1-k)^(3/2)", R"(k = ["1/2", "3"])") == "refuted");
+}
+
+TEST_CASE("the root of zero, which roundoff makes negative at some samples: not refuted") {
+    CHECK(verdict_of("Pi + sqrt(a*(1+k) - a - a*k)",
+                     R"(k = ["1/3", "1/7", "1/11", "3/13", "5/17", "1/19"])") != "refuted");
+}

@@ -122,6 +122,9 @@ std::string verdict_mark(Verdict verdict) {
 
 std::string lines_words(const Claim& claim) {
     const auto& [first, last] = claim.lines;
+    if (first == 0) {
+        return {}; // somebody's own formulas are of no source
+    }
     return first == last ? "line " + std::to_string(first)
                          : "lines " + std::to_string(first) + "–" + std::to_string(last);
 }
@@ -143,8 +146,11 @@ std::string erratum_html(const ClaimResult& result, const std::string& section,
                       "\" id=\"erratum-" + id + "\" aria-labelledby=\"erratum-" + id +
                       "-title\">\n<div>\n<h3 id=\"erratum-" + id + "-title\"><a href=\"#" + id +
                       "\">" + id + "</a> " + verdict_mark(result.outcome.verdict) + "</h3>\n";
-    out += "<p class=\"where\">" + lines_words(result.claim) + " of the source" +
-           (section.empty() ? "" : " · " + escape_html(section)) + "</p>\n";
+    const std::string lines = lines_words(result.claim);
+    if (!lines.empty()) {
+        out += "<p class=\"where\">" + lines + " of the source" +
+               (section.empty() ? "" : " · " + escape_html(section)) + "</p>\n";
+    }
     if (!result.outcome.note.empty()) {
         out += "<p>" + escape_html(result.outcome.note) + "</p>\n";
     }
@@ -182,9 +188,12 @@ std::string claim_html(const ClaimResult& result, const std::string& section,
                       verdict_mark(result.outcome.verdict) + " <span class=\"note\">" +
                       escape_html(result.outcome.note) +
                       "</span></summary>\n<div class=\"body\">\n";
-    out += "<p class=\"where\"><a href=\"#" + id + "\">#" + id + "</a> · " + lines_words(claim) +
-           (section.empty() ? "" : " · " + escape_html(section)) + " · " + escape_html(claim.kind) +
-           "</p>\n";
+    out += "<p class=\"where\"><a href=\"#" + id + "\">#" + id + "</a>";
+    for (const std::string& part :
+         {lines_words(claim), escape_html(section), escape_html(claim.kind)}) {
+        out += part.empty() ? "" : " · " + part;
+    }
+    out += "</p>\n";
     out += description(result);
     if (!result.outcome.evidence.empty()) {
         out += scroll("evidence for " + claim.id, evidence_html(result.outcome.evidence));

@@ -9,7 +9,7 @@ namespace edgeproof {
 
 /// <span> with the name of a verdict.
 [[nodiscard]] std::string verdict_mark(Verdict verdict);
-/// "lines 126–129".
+/// "lines 126–129"; nothing for a formula of no source.
 [[nodiscard]] std::string lines_words(const Claim& claim);
 
 /// An entry of the errata list: printed beside corrected. Its own id is "erratum-ID".

@@ -48,7 +48,11 @@ std::optional<std::string> quoted(const Claim& claim) {
     return claim.text("quoted");
 }
 
+/// "5-7"; nothing for a formula of no source.
 std::string lines_text(const Claim& claim) {
+    if (claim.lines.first == 0) {
+        return {};
+    }
     return claim.lines.first == claim.lines.second
                ? std::to_string(claim.lines.first)
                : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
@@ -134,7 +138,7 @@ std::string verdicts_json(const AuditResult& result) {
         c["computed"] = or_null(r.outcome.computed);
         c["note"] = r.outcome.note;
         Json evidence = Json::object();
-        evidence["lines"] = lines_text(r.claim);
+        evidence["lines"] = r.claim.lines.first > 0 ? Json(lines_text(r.claim)) : Json(nullptr);
         evidence["kind"] = r.claim.kind;
         if (r.claim.has("says")) {
             evidence["says"] = r.claim.text("says");

@@ -7,9 +7,10 @@ using namespace edgeproof;
 
 namespace {
 
-SpotAgreement without_value() {
+SpotAgreement without_value(Undefined why = Undefined::unknown) {
     SpotAgreement s;
     s.undefined = true;
+    s.why = why;
     s.problem = "sqrt of a number that is negative";
     s.digits = -1e6;
     return s;
@@ -37,6 +38,8 @@ bool undefined(std::vector<SpotAgreement> spots) {
 TEST_CASE("no value at some spot: refuted only where no spot has anything like the right one") {
     CHECK(undefined({without_value(), without_value()}));
     CHECK(undefined({unsettled(0.4), without_value(), unsettled(-2)}));
+    CHECK(undefined({agreeing(50), without_value(Undefined::beyond_roundoff)}));
+    CHECK_FALSE(undefined({without_value(), without_value(Undefined::by_roundoff)}));
     CHECK_FALSE(undefined({}));
     CHECK_FALSE(undefined({unsettled(0.4), unsettled(1)}));
     CHECK_FALSE(undefined({agreeing(50), without_value()}));

@@ -75,14 +75,15 @@ bool Agreement::to(double digits) const {
 }
 
 bool Agreement::undefined() const {
-    // A right formula that roundoff keeps from a value at one spot shows at another that it is.
-    constexpr double anything_like = 3;
-    if (std::any_of(spots.begin(), spots.end(),
-                    [](const SpotAgreement& s) { return s.undefined && s.certainly; })) {
+    const auto any = [&](Undefined why) {
+        return std::any_of(spots.begin(), spots.end(),
+                           [&](const SpotAgreement& s) { return s.undefined && s.why == why; });
+    };
+    if (any(Undefined::beyond_roundoff)) {
         return true;
     }
-    return std::any_of(spots.begin(), spots.end(),
-                       [](const SpotAgreement& s) { return s.undefined; }) &&
+    constexpr double anything_like = 3;
+    return !any(Undefined::by_roundoff) && any(Undefined::unknown) &&
            std::all_of(spots.begin(), spots.end(), [](const SpotAgreement& s) {
                return s.undefined || s.digits < anything_like;
            });
@@ -154,7 +155,7 @@ FormulaValue Spots::known(const Expr& e, std::size_t spot) {
 
 Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::optional<Expr>& scale) {
     Agreement agreement;
-    bool certainly_undefined = false;
+    bool beyond_roundoff = false;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
         SpotAgreement s;
@@ -187,9 +188,9 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
         } catch (const DomainError& error) {
             s.problem = error.what();
             s.digits = -all_digits;
-            if (s.undefined && !certainly_undefined) {
-                certainly_undefined = undefined_beyond_roundoff(printed, spots_[i]);
-                s.certainly = certainly_undefined;
+            if (s.undefined && !beyond_roundoff) { // once will do
+                s.why = why_undefined(printed, spots_[i]);
+                beyond_roundoff = s.why == Undefined::beyond_roundoff;
             }
         }
         agreement.spots.push_back(std::move(s));

@@ -23,6 +23,13 @@ struct Spot {
     }
 };
 
+/// Why a formula has no value, as far as that can be told from the numbers.
+enum class Undefined {
+    unknown,        ///< for none of the reasons below
+    by_roundoff,    ///< the number there is negative by no more than roundoff: it may be zero
+    beyond_roundoff ///< negative by more
+};
+
 /// Two formulas at one spot.
 struct SpotAgreement {
     Real printed;
@@ -30,8 +37,8 @@ struct SpotAgreement {
     double digits = 0;      ///< to which they agree
     double good_digits = 0; ///< to which both are good
     std::string problem;    ///< why there is no value, if there is none
-    bool undefined = false; ///< the exact formula has a value here, the printed one has none,
-    bool certainly = false; ///< by more than roundoff
+    bool undefined = false; ///< the exact formula has a value here, the printed one has none
+    Undefined why = Undefined::unknown;
 };
 
 /// Two formulas at all spots.
@@ -41,9 +48,9 @@ struct Agreement {
     [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
     /// At every spot.
     [[nodiscard]] bool to(double digits) const;
-    /// The printed formula has no value at some spot where the exact one has: by more than
-    /// roundoff, or nowhere, not even by an integral that did not settle, one that is anything like
-    /// it.
+    /// The printed formula has no value at some spot where the exact one has, by more than
+    /// roundoff; or for reasons that are not roundoff's and nowhere, not even by an integral that
+    /// did not settle, one that is anything like it.
     [[nodiscard]] bool undefined() const;
     /// At some spot they differ by more than their errors allow for.
     [[nodiscard]] bool differ(double digits_needed) const;

@@ -17,7 +17,8 @@ class At {
 public:
     At(const Spot& spot, Variables variables) : spot_(spot), variables_(std::move(variables)) {}
 
-    [[nodiscard]] bool undefined(const Expr& e) const {
+    /// By more than roundoff.
+    [[nodiscard]] bool undefined(const Expr& e) {
         switch (e.kind()) {
         case Kind::call:
             if (negative_inside(e) || (e.name() == "q" && beyond_the_contact(e.arg(0)))) {
@@ -46,6 +47,8 @@ public:
                            [&](const Expr& part) { return undefined(part); });
     }
 
+    [[nodiscard]] bool by_roundoff() const { return by_roundoff_; }
+
 private:
     [[nodiscard]] Real value(const Expr& e) const {
         return spot_.setting->evaluate(e, spot_.place ? &*spot_.place : nullptr, variables_).value;
@@ -64,21 +67,23 @@ private:
             return abs(value(e));
         }
     }
-    [[nodiscard]] bool negative(const Expr& e) const {
+    [[nodiscard]] bool negative(const Expr& e) {
         try {
             const Real x = value(e);
-            return x < 0 && -x > size(e) * pow(Real(10), -20);
+            const bool beyond = -x > size(e) * pow(Real(10), -20);
+            by_roundoff_ = by_roundoff_ || (x < 0 && !beyond);
+            return x < 0 && beyond;
         } catch (const Error&) {
             return false; // it has a part that is undefined, which is looked at by itself
         }
     }
-    [[nodiscard]] bool negative_inside(const Expr& e) const {
+    [[nodiscard]] bool negative_inside(const Expr& e) {
         return (e.builtin() == Builtin::sqrt || e.builtin() == Builtin::log) && negative(e.arg(0));
     }
-    [[nodiscard]] bool beyond_the_contact(const Expr& x) const {
+    [[nodiscard]] bool beyond_the_contact(const Expr& x) {
         return negative(Expr::symbol("a") - x) || negative(x + Expr::symbol("b"));
     }
-    [[nodiscard]] bool undefined_within(const Expr& integral) const {
+    [[nodiscard]] bool undefined_within(const Expr& integral) {
         const Expr& from = integral.arg(2);
         const Expr& to = integral.arg(3);
         if (undefined(from) || undefined(to)) {
@@ -92,9 +97,11 @@ private:
                 for (const Real& s : {Real(lo + part), Real(lo + length - part)}) {
                     Variables inside = variables_;
                     inside.insert_or_assign(integral.arg(1).name(), s);
-                    if (At(spot_, std::move(inside)).undefined(integral.arg(0))) {
+                    At there(spot_, std::move(inside));
+                    if (there.undefined(integral.arg(0))) {
                         return true;
                     }
+                    by_roundoff_ = by_roundoff_ || there.by_roundoff();
                 }
             }
         } catch (const Error&) {
@@ -105,12 +112,16 @@ private:
 
     const Spot& spot_;
     Variables variables_;
+    bool by_roundoff_ = false;
 };
 
 } // namespace
 
-bool undefined_beyond_roundoff(const Expr& e, const Spot& spot) {
-    return At(spot, spot.variables).undefined(e);
+Undefined why_undefined(const Expr& e, const Spot& spot) {
+    At at(spot, spot.variables);
+    return at.undefined(e)    ? Undefined::beyond_roundoff
+           : at.by_roundoff() ? Undefined::by_roundoff
+                              : Undefined::unknown;
 }
 
 } // namespace edgeproof

@@ -10,7 +10,7 @@ namespace edgeproof {
 namespace {
 
 /// Up to here Newton's steps from the binary64 edge are as cheap as any.
-constexpr unsigned least_digits_halved = 44;
+constexpr unsigned fewest_digits = 60;
 
 } // namespace
 
@@ -32,9 +32,9 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
         }
     }
     if constexpr (std::same_as<T, Real>) {
-        // Half the digits and a few, so that one step of Newton's from there is enough.
-        const unsigned digits = working_digits() / 2 + 14;
-        if (!symmetric_ && working_digits() > least_digits_halved) {
+        // Two thirds of the digits and a few, so that one step of Newton's from there is enough.
+        const unsigned digits = working_digits() / 3 * 2 + 12;
+        if (!symmetric_ && working_digits() > fewest_digits) {
             const PrecisionScope scope(digits);
             coarser_ =
                 std::make_shared<const ContactLaw>(profile, T(1), std::min(target_digits, digits));
@@ -132,8 +132,8 @@ std::optional<T> ContactLaw<T>::guessed_edge(const T& known, bool solve_left) co
 /// what it does not settle, the search with a bracket does.
 template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_left) const {
     using std::abs;
+    using std::cbrt;
     using std::isfinite;
-    using std::sqrt;
     if (!(known > T(0)) || !isfinite(known)) {
         throw DomainError("a contact edge is not at a positive, finite distance from the origin");
     }
@@ -142,9 +142,9 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
     }
     const T start = guessed_edge(known, solve_left).value_or(known);
     if (guess_) {
-        // Newton doubles the digits: once a step is far below the root of roundoff, the next
-        // would be below roundoff itself.
-        const T enough = sqrt(unit_roundoff<T>()) / T(1 << 17);
+        // What a step leaves is of the order of its power 3/2, where the edge comes to a knot, and
+        // of its square elsewhere: below roundoff once the step is below the power 2/3 of that.
+        const T enough = cbrt(unit_roundoff<T>() * unit_roundoff<T>()) / T(1 << 10);
         T x = start;
         for (int k2 = 0; k2 < 40; ++k2) {
             const T step = edge_step(known, x, solve_left).step;

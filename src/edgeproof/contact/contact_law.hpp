@@ -94,7 +94,7 @@ private:
     unsigned target_digits_;
     std::optional<PowerLaw> power_;
     std::shared_ptr<const ContactLaw<double>> guess_; ///< starts Newton; decides nothing
-    /// The same law with half the digits, which starts Newton closer; null where guess_ will do.
+    /// The same law with fewer digits, which starts Newton closer; null where guess_ will do.
     std::shared_ptr<const ContactLaw> coarser_;
     unsigned coarser_digits_ = 0;
     mutable std::size_t evaluations_ = 0;

@@ -45,6 +45,14 @@ const Extent<Real>& SettingLevel::extent_at(const Real& s) {
     return *last_extent;
 }
 
+Real SettingLevel::force_rate_at(const Real& s) {
+    // Formulas ask for it in several places of an integrand, and some at every node for the same s.
+    if (!last_force_rate || last_force_rate->first != s) {
+        last_force_rate.emplace(s, law.force_rate(extent_at(s)));
+    }
+    return last_force_rate->second;
+}
+
 Real SettingLevel::right_edge_of(const Real& y) {
     if (y == extent.b) {
         return extent.a;
@@ -161,7 +169,7 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
         return law.force(level.extent_at(s));
     }
     if (name == "P1of") {
-        return law.force_rate(level.extent_at(s));
+        return level.force_rate_at(s);
     }
     if (name == "bof") {
         return level.extent_at(s).b;

@@ -19,9 +19,12 @@ struct SettingLevel {
     Extent<Real> extent;
     std::optional<Extent<Real>> last_extent;              ///< of the contact with right edge at .a
     std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
+    std::optional<std::pair<Real, Real>> last_force_rate; ///< s and P'(s)
 
     /// The contact of the family whose right edge is at s.
     const Extent<Real>& extent_at(const Real& s);
+    /// P'(s).
+    Real force_rate_at(const Real& s);
     /// b^{-1}(y).
     Real right_edge_of(const Real& y);
 };

@@ -135,6 +135,8 @@ TEST_CASE("integrals of formulas are enclosed, roots at their ends too") {
     CHECK_FALSE(integral("1/sqrt(1 - s^2)", 0, 1).is_finite());
     CHECK_FALSE(integral("1/(s - 1/2)", 0, 1).is_finite());
     CHECK_THROWS_AS(static_cast<void>(integral("p(s)", 0, 1)), Error);
+    // Real over one half of the interval, imaginary over the other.
+    CHECK_FALSE(integral("sqrt(1 - s)", 0, 2).is_finite());
 }
 
 TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint balls") {

@@ -43,13 +43,17 @@ a = ["3/2"]
 Es = ["1"]
 )";
 
-inline ClaimResult result_of(const std::string& claim, unsigned digits = 34) {
+inline AuditResult audit_of(const std::string& claim, unsigned digits = 34) {
     const Ledger ledger =
         parse_ledger(head + "[[claim]]\nid = \"C\"\n" + claim + '\n', "small.toml");
     AuditOptions options;
     options.digits = digits;
     options.threads = 1;
-    return run_audit(ledger, options).claims.front();
+    return run_audit(ledger, options);
+}
+
+inline ClaimResult result_of(const std::string& claim, unsigned digits = 34) {
+    return audit_of(claim, digits).claims.front();
 }
 
 inline std::string verdict_of(const std::string& claim, unsigned digits = 34) {

@@ -188,7 +188,12 @@ Ball enclosed_integral(const Expr& integrand, std::string_view variable, const N
         std::rethrow_exception(work.thrown);
     }
     Ball result(0, bits);
-    arb_set(result.data(), acb_realref(sum.get()));
+    if (arb_contains_zero(acb_imagref(sum.get())) == 0) {
+        arb_indeterminate(
+            result.data()); // a root of what is negative somewhere: not of real numbers
+    } else {
+        arb_set(result.data(), acb_realref(sum.get()));
+    }
     // What the radii of the limits leave: at most the largest value over them.
     for (const Ball* limit : {&lo, &hi}) {
         const Box at(*limit);

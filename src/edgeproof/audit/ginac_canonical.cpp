@@ -6,8 +6,10 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,10 @@ constexpr long screening_bits = 160;
 
 /// A number in (1/2, 3/2) for each name, the same one every time.
 Ball drawn(const std::string& name) {
-    std::uint64_t hash = 14695981039346656037U; // FNV-1a
-    for (const char c : name) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    }
-    return Ball(Rational(static_cast<long>(hash >> 33), 1L << 31), screening_bits) +
+    std::seed_seq seeds(name.begin(), name.end());
+    std::array<std::uint32_t, 1> number{};
+    seeds.generate(number.begin(), number.end());
+    return Ball(Rational(number[0], 1L << 32), screening_bits) +
            Ball(Rational(1, 2), screening_bits);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/undefined.hpp"
 
+#include "edgeproof/audit/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -53,24 +54,11 @@ private:
     [[nodiscard]] Real value(const Expr& e) const {
         return spot_.setting->evaluate(e, spot_.place ? &*spot_.place : nullptr, variables_).value;
     }
-    /// What the value of e cancels from.
-    [[nodiscard]] Real size(const Expr& e) const {
-        switch (e.kind()) {
-        case Kind::neg:
-            return size(e.arg(0));
-        case Kind::add:
-        case Kind::sub:
-            return size(e.arg(0)) + size(e.arg(1));
-        case Kind::mul:
-            return size(e.arg(0)) * size(e.arg(1));
-        default:
-            return abs(value(e));
-        }
-    }
     [[nodiscard]] bool negative(const Expr& e) {
         try {
             const Real x = value(e);
-            const bool beyond = -x > size(e) * pow(Real(10), -20);
+            const Real terms = magnitude(e, [this](const Expr& part) { return value(part); });
+            const bool beyond = -x > terms * pow(Real(10), -20);
             by_roundoff_ = by_roundoff_ || (x < 0 && !beyond);
             return x < 0 && beyond;
         } catch (const Error&) {

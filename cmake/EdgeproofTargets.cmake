@@ -23,6 +23,10 @@ function(edgeproof_own_flags target)
             target_precompile_headers(${target} REUSE_FROM edgeproof_precision)
         endif()
     endif()
+    if(EDGEPROOF_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON
+            UNITY_BUILD_BATCH_SIZE ${EDGEPROOF_UNITY})
+    endif()
 endfunction()
 
 # edgeproof_add_room(<room> [DEPENDS <rooms below>] [LIBS <in its headers>]

@@ -84,6 +84,15 @@ TEST_CASE("uniformity: a pole is told from a bounded rest") {
     const char* without = "1 + eps*s + eps^2*(1-s^3)/(1-s)";
     CHECK(verdict_of(uniformity(without, "1 + eps*s", "breaks down")) == Verdict::refuted);
     CHECK(verdict_of(uniformity(without, "1 + eps*s", "uniform")) == Verdict::confirmed);
+    // The term that is said to break down is held to what is left, in balls.
+    const Outcome refuted =
+        outcome_of(uniformity(without, "1 + eps*s", "breaks down") + "term = \"s^3/(1-s)\"\n");
+    CHECK(refuted.verdict == Verdict::refuted);
+    const EvidenceItem* balls = refuted.evidence.find("enclosures");
+    REQUIRE(balls != nullptr);
+    CHECK(std::get<bool>(std::get<Evidence>(balls->value()).find("disjoint")->value()));
+    CHECK(outcome_of(uniformity(without, "1 + eps*s", "breaks down") + "term = \"s^3\"\n")
+              .evidence.find("enclosures") == nullptr);
     // A rest with half a pole is neither.
     CHECK(verdict_of(uniformity("1 + eps^2/sqrt(1-s)", "1", "breaks down")) == Verdict::undecided);
 }

@@ -116,7 +116,13 @@ TEST_CASE("a sample's names and functions in balls hold the values found in Real
                                      "left_local(3, x)",
                                      "Pof(a*9/10)",
                                      "P1of(a*11/10)",
-                                     "bof(a)"}) {
+                                     "bof(a)",
+                                     "bof(a + u/3)",
+                                     "Pof(a*(1 + b1/7))",
+                                     "P1of(L)",
+                                     "binv(b)",
+                                     "binv(b*21/20 + u/9)",
+                                     "bof(binv(b + u/8) + a/9)"}) {
                 CHECK(fault_of(text, sample) == "");
             }
         }

@@ -28,6 +28,11 @@ Real by_mpfr(const Real& x) {
     mpfr_atan(result.backend().data(), x.backend().data(), MPFR_RNDN);
     return result;
 }
+Real log1p_by_mpfr(const Real& x) {
+    Real result;
+    mpfr_log1p(result.backend().data(), x.backend().data(), MPFR_RNDN);
+    return result;
+}
 
 /// Of both signs and of every size from 2^-least to 2^most, those that tables are entered at, and
 /// beside them.
@@ -74,6 +79,33 @@ TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
     }
 }
 
+TEST_CASE("the logarithm of one and more beside MPFR's, correctly rounded") {
+    std::mt19937_64 random(20260102);
+    for (const unsigned digits : {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U}) {
+        CAPTURE(digits);
+        const PrecisionScope scope(digits);
+        std::vector<Real> xs = arguments(random, 700, 900);
+        // Where tables are entered: 1 + x at the middle between i/2^8 and the next, and at 3/2 2^e.
+        for (const int i : {256, 257, 300, 383, 384, 385, 511}) {
+            for (const int e : {0, 1, 40}) {
+                const Real edge = ldexp(Real(2 * i + 1), e - 9) - 1;
+                xs.insert(xs.end(), {edge, Real(edge * (1 + unit_roundoff<Real>())),
+                                     Real(edge * (1 - unit_roundoff<Real>())),
+                                     Real(ldexp(Real(i), e - 8) - 1)});
+            }
+        }
+        for (const Real& x : xs) {
+            CAPTURE(x);
+            if (!(x > -1)) {
+                continue;
+            }
+            const Real y = log_of_one_plus(x);
+            const PrecisionScope more(digits + 20);
+            CHECK(ulps(y, log1p_by_mpfr(x)) <= 0.51);
+        }
+    }
+}
+
 TEST_CASE("what an arc tangent cannot be worked out of as others are") {
     const PrecisionScope scope(50);
     const Real infinite = std::numeric_limits<Real>::infinity();
@@ -82,6 +114,11 @@ TEST_CASE("what an arc tangent cannot be worked out of as others are") {
     CHECK(isnan(arc_tangent(std::numeric_limits<Real>::quiet_NaN())));
     CHECK(arc_tangent(Real(1)) == pi<Real>() / 4);
     CHECK(arc_tangent(1.0) == std::atan(1.0));
+    CHECK(log_of_one_plus(Real(0)) == 0);
+    CHECK(log_of_one_plus(infinite) == infinite);
+    CHECK(isnan(log_of_one_plus(Real(-2))));
+    CHECK(isnan(log_of_one_plus(std::numeric_limits<Real>::quiet_NaN())));
+    CHECK(log_of_one_plus(0.5) == std::log1p(0.5));
 }
 
 TEST_CASE("a number of more digits than the thread's keeps them") {

@@ -119,6 +119,48 @@ TEST_CASE("a ball is printed only as far as every number in it agrees") {
     CHECK(e.text == "[0.66666, 0.66667]");
 }
 
+TEST_CASE("whether all of a ball rounds alike, at a glance") {
+    const std::vector<Rounding> modes{Rounding::nearest, Rounding::down, Rounding::up};
+    // Never where round_ball does not find it so: wide balls, and balls about ties, whole units
+    // and powers of ten.
+    std::mt19937_64 seeded(23);
+    std::uniform_int_distribution<int> whole(1, 1'000'000);
+    std::uniform_int_distribution<int> place(-400, 400);
+    std::size_t seen = 0;
+    std::size_t alike = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const unsigned digits = 1 + static_cast<unsigned>(k) % 60;
+        const int at = k % 3 == 0 ? 0 : place(seeded);
+        const Rational ten = Rational(pow(Integer(10), static_cast<unsigned>(std::abs(at))));
+        Rational middle(k % 5 == 0   ? 10 * whole(seeded) + 5
+                        : k % 7 == 0 ? 1000
+                                     : whole(seeded),
+                        k % 2 == 0 ? 1 : whole(seeded));
+        middle *= at < 0 ? Rational(1 / ten) : ten;
+        middle *= k % 4 == 0 ? -1 : 1;
+        const long bits = 260;
+        const Rational radius = abs(middle) * halved(static_cast<unsigned>(20 + k % 230));
+        const PrecisionScope scope(100);
+        const Ball x =
+            Ball(middle, bits) + Ball::from_interval(Real(-1), Real(1), bits) * Ball(radius, bits);
+        for (const Rounding mode : modes) {
+            const bool complete = round_ball(x, digits, mode).complete;
+            CAPTURE(to_decimal(middle, 30, Rounding::nearest));
+            CAPTURE(digits);
+            CHECK((complete || !rounds_alike(x, digits, mode)));
+            alike += complete ? 1 : 0;
+            seen += rounds_alike(x, digits, mode) ? 1 : 0;
+        }
+    }
+    // It is not seen beside a power of ten, nor where the middle is itself on a whole unit.
+    CHECK(alike > 3000);
+    CHECK(seen > alike * 9 / 10);
+    CHECK(seen < alike);
+    CHECK_FALSE(rounds_alike(Ball(Rational(1, 4), 200), 1, Rounding::nearest)); // a tie
+    CHECK_FALSE(rounds_alike(Ball(0, 200), 10, Rounding::nearest));
+    CHECK_FALSE(rounds_alike(Ball(Rational(1, 3), 200), 10, Rounding::enclosure));
+}
+
 TEST_CASE("the nearest binary64, once") {
     CHECK(nearest_binary64(Ball(Rational(1, 3), 200)).value() == 1.0 / 3.0);
     CHECK_FALSE(nearest_binary64(Ball::around(Real(1), Real("1e-10"), 100)).has_value());

@@ -129,6 +129,17 @@ struct EnclosedSample::State {
         };
         return edgeproof::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
     }
+    /// Of the family of contacts that share the profile.
+    [[nodiscard]] BallContact with_right_edge(const std::string& function, const Expr& written,
+                                              const Ball& at) const {
+        if (const auto edge = constant(written); edge && edge->sign() > 0) {
+            return {profile, sample.scene.parameter("Es"), Load::right_edge(*edge), bits};
+        }
+        if (!certainly_positive(at)) {
+            throw Error(function + " of what may not be positive");
+        }
+        return contact.with_right_edge(at);
+    }
     [[nodiscard]] Ball local(Edge edge, const Expr& node, std::span<const Ball> args) const {
         const Rational* n = node.arg(0).rational();
         if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
@@ -210,15 +221,13 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
         return local(Edge::left, node, args);
     }
     if (name == "Pof" || name == "P1of" || name == "bof") {
-        const auto edge = constant(node.arg(0));
-        if (!edge || edge->sign() <= 0) {
-            throw Error(name + " of what is no number of the scene");
-        }
-        const BallContact other(profile, sample.scene.parameter("Es"), Load::right_edge(*edge),
-                                bits);
+        const BallContact other = with_right_edge(name, node.arg(0), args[0]);
         return name == "Pof"    ? other.force()
                : name == "P1of" ? other.force_derivatives(2).back()
                                 : other.b();
+    }
+    if (name == "binv" && certainly_positive(args[0])) {
+        return contact.mirrored().with_right_edge(args[0]).b();
     }
     throw Error("'" + name + "' has no enclosure");
 }

@@ -12,8 +12,8 @@ namespace edgeproof {
 
 /// A sample of a claim in ball arithmetic: what a Setting gives in Real, here proved. It shares no
 /// numerical code with it (BallContact, ball_shear.hpp). Symbols and functions are those of
-/// Setting; Pof, P1of, bof take arguments that are exact numbers of the scene; integrals have no
-/// enclosure here.
+/// Setting, but for principal values; an integral is enclosed where its integrand has no function
+/// of the contact in it (enclosed_integral.hpp).
 class EnclosedSample {
 public:
     /// Throws BudgetError or DomainError where so many bits do not enclose the contact, and for

@@ -65,6 +65,13 @@ const Extent<long double>& ContactsBySize::At::rough_extent() {
     }
     return *rough_.extent;
 }
+long double ContactsBySize::At::rough_pressure(Edge edge, long double u) {
+    const Extent<long double>& e = rough_extent();
+    if (!rough_.marks) {
+        rough_.marks.emplace(e, contacts_.rough_.slope().knots());
+    }
+    return logarithmic_closed_form(contacts_.rough_, *rough_.marks, point_at(e, edge, u)).value;
+}
 const Extent<Float128>& ContactsBySize::At::extent() {
     if (!fine_.extent) {
         fine_.extent = contacts_.law_.extent(a_);
@@ -136,11 +143,9 @@ std::vector<long double> ContactsBySize::At::places(Edge edge) {
 const std::vector<ContactsBySize::At::Node>& ContactsBySize::At::pressures(Edge edge) {
     auto& nodes = pressures_.at(index_of(edge));
     if (nodes.empty()) {
-        const Extent<long double>& e = rough_extent();
         for (const long double u : places(edge)) {
             try {
-                const auto p = logarithmic_closed_form(contacts_.rough_, e, point_at(e, edge, u));
-                nodes.push_back({u, p.value});
+                nodes.push_back({u, rough_pressure(edge, u)});
             } catch (const DomainError&) {
                 continue; // on a corner, where p is infinite
             }
@@ -150,14 +155,15 @@ const std::vector<ContactsBySize::At::Node>& ContactsBySize::At::pressures(Edge 
 }
 
 long double ContactsBySize::At::rough_error(const ExtentOf& of, long double u) {
-    const Extent<long double>& e = rough_extent();
-    const auto p = logarithmic_closed_form(contacts_.rough_, e, point_at(e, of.edge, u));
-    return approximation(rough_coefficients(of.edge), of.terms, u) / p.value - 1;
+    return approximation(rough_coefficients(of.edge), of.terms, u) / rough_pressure(of.edge, u) - 1;
 }
 
 Float128 ContactsBySize::At::error(const ExtentOf& of, const Float128& u) {
-    const auto p =
-        logarithmic_closed_form(contacts_.law_, extent(), point_at(extent(), of.edge, u));
+    const Extent<Float128>& e = extent();
+    if (!fine_.marks) {
+        fine_.marks.emplace(e, contacts_.law_.slope().knots());
+    }
+    const auto p = logarithmic_closed_form(contacts_.law_, *fine_.marks, point_at(e, of.edge, u));
     return approximation(coefficients(of.edge), of.terms, u) / p.value - 1;
 }
 

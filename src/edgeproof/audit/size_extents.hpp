@@ -49,6 +49,8 @@ public:
     class At {
     public:
         At(const ContactsBySize& contacts, const Float128& a);
+        At(const At&) = delete;
+        At& operator=(const At&) = delete;
         /// To about 22 digits.
         [[nodiscard]] Fractions fractions(const ExtentOf& of);
         /// To about 12, several times faster.
@@ -66,9 +68,11 @@ public:
         /// The contact in one arithmetic; made when it is asked for.
         template <class T> struct In {
             std::optional<Extent<T>> extent;
+            std::optional<Marks<T, T>> marks; ///< of the extent
             std::array<std::vector<T>, 2> c;
         };
         [[nodiscard]] const Extent<long double>& rough_extent();
+        [[nodiscard]] long double rough_pressure(Edge edge, long double u);
         [[nodiscard]] const std::vector<long double>& rough_coefficients(Edge edge);
         [[nodiscard]] const std::vector<Node>& pressures(Edge edge);
         [[nodiscard]] std::vector<long double> places(Edge edge);

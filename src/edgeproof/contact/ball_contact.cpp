@@ -201,6 +201,16 @@ BallMark BallContact::mark(const Ball& a, const Ball& b, std::size_t knot) const
     return BallMark::at(a, b, knots_[knot]);
 }
 
+BallContact BallContact::with_right_edge(const Ball& a) const {
+    BallContact other(*this);
+    other.given_a_.reset();
+    std::fill(other.on_edge_.begin(), other.on_edge_.end(), std::nullopt);
+    other.a_ = a;
+    other.b_ = other.solve_left_edge(a);
+    other.fix();
+    return other;
+}
+
 BallContact BallContact::mirrored() const {
     BallContact m(profile_.reflected(), modulus_, bits_);
     m.a_ = b_;

@@ -65,6 +65,9 @@ public:
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const;
     /// The same contact seen in a mirror, edges and all.
     [[nodiscard]] BallContact mirrored() const;
+    /// The contact of the same profile whose right edge is a number in the ball. Throws BudgetError
+    /// where the bits, or the ball, do not isolate the left edge.
+    [[nodiscard]] BallContact with_right_edge(const Ball& a) const;
 
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);

@@ -7,10 +7,16 @@ namespace edgeproof {
 template <Arithmetic T>
 RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, const Extent<T>& e,
                                           const Point<T>& at) {
+    Marks<T, T> marks(e, law.slope().knots());
+    return logarithmic_closed_form(law, marks, at);
+}
+
+template <Arithmetic T>
+RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, Marks<T, T>& marks,
+                                          const Point<T>& at) {
     using std::abs;
-    using std::log;
-    using std::log1p;
     using std::sqrt;
+    const Extent<T>& e = marks.extent();
     const SlopeIn<T>& slope = law.slope();
     for (const auto& piece : slope.pieces()) {
         if (!piece.linear) {
@@ -20,14 +26,14 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, const Extent
     const T w_x = sqrt(T(at.right * at.left));
     // G(x, v) = ln |(z_v + z_x)/(z_v - z_x)| with the roots cleared of the difference:
     // (sqrt(r_v l_x) + sqrt(r_x l_v))^2 / (D |v - x|), where r_v l_x - r_x l_v = D (x - v).
-    const auto green = [&](const T& right, const T& left, const T& distance) {
+    const auto green = [&](const T& right, const T& left, const T& w, const T& distance) {
         const T p = right * at.left;
         const T q = at.right * left;
-        const T root = T(2) * sqrt(p) * sqrt(q);
+        const T root = T(2) * w * w_x;
         const T gap = e.length() * distance;
         const T smaller = p < q ? p : q;
         // ln((p + q + 2 sqrt(pq))/|p - q|): near an edge the argument is near 1.
-        return T(log1p(T((T(2) * smaller + root) / gap)));
+        return log_of_one_plus(T((T(2) * smaller + root) / gap));
     };
     T sum(0);
     T previous_h = pi<T>();
@@ -43,7 +49,7 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, const Extent
                 piece = i + 1;
                 continue;
             }
-            const Mark<T> m = mark<T, T>(e, knots[i]);
+            const Mark<T>& m = marks.at(i);
             const T right = e.a - knots[i];
             const T offset = right < at.right || right > at.right
                                  ? T(at.right - right) // v - x, from the same edge
@@ -55,7 +61,7 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, const Extent
                     throw DomainError("the pressure is infinite at a corner of the profile");
                 }
             } else {
-                const T G = green(right, T(e.b + knots[i]), distance);
+                const T G = green(right, T(e.b + knots[i]), m.w, distance);
                 moment = offset * G;
                 sum += slope.jump(i) * G;
             }
@@ -73,6 +79,8 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, const Extent
 
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
     template RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>&, const Extent<T>&,     \
+                                                       const Point<T>&);                           \
+    template RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>&, Marks<T, T>&,         \
                                                        const Point<T>&);
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE

@@ -47,10 +47,17 @@ std::string route_name(Route route) {
 /// The contact in numbers at one working precision. The mirrored law serves the left branch.
 struct NormalContact::Solved {
     Solved(const Profile& profile, const Exact& modulus, const Load& load, unsigned target)
-        : target_digits(target), law(profile, modulus.to<Real>(), target), extent{}, mirror{} {
+        : target_digits(target), law(profile, modulus.to<Real>(), target), extent{} {
         const Real value = load.value.to<Real>();
         extent = law.extent(load.kind == Load::Kind::right_edge ? value
                                                                 : law.right_edge_for_force(value));
+    }
+    /// The knots in the coordinates of the kernels, worked out where they are asked for.
+    Marks<Real, Real>& marks() {
+        if (!known_marks) {
+            known_marks.emplace(extent, law.slope().knots());
+        }
+        return *known_marks;
     }
     const ContactLaw<Real>& mirrored(const Profile& profile, const Exact& modulus) {
         if (!mirror) {
@@ -76,6 +83,8 @@ struct NormalContact::Solved {
     ContactLaw<Real> law;
     Extent<Real> extent;
     std::unique_ptr<ContactLaw<Real>> mirror;
+    std::optional<Marks<Real, Real>> known_marks;
+    std::map<long, BallContact> in_balls; ///< by their bits
 };
 
 NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
@@ -229,12 +238,13 @@ Estimated NormalContact::pressure(Edge edge, const Real& u, Route route) const {
     return pressure_at(edge, u, route, look(u, edge, base_working_));
 }
 
-RoutedPressure<Real> NormalContact::hypergeometric(Edge edge, const Real& u,
+RoutedPressure<Real> NormalContact::hypergeometric(Solved& solved, Edge edge, const Real& u,
                                                    unsigned target) const {
     const long wanted = static_cast<long>(3.3219281 * static_cast<double>(target)) + 4;
     const Ball p = escalate(
         [&](long bits) {
-            return BallContact(profile_, modulus_, load_, bits).pressure(edge, Ball(u, bits));
+            return solved.in_balls.try_emplace(bits, profile_, modulus_, load_, bits)
+                .first->second.pressure(edge, Ball(u, bits));
         },
         [&](const Ball& ball) { return ball.relative_accuracy_bits() >= wanted; },
         {wanted + 64, 1L << 20});
@@ -276,8 +286,8 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         p = singular_integral(s.law, s.extent, point, target);
         break;
     default:
-        p = profile_.piecewise_linear() ? logarithmic_closed_form(s.law, s.extent, point)
-                                        : hypergeometric(edge, u, target);
+        p = profile_.piecewise_linear() ? logarithmic_closed_form(s.law, s.marks(), point)
+                                        : hypergeometric(s, edge, u, target);
         break;
     }
     if (!p.converged) {

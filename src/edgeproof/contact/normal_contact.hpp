@@ -90,7 +90,7 @@ private:
         unsigned working;
         std::optional<std::size_t> on_knot;
     };
-    [[nodiscard]] RoutedPressure<Real> hypergeometric(Edge edge, const Real& u,
+    [[nodiscard]] RoutedPressure<Real> hypergeometric(Solved& solved, Edge edge, const Real& u,
                                                       unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
     [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working) const;

@@ -35,5 +35,9 @@ template <Arithmetic T>
 template <Arithmetic T>
 [[nodiscard]] RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law,
                                                         const Extent<T>& e, const Point<T>& at);
+/// The same; `marks` are those of the extent, which all points of a contact share.
+template <Arithmetic T>
+[[nodiscard]] RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law,
+                                                        Marks<T, T>& marks, const Point<T>& at);
 
 } // namespace edgeproof

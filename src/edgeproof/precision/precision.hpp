@@ -9,7 +9,7 @@
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
 ///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
 ///   digits_right.hpp  how many digits of a number an enclosure shows to be right
-///   elementary.hpp  the arc tangent, faster where Real is concerned
+///   elementary.hpp  the arc tangent and a logarithm, faster where Real is concerned
 ///   instantiate.hpp  what is compiled for every arithmetic
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"

@@ -27,8 +27,9 @@ public:
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
+        length_ = settle([](BallLevel& level) { return level.length(); }, plan.digits);
         // No contact at any precision: the routes in Real say why.
-        if (!settle([](BallLevel& level) { return level.length(); }, plan.digits)) {
+        if (!length_) {
             (void)others();
         }
     }
@@ -75,8 +76,7 @@ public:
     }
 
     PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
-        const auto base = settle([](BallLevel& level) { return level.length(); }, plan_.digits);
-        if (base && !certainly_less(ball_of(u, base->bits()), *base)) {
+        if (length_ && !certainly_less(ball_of(u, length_->bits()), *length_)) {
             throw DomainError("the point lies outside the contact");
         }
         const bool together = q && scene_.shear->path == LoadingPath::together;
@@ -271,19 +271,19 @@ private:
     [[nodiscard]] Vouched place(Edge edge, const Exact& u) {
         const bool given = scene_.load.kind == Load::Kind::right_edge &&
                            (edge == Edge::right || scene_.symmetric());
-        const auto x = settle(
-            [&](BallLevel& level) {
-                const Ball from = ball_of(u, level.bits());
-                return edge == Edge::right ? level.a() - from : from - level.b();
-            },
-            plan_.digits);
-        Vouched v{*x, true, "given"};
-        const auto a = rational_of(scene_.load.value);
-        const auto distance = rational_of(u);
-        if (given && a && distance) {
-            v.exactly = edge == Edge::right ? *a - *distance : *distance - *a;
+        const auto at = [&](BallLevel& level) {
+            const Ball from = ball_of(u, level.bits());
+            return edge == Edge::right ? level.a() - from : from - level.b();
+        };
+        const auto a = given ? rational_of(scene_.load.value) : std::nullopt;
+        const auto distance = a ? rational_of(u) : std::nullopt;
+        BallLevel* first = distance && !plan_.digits.binary64 ? at_level(plan_.bits) : nullptr;
+        if (first != nullptr) {
+            // Its text is made of what it is exactly: any ball of it will do.
+            return {at(*first), true, "given",
+                    edge == Edge::right ? Rational(*a - *distance) : Rational(*distance - *a)};
         }
-        return v;
+        return {*settle(at, plan_.digits), true, "given", {}};
     }
     void count_expansions(Edge edge, bool p, bool q) {
         const bool together = q && scene_.shear->path == LoadingPath::together;
@@ -329,6 +329,7 @@ private:
     long last_bits_;
     long last_curved_bits_; ///< integrals cost more
     std::map<long, std::unique_ptr<BallLevel>> levels_;
+    std::optional<Ball> length_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     Work work_of_others_;

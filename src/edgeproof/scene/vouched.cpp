@@ -38,7 +38,8 @@ PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
 } // namespace
 
 bool settles(const Ball& x, const Digits& digits) {
-    return round_ball(x, digits.count, digits.rounding).complete &&
+    return (rounds_alike(x, digits.count, digits.rounding) ||
+            round_ball(x, digits.count, digits.rounding).complete) &&
            (!digits.binary64 || nearest_binary64(x));
 }
 

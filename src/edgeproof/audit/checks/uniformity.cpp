@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/enclosures.hpp"
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -47,6 +48,17 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
     return found;
 }
 
+/// What the printed term has on the last rung, and what is left there, in balls.
+void add_last_rung(const Claim& claim, const Sample& sample, const Expr& rest, const Expr& term,
+                   unsigned digits, Outcome& outcome) {
+    const std::string variable = claim.text("variable");
+    const Expr at = Exact::parse(claim.text("towards")).expr() -
+                    pow(Expr::number(Rational(10)), Expr::number(Rational(-rungs)));
+    add_pair("printed", enclosed(substitute(term, variable, at), sample, digits), "exact",
+             enclosed(substitute(rest, variable, at), sample, digits),
+             sample.text() + ", " + variable + " = " + Exact(at).text(), digits, outcome);
+}
+
 /// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
 /// power that is to come next, must grow there.
 Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
@@ -64,6 +76,8 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     std::size_t breaking = 0;
     std::size_t uniform = 0;
     std::size_t nothing_left = 0;
+    // The first at which the printed term breaks down, and what is left does not.
+    const Sample* by_the_term = nullptr;
     std::string last;
     Evidence in_scenes;
     const std::vector<Sample> samples = context.samples(claim);
@@ -88,6 +102,10 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         if (predicted) {
             const Rest printed = follow(setting, claim, fixed, variable, *predicted, digits);
             one.add("growth_of_the_printed_term", fmt::format("{:.6f}", printed.slope));
+            if (by_the_term == nullptr && printed.slope > 0.9 && !exact.vanishes &&
+                exact.slope < 0.1) {
+                by_the_term = &sample;
+            }
         }
         in_scenes.add(sample.text(), one);
     }
@@ -108,6 +126,9 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         outcome.note = "what is left over " + small + "^" + std::to_string(order) +
                        " stays bounded as " + variable + " -> " + claim.text("towards") +
                        ", in all of " + std::to_string(uniform) + " samples";
+        if (by_the_term != nullptr) {
+            add_last_rung(claim, *by_the_term, rest, *predicted, context.digits(), outcome);
+        }
     } else {
         outcome.note = "it breaks down at " + std::to_string(breaking) + " samples, not at " +
                        std::to_string(uniform);

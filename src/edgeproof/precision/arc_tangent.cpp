@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/elementary.hpp"
+#include "edgeproof/precision/fixed_point.hpp"
 
 #include <array>
 #include <cstdlib>
-#include <map>
 #include <vector>
 
 namespace edgeproof {
 namespace {
 
-/// An integer of GMP's; as a fixed-point number it counts units of 2^-bits.
-class Integer {
-public:
-    Integer() { mpz_init(z_); }
-    Integer(const Integer&) = delete;
-    Integer& operator=(const Integer&) = delete;
-    Integer(Integer&& other) noexcept {
-        mpz_init(z_);
-        mpz_swap(z_, other.z_);
-    }
-    ~Integer() { mpz_clear(z_); }
-    [[nodiscard]] mpz_ptr get() { return z_; }
-
-private:
-    mpz_t z_;
-};
+using fixed_point::Integer;
 
 constexpr unsigned coarse_bits = 8;
 constexpr unsigned fine_bits = 16;
@@ -32,14 +17,6 @@ constexpr std::size_t coarse_entries = (1U << coarse_bits) + 1;
 constexpr std::size_t fine_entries = (1U << (fine_bits - coarse_bits - 1)) + 2;
 /// The square of what is left has so many zero bits: |r| <= 2^-17.
 constexpr unsigned zero_bits = 2 * (fine_bits + 1);
-/// Above, MPFR's own sum by halves is as fast.
-constexpr mpfr_prec_t most_bits = 2400;
-/// Bits beyond those asked for: 18 for a result as small as 2^-18, the others for the roundoff of
-/// some sixty truncated operations with room to spare.
-constexpr mpfr_prec_t guard_bits = 40;
-/// Thread-local tables of more precisions than this are made anew.
-constexpr std::size_t most_tables = 48;
-
 /// What arc tangents with one number of bits after the point share.
 class ArcTangents {
 public:
@@ -136,37 +113,19 @@ private:
     Integer work_;
 };
 
-ArcTangents& arc_tangents(mpfr_prec_t bits) {
-    thread_local std::map<mpfr_prec_t, ArcTangents> tables;
-    if (tables.size() > most_tables) {
-        tables.clear();
-    }
-    return tables.try_emplace(bits, bits).first->second;
-}
-
-/// A `Real` for a function of x.
-Real beside(const Real& x) {
-    Real result;
-    const mpfr_prec_t own = mpfr_get_prec(x.backend().data());
-    if (own > mpfr_get_prec(result.backend().data())) {
-        mpfr_set_prec(result.backend().data(), own);
-    }
-    return result;
-}
-
 } // namespace
 
 Real arc_tangent(const Real& x) {
-    Real result = beside(x);
+    Real result = fixed_point::beside(x);
     mpfr_srcptr from = x.backend().data();
     const mpfr_prec_t asked = mpfr_get_prec(result.backend().data());
-    if (mpfr_regular_p(from) == 0 || asked > most_bits || std::abs(mpfr_get_exp(from)) > asked) {
+    if (mpfr_regular_p(from) == 0 || asked > fixed_point::most_bits ||
+        std::abs(mpfr_get_exp(from)) > asked) {
         mpfr_atan(result.backend().data(), from, MPFR_RNDN);
         return result;
     }
-    // Whole limbs, so that few precisions have a table.
-    const mpfr_prec_t bits = (asked + guard_bits + 63) / 64 * 64;
-    ArcTangents& table = arc_tangents(bits);
+    const mpfr_prec_t bits = fixed_point::bits_for(asked);
+    auto& table = fixed_point::table_of<ArcTangents>(bits);
     mpfr_t t;
     mpfr_init2(t, bits);
     mpfr_abs(t, from, MPFR_RNDN);

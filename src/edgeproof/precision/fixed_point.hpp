@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/real.hpp"
+
+#include <cstddef>
+#include <map>
+
+/// What the elementary functions of elementary.hpp are made of. Of use to them alone.
+namespace edgeproof::fixed_point {
+
+/// An integer of GMP's; as a fixed-point number it counts units of 2^-bits.
+class Integer {
+public:
+    Integer() { mpz_init(z_); }
+    Integer(const Integer&) = delete;
+    Integer& operator=(const Integer&) = delete;
+    Integer(Integer&& other) noexcept {
+        mpz_init(z_);
+        mpz_swap(z_, other.z_);
+    }
+    ~Integer() { mpz_clear(z_); }
+    [[nodiscard]] mpz_ptr get() { return z_; }
+
+private:
+    mpz_t z_;
+};
+
+/// Above, MPFR's own sums by halves are as fast.
+constexpr mpfr_prec_t most_bits = 2400;
+/// Bits beyond those asked for: 18 for a result as small as 2^-18, the others for the roundoff of
+/// some sixty truncated operations with room to spare.
+constexpr mpfr_prec_t guard_bits = 40;
+/// Thread-local tables of more precisions than this are made anew.
+constexpr std::size_t most_tables = 48;
+
+/// Bits after the point for a result of so many: whole limbs, so that few precisions have a table.
+[[nodiscard]] constexpr mpfr_prec_t bits_for(mpfr_prec_t asked) {
+    return (asked + guard_bits + 63) / 64 * 64;
+}
+
+/// What the functions with one number of bits after the point share; a thread has its own.
+template <class Table> [[nodiscard]] Table& table_of(mpfr_prec_t bits) {
+    thread_local std::map<mpfr_prec_t, Table> tables;
+    if (tables.size() > most_tables) {
+        tables.clear();
+    }
+    return tables.try_emplace(bits, bits).first->second;
+}
+
+/// A `Real` for a function of x: of the thread's precision, or of x's own where that is higher.
+[[nodiscard]] inline Real beside(const Real& x) {
+    Real result;
+    const mpfr_prec_t own = mpfr_get_prec(x.backend().data());
+    if (own > mpfr_get_prec(result.backend().data())) {
+        mpfr_set_prec(result.backend().data(), own);
+    }
+    return result;
+}
+
+} // namespace edgeproof::fixed_point

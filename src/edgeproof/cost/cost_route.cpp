@@ -144,7 +144,6 @@ public:
         const Ball& p = values.p->value;
         return {p.midpoint(), {}, p};
     }
-    [[nodiscard]] bool remembers() const override { return true; }
 
 private:
     const CostCase& case_;

@@ -25,8 +25,6 @@ public:
     virtual ~ReadyContact() = default;
     /// p at point number i of the case. Throws what the route throws.
     [[nodiscard]] virtual CostValue at(std::size_t i) = 0;
-    /// The point asked for last is kept: asked for twice in a row, it costs nothing.
-    [[nodiscard]] virtual bool remembers() const { return false; }
 };
 
 /// One way to a pressure, in one arithmetic.

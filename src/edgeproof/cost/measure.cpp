@@ -105,11 +105,9 @@ private:
                                    (samples.size() < fewest_samples || spent < enough_seconds));
     }
     double sample(std::size_t p) {
-        std::size_t calls = 1;
-        if (!contact_.remembers()) {
-            const double about = samples_[p].empty() ? batch_seconds : samples_[p].back();
-            calls = static_cast<std::size_t>(std::ceil(batch_seconds / std::max(about, 1e-8)));
-        }
+        const double about = samples_[p].empty() ? batch_seconds : samples_[p].back();
+        const auto calls =
+            static_cast<std::size_t>(std::ceil(batch_seconds / std::max(about, 1e-8)));
         const double begun = thread_seconds();
         for (std::size_t k = 0; k < calls; ++k) {
             (void)contact_.at(points_[p].point);

@@ -62,7 +62,15 @@ bool rounds_alike(const Ball& x, unsigned digits, Rounding mode) {
         arb_set_d(ten, 0.5);
         arb_add(units, units, ten, x.bits());
     }
-    const bool alike = arb_contains_int(units) == 0;
+    // Farther from the whole numbers on both sides of its middle than its radius.
+    arf_t above;
+    arf_init(above);
+    arf_floor(above, arb_midref(units));
+    arf_sub(above, arb_midref(units), above, ARF_PREC_EXACT, ARF_RND_DOWN);
+    bool alike = arf_cmpabs_mag(above, arb_radref(units)) > 0;
+    arf_sub_ui(above, above, 1, ARF_PREC_EXACT, ARF_RND_DOWN);
+    alike = alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
+    arf_clear(above);
     arb_clear(ten);
     arb_clear(units);
     return alike;

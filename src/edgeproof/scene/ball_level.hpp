@@ -43,8 +43,12 @@ public:
     [[nodiscard]] Ball length() const { return a() + b(); }
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
-    /// The last one asked for is kept: each has several uses.
+    /// The last one asked for is kept where it has several uses.
     [[nodiscard]] const Ball& p(Edge edge, const Exact& u) {
+        if (plan_.terms == 0 && !scene_.shear) {
+            used_once_ = closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u);
+            return used_once_;
+        }
         if (!last_ || last_->edge != edge || !(last_->u == u)) {
             last_ =
                 Last{edge, u, closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u)};
@@ -109,6 +113,7 @@ private:
     std::optional<BallContact> closed_;
     std::optional<IntegratedContact> curved_; ///< of g' that has no closed form
     std::optional<Last> last_;
+    Ball used_once_;
     std::optional<Ball> ratio_;
     std::map<Edge, std::vector<Ball>> c_;
     std::map<Edge, std::vector<Ball>> s_;

@@ -28,6 +28,9 @@ public:
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
         length_ = settle([](BallLevel& level) { return level.length(); }, plan.digits);
+        if (scene.load.kind == Load::Kind::right_edge) {
+            given_a_ = rational_of(scene.load.value);
+        }
         // No contact at any precision: the routes in Real say why.
         if (!length_) {
             (void)others();
@@ -76,7 +79,8 @@ public:
     }
 
     PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
-        if (length_ && !certainly_less(ball_of(u, length_->bits()), *length_)) {
+        const Ball from = ball_of(u, length_ ? length_->bits() : plan_.bits);
+        if (length_ && !certainly_less(from, *length_)) {
             throw DomainError("the point lies outside the contact");
         }
         const bool together = q && scene_.shear->path == LoadingPath::together;
@@ -84,7 +88,7 @@ public:
         work_.counts.shear_points += q ? 1 : 0;
         count_ratio(together);
         PointValues values;
-        values.x = place(edge, u);
+        values.x = place(edge, u, from);
         std::optional<PointValues> other;
         const auto instead = [&](ValueRoute& route) -> const PointValues& {
             if (!other) {
@@ -228,12 +232,14 @@ private:
             if (level == nullptr) {
                 continue;
             }
-            const Ball x = f(*level);
+            Ball x = f(*level);
             if (!x.is_finite()) {
                 continue;
             }
-            best = x;
-            if (settles(x, digits) || (contains_zero(x) && bits >= plan_.bits + zero_bits)) {
+            const bool enough =
+                settles(x, digits) || (contains_zero(x) && bits >= plan_.bits + zero_bits);
+            best = std::move(x);
+            if (enough) {
                 break;
             }
         }
@@ -268,22 +274,27 @@ private:
         }
         return {n, {*local, true, "series"}, {*error, true, "series"}};
     }
-    [[nodiscard]] Vouched place(Edge edge, const Exact& u) {
-        const bool given = scene_.load.kind == Load::Kind::right_edge &&
-                           (edge == Edge::right || scene_.symmetric());
-        const auto at = [&](BallLevel& level) {
-            const Ball from = ball_of(u, level.bits());
-            return edge == Edge::right ? level.a() - from : from - level.b();
-        };
-        const auto a = given ? rational_of(scene_.load.value) : std::nullopt;
-        const auto distance = a ? rational_of(u) : std::nullopt;
-        BallLevel* first = distance && !plan_.digits.binary64 ? at_level(plan_.bits) : nullptr;
+    /// x of the point u, which is `from` in a ball.
+    [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from) {
+        const bool known = given_a_ && (edge == Edge::right || scene_.symmetric());
+        const Rational* distance = known ? u.expr().rational() : nullptr;
+        BallLevel* first = distance != nullptr ? at_level(plan_.bits) : nullptr;
+        Vouched x{{}, true, "given", {}};
         if (first != nullptr) {
-            // Its text is made of what it is exactly: any ball of it will do.
-            return {at(*first), true, "given",
-                    edge == Edge::right ? Rational(*a - *distance) : Rational(*distance - *a)};
+            x.value = edge == Edge::right ? first->a() - from : from - first->b();
+            x.exactly = edge == Edge::right ? Rational(*given_a_ - *distance)
+                                            : Rational(*distance - *given_a_);
         }
-        return {*settle(at, plan_.digits), true, "given", {}};
+        // The text of what is known exactly is made of that: any ball will do.
+        if (!x.exactly || plan_.digits.binary64) {
+            x.value = *settle(
+                [&](BallLevel& level) {
+                    const Ball at = ball_of(u, level.bits());
+                    return edge == Edge::right ? level.a() - at : at - level.b();
+                },
+                plan_.digits);
+        }
+        return x;
     }
     void count_expansions(Edge edge, bool p, bool q) {
         const bool together = q && scene_.shear->path == LoadingPath::together;
@@ -330,6 +341,7 @@ private:
     long last_curved_bits_; ///< integrals cost more
     std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::optional<Ball> length_;
+    std::optional<Rational> given_a_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     Work work_of_others_;

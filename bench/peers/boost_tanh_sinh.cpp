@@ -40,7 +40,7 @@ template <class T> class Pressure {
 public:
     Pressure(const Question& q, boost::math::quadrature::tanh_sinh<T>& rule)
         : rule_(rule), flat_(q.family == "flat"), u_(q.u), t_(q.t), factor_(T(q.K)),
-          exponent_((T(q.m) - 1) / 2), x_(1 - u_) {
+          exponent_((T(q.m) - 1) / 2), root_(exponent_ == T(0.5)), x_(1 - u_) {
         factor_ /= boost::math::constants::pi<T>();
     }
     T operator()() {
@@ -75,7 +75,8 @@ public:
         return factor_ * rule_.integrate(
                              [&](const T& w) -> T {
                                  ++evaluations;
-                                 return pow(T(x2 + w * w), exponent_);
+                                 const T square = x2 + w * w;
+                                 return root_ ? T(sqrt(square)) : T(pow(square, exponent_));
                              },
                              T(0), end);
     }
@@ -84,7 +85,9 @@ public:
 private:
     boost::math::quadrature::tanh_sinh<T>& rule_;
     bool flat_;
-    T u_, t_, factor_, exponent_, x_;
+    T u_, t_, factor_, exponent_;
+    bool root_;
+    T x_;
 };
 
 template <class T> static void answer(const Question& q, double enough) {

@@ -32,7 +32,9 @@ endif()
 if(EDGEPROOF_CLANG_TIDY)
     find_program(CLANG_TIDY NAMES clang-tidy REQUIRED)
     set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # quadmath.h is among GCC's own headers
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # whose warnings clang does not know
+        list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-Wno-unknown-warning-option)
+        # quadmath.h is among GCC's own headers.
         execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=include
             OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
         list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-idirafter --extra-arg=${gcc_headers})

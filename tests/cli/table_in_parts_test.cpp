@@ -40,16 +40,15 @@ std::string table_command(const std::string& options) {
     return "'" + program().string() + "' table r.toml --out t.csv " + options;
 }
 
-/// Kills the run after so many milliseconds, again and again, until one ends by itself: how often.
+/// Kills the run after so many tenths of a millisecond, again and again, later and later (a build
+/// with sanitizers takes a while to start), until one ends by itself: how often.
 /// A run that is killed between the naming of the table and the removing of its part file leaves
 /// both, and the next one ends what was left: done is a table without a part file.
-int kill_and_resume(const Folder& folder, int first_ms, int step_ms, const std::string& options) {
+int kill_and_resume(const Folder& folder, int first, int step, const std::string& options) {
     for (int runs = 0;; ++runs) {
-        const std::string milliseconds = std::to_string(first_ms + runs * step_ms);
-        (void)shell(folder,
-                    "timeout -s KILL 0." +
-                        std::string(4 - std::min<std::size_t>(4, milliseconds.size()), '0') +
-                        milliseconds + " " + table_command(options) + " || true");
+        const double seconds = (first + runs * step * (1 + runs / 20)) / 1e4;
+        (void)shell(folder, "timeout -s KILL " + std::to_string(seconds) + " " +
+                                table_command(options) + " || true");
         if ((std::filesystem::exists(folder.path() / "t.csv") &&
              !std::filesystem::exists(folder.path() / "t.csv.part")) ||
             runs > 200) {
@@ -146,8 +145,9 @@ TEST_CASE("table --out: a folder that is gone is one line; a recipe that is wron
     const Folder folder;
     folder.write("r.toml", recipe(600));
     const std::string said =
-        shell(folder, "mkdir d; (sleep 0.2; rm -r d) & '" + program().string() +
-                          "' table r.toml --out d/t.csv --threads 1; wait");
+        shell(folder, "mkdir d; (until [ -e d/t.csv.part ]; do sleep 0.01; done; "
+                      "while [ -e d ]; do rm -rf d; done) & '" +
+                          program().string() + "' table r.toml --out d/t.csv --threads 1; wait");
     CHECK(lines(said).size() == 1);
     CHECK(said.find("d/t.csv") != std::string::npos);
     CHECK(folder.files() == 1);

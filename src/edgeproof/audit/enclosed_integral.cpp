@@ -11,6 +11,8 @@
 namespace edgeproof {
 namespace {
 
+using Kind = Expr::Kind;
+
 constexpr long most_evaluations = 20000;
 
 /// A complex box, its centre and radii Arb's.
@@ -40,7 +42,6 @@ struct OnBox {
     long bits;
 
     [[nodiscard]] Box operator()(const Expr& e) const {
-        using Kind = Expr::Kind;
         if (const Rational* q = e.rational()) {
             return Box(Ball(*q, bits));
         }
@@ -137,7 +138,7 @@ private:
     }
 };
 
-struct Work {
+struct IntegrandCall {
     const Expr& integrand;
     std::string_view variable;
     const NameEnclosure& names;
@@ -145,7 +146,7 @@ struct Work {
 };
 
 int integrand_on(acb_ptr out, const acb_t at, void* parameter, slong order, slong bits) {
-    auto& work = *static_cast<Work*>(parameter);
+    auto& work = *static_cast<IntegrandCall*>(parameter);
     // No exception may pass through Arb, which goes on asking after the first.
     if (work.thrown) {
         acb_indeterminate(out);
@@ -168,7 +169,7 @@ Ball enclosed_integral(const Expr& integrand, std::string_view variable, const N
                        const Ball& lo, const Ball& hi, unsigned digits) {
     const long bits = std::max(lo.bits(), hi.bits());
     const auto goal = static_cast<slong>(digits) * 10 / 3;
-    Work work{integrand, variable, names, nullptr};
+    IntegrandCall work{integrand, variable, names, nullptr};
     acb_calc_integrate_opt_t options;
     acb_calc_integrate_opt_init(options);
     options->eval_limit = most_evaluations;

@@ -21,7 +21,7 @@ constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
 constexpr unsigned integral_digits = 20;
 
 /// k of "P3" for the stem "P".
-std::optional<std::size_t> order_in(std::string_view name, std::string_view stem) {
+std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
     std::size_t k = 0;
     if (!name.starts_with(stem) || name.size() == stem.size()) {
         return std::nullopt;
@@ -184,18 +184,18 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
     if (name == "M") {
         return contact.moment();
     }
-    if (const auto k = order_in(name, "P")) {
+    if (const auto k = order_behind(name, "P")) {
         return contact.force_derivatives(*k + 1).back();
     }
-    if (const auto k = order_in(name, "b")) {
+    if (const auto k = order_behind(name, "b")) {
         return contact.left_edge_derivatives(*k + 1).back();
     }
     for (const Edge edge : {Edge::right, Edge::left}) {
         const std::string side = edge == Edge::right ? "right_" : "left_";
-        if (const auto k = order_in(name, side + "c")) {
+        if (const auto k = order_behind(name, side + "c")) {
             return contact.expansion(edge, *k + 1).back();
         }
-        if (const auto k = order_in(name, side + "s")) {
+        if (const auto k = order_behind(name, side + "s")) {
             return full_stick_expansion(length(), load(), edge, *k + 1).back();
         }
     }

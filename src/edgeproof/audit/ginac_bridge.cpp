@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ginac_bridge.hpp"
 
+#include "edgeproof/audit/quotient.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <ginac/ginac.h>
@@ -99,12 +100,6 @@ Expr function_to_expr(const GiNaC::function& f) {
         args.push_back(to_expr(part));
     }
     return Expr::call(it->second, std::move(args));
-}
-
-/// 3/2 rather than 1.5.
-Expr quotient_of(const Rational& q) {
-    const Expr top = Expr::number(Rational(numerator(q)));
-    return denominator(q) == 1 ? top : top / Expr::number(Rational(denominator(q)));
 }
 
 struct Signed {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ginac_bridge.hpp"
 #include "edgeproof/audit/ginac_roots.hpp"
+#include "edgeproof/audit/quotient.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <ginac/ginac.h>
@@ -31,12 +32,6 @@ Expr product_of(const std::vector<Expr>& factors) {
         p = p * factors[i];
     }
     return p;
-}
-
-/// 3/2 rather than 1.5.
-Expr quotient_of(const Rational& q) {
-    const Expr top = Expr::number(Rational(numerator(q)));
-    return denominator(q) == 1 ? top : top / Expr::number(Rational(denominator(q)));
 }
 
 /// A product with its factors apart, in an order that does not depend on GiNaC's.

@@ -37,7 +37,7 @@ Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
 }
 
 /// How many decades y is below x > 0.
-long decades(const Real& x, const Real& y) {
+long decades_below(const Real& x, const Real& y) {
     if (y == 0) {
         return 0;
     }
@@ -52,7 +52,7 @@ Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& 
                const Real& distance, bool upwards, const Real& length) {
     Real value;
     try {
-        const PrecisionScope scope(precision.at(decades(precision.scale, distance)));
+        const PrecisionScope scope(precision.at(decades_below(precision.scale, distance)));
         const Real x = upwards ? Real(base + distance) : Real(base - distance);
         value = f(at_working_precision(x));
     } catch (const DomainError&) {

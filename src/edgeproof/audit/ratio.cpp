@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ratio.hpp"
 
+#include "edgeproof/audit/quotient.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 
 #include <algorithm>
@@ -40,11 +41,6 @@ std::optional<Rational> simple_fraction(const Real& x, unsigned digits) {
         rest = 1 / (rest - whole);
     }
     return std::nullopt;
-}
-
-Expr quotient_of(const Rational& q) {
-    const Expr top = Expr::number(Rational(numerator(q)));
-    return denominator(q) == 1 ? top : top / Expr::number(Rational(denominator(q)));
 }
 
 Expr power_of(const Expr& base, const Rational& k) {

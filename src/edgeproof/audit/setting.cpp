@@ -4,6 +4,7 @@
 #include "edgeproof/audit/claim.hpp"
 #include "edgeproof/audit/setting_environment.hpp"
 #include "edgeproof/audit/setting_state.hpp"
+#include "edgeproof/contact/edge.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ constexpr unsigned contact_guard = 15;
 constexpr unsigned quadrature_guard = 20;
 constexpr unsigned screening_guard = 6;
 constexpr int screening_level = 6;
-
-std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
 
 /// The number behind a name such as P2 or right_c1.
 std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {

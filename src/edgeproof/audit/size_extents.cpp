@@ -12,12 +12,10 @@
 namespace edgeproof {
 namespace {
 
-constexpr int per_decade = 10;   // of the geometric points
-constexpr int decades = 4;       // how near a knot or the far edge they go
-constexpr int uniform = 24;      // points between landmarks
-const Float128 refined("1e-24"); // relative, of a crossing
-
-std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
+constexpr int points_per_decade = 10; // of the geometric points
+constexpr int nearest_decades = 4;    // how near a knot or the far edge they go
+constexpr int uniform = 24;           // points between landmarks
+const Float128 refined("1e-24");      // relative, of a crossing
 
 template <class T> T approximation(const std::vector<T>& c, std::size_t n, const T& u) {
     using std::sqrt;
@@ -113,8 +111,8 @@ std::vector<long double> ContactsBySize::At::places(Edge edge) {
                 first, std::pow(1e-6L * std::abs(c[0] / c[k]), 1 / static_cast<long double>(k)));
         }
     }
-    const long double step = std::pow(10.0L, -1.0L / per_decade);
-    const long double near = std::pow(10.0L, static_cast<long double>(-decades));
+    const long double step = std::pow(10.0L, -1.0L / points_per_decade);
+    const long double near = std::pow(10.0L, static_cast<long double>(-nearest_decades));
     std::vector<long double> u{first};
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
         const long double width = marks[i + 1] - marks[i];

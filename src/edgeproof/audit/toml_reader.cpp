@@ -11,12 +11,6 @@
 namespace edgeproof {
 namespace {
 
-struct Source {
-    toml::table root;
-    std::vector<std::string> lines;
-    std::string file;
-};
-
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
     while (!text.empty()) {
@@ -46,6 +40,12 @@ std::size_t significant_digits(std::string_view number) {
 } // namespace
 
 struct TomlTable::Node {
+    struct Source {
+        toml::table root;
+        std::vector<std::string> lines;
+        std::string file;
+    };
+
     std::shared_ptr<const Source> source;
     const toml::table* table;
 
@@ -246,7 +246,7 @@ void TomlTable::reject(std::string_view key, const std::string& problem,
 const TomlTable& TomlDocument::top() const { return *top_; }
 
 TomlDocument parse_toml(std::string_view text, const std::string& file) {
-    auto source = std::make_shared<Source>();
+    auto source = std::make_shared<TomlTable::Node::Source>();
     source->file = file;
     source->lines = lines_of(text);
     try {

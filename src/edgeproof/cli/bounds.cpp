@@ -14,8 +14,7 @@
 namespace edgeproof::cli {
 namespace {
 
-constexpr std::size_t most_threads = 1024;
-constexpr std::size_t most_digits = 1000;
+constexpr std::size_t most_digits_of_bounds = 1000;
 constexpr std::size_t most_values = 100'000'000;
 
 struct Output {
@@ -39,13 +38,8 @@ std::string written(const Table& table, const Output& o) {
                     : aligned_text(table);
 }
 
-unsigned threads_of(const std::string& text) {
-    return text.empty() ? 0
-                        : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
-}
-
 unsigned digits_of_option(const std::string& text) {
-    return static_cast<unsigned>(whole_number("--digits", text, 2, most_digits));
+    return static_cast<unsigned>(whole_number("--digits", text, 2, most_digits_of_bounds));
 }
 
 struct CasesOptions {

@@ -20,7 +20,7 @@
 namespace edgeproof::cli {
 namespace {
 
-constexpr double most_digits = 10'000;
+constexpr double most_digits_of_a_check = 10'000;
 constexpr double most_ulps = 1e300;
 
 struct CheckOptions {
@@ -59,7 +59,7 @@ double positive(const std::string& option, const std::string& text, double most)
 Target target_of(const CheckOptions& o) {
     Target target;
     if (!o.digits.empty()) {
-        target.digits = positive("--digits", o.digits, most_digits);
+        target.digits = positive("--digits", o.digits, most_digits_of_a_check);
     }
     if (!o.ulps.empty()) {
         target.ulps = positive("--ulps", o.ulps, most_ulps);

@@ -13,7 +13,7 @@
 namespace edgeproof::cli {
 namespace {
 
-constexpr std::size_t most_digits = 100'000;
+constexpr std::size_t most_digits_of_a_cost = 100'000;
 constexpr std::size_t most_points = 100'000;
 
 struct CostArguments {
@@ -30,7 +30,7 @@ std::vector<unsigned> digits_of(const std::string& text) {
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t comma = std::min(text.find(',', at), text.size());
         digits.insert(static_cast<unsigned>(
-            whole_number("--digits", text.substr(at, comma - at), 2, most_digits)));
+            whole_number("--digits", text.substr(at, comma - at), 2, most_digits_of_a_cost)));
         at = comma + 1;
     }
     return {digits.begin(), digits.end()};

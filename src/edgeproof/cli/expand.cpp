@@ -7,7 +7,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct Options : SceneOptions {
+struct ExpandOptions : SceneOptions {
     std::string terms;
 };
 
@@ -18,7 +18,7 @@ std::string power_text(std::size_t k, int half_powers) {
     return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
 }
 
-int expand(const Options& o) {
+int expand(const ExpandOptions& o) {
     Scene scene = asked_scene(o);
     scene.ask.edges = asked_edges(o);
     const std::size_t terms = !o.terms.empty()          ? whole_number("--terms", o.terms, 1, 400)
@@ -73,7 +73,7 @@ int expand(const Options& o) {
 void add_expand(CLI::App& app, int& code) {
     CLI::App* sub =
         app.add_subcommand("expand", "coefficients of the expansion at the edges, with bounds");
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<ExpandOptions>();
     add_scene_options(*sub, *o);
     add_edge_option(*sub, *o);
     sub->add_option("--terms", o->terms, "how many (default: the scene's, else 3)");

@@ -10,7 +10,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct Options : SceneOptions {
+struct ExplainOptions : SceneOptions {
     bool run = false;
 };
 
@@ -52,7 +52,7 @@ std::string planned_text(const Effect& effect, const Counts& counts) {
                                                   : "0";
 }
 
-int explain(const Options& o) {
+int explain(const ExplainOptions& o) {
     const Scene scene = asked_scene(o);
     const Plan plan = make_plan(scene);
     Table table;
@@ -109,7 +109,7 @@ int explain(const Options& o) {
 void add_explain(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
         "explain", "what a scene calls for: the effects that are on and off, and why");
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<ExplainOptions>();
     o->format = "md";
     add_scene_options(*sub, *o);
     sub->add_flag("--run", o->run, "do it, and show what was done beside what was planned");

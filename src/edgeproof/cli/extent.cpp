@@ -8,7 +8,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct Options : SceneOptions {
+struct ExtentOptions : SceneOptions {
     std::string tolerance;
     std::string terms;
 };
@@ -21,7 +21,7 @@ Exact tolerance_of(const std::string& text) {
     }
 }
 
-int extent(const Options& o) {
+int extent(const ExtentOptions& o) {
     Scene scene = asked_scene(o);
     scene.ask.edges = asked_edges(o);
     if (!o.tolerance.empty()) {
@@ -93,7 +93,7 @@ int extent(const Options& o) {
 void add_extent(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
         "extent", "how far from each edge n terms stay within a tolerance of the pressure");
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<ExtentOptions>();
     add_scene_options(*sub, *o);
     add_edge_option(*sub, *o);
     sub->add_option("--tolerance", o->tolerance, "1%, 0.01 or 1/100 (default: the scene's)");

@@ -14,7 +14,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct Options {
+struct MutateOptions {
     std::string ledger;
     long long digits = 30;
     long long mutants = 1000;
@@ -44,7 +44,7 @@ std::vector<std::string> false_alarms(const MutationRun& run, const std::string&
     return all;
 }
 
-int mutate(const Options& o, const std::string& version) {
+int mutate(const MutateOptions& o, const std::string& version) {
     if (o.digits < 10 || o.digits > 1000) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to 1000");
@@ -99,7 +99,7 @@ int mutate(const Options& o, const std::string& version) {
 void add_mutate(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
         "mutate", "break the formulas of a ledger that stand, and see that each is refuted");
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<MutateOptions>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--mutants", o->mutants, "how many")->capture_default_str();
     sub->add_option("--seed", o->seed, "decides which")->capture_default_str();

@@ -14,8 +14,9 @@
 namespace edgeproof::cli {
 namespace {
 
-constexpr std::size_t most_digits = 100'000;
+constexpr std::size_t most_digits_of_a_scene = 100'000;
 constexpr std::size_t most_terms = 400;
+constexpr std::size_t most_threads = 1024;
 
 Rounding rounding_of(const std::string& name) {
     if (name == "nearest") {
@@ -74,6 +75,11 @@ std::size_t whole_number(const std::string& option, const std::string& text, std
     return value;
 }
 
+unsigned threads_of(const std::string& text) {
+    return text.empty() ? 0
+                        : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
+}
+
 std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::string& text) {
     std::vector<std::size_t> numbers;
     for (std::size_t at = 0; at <= text.size();) {
@@ -90,7 +96,7 @@ Scene asked_scene(const SceneOptions& o) {
     Scene scene = read_scene(o.scene);
     if (!o.digits.empty()) {
         scene.ask.digits.count =
-            static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits));
+            static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits_of_a_scene));
     }
     scene.ask.digits.rounding = rounding;
     scene.ask.digits.binary64 = o.binary64;

@@ -33,6 +33,8 @@ void add_edge_option(CLI::App& sub, SceneOptions& options);
 /// A whole number of an option, in least ... most.
 [[nodiscard]] std::size_t whole_number(const std::string& option, const std::string& text,
                                        std::size_t least, std::size_t most);
+/// Of --threads; 0, the usual ones, where it is not given.
+[[nodiscard]] unsigned threads_of(const std::string& text);
 /// "1", "1,2,3": numbers of terms.
 [[nodiscard]] std::vector<std::size_t> numbers_of_terms(const std::string& option,
                                                         const std::string& text);

@@ -16,7 +16,6 @@
 namespace edgeproof::cli {
 namespace {
 
-constexpr std::size_t most_threads = 1024;
 constexpr std::size_t most_said = 20;
 
 struct TableOptions {
@@ -28,18 +27,11 @@ struct TableOptions {
     bool check = false;
 };
 
-/// 0: the usual ones.
-unsigned threads_of(const TableOptions& o) {
-    return o.threads.empty()
-               ? 0
-               : static_cast<unsigned>(whole_number("--threads", o.threads, 1, most_threads));
-}
-
 ReferenceOptions reference_options(const TableOptions& o, const Recipe& recipe,
                                    Progress& progress) {
     ReferenceOptions options;
     options.digits = recipe.digits;
-    options.threads = threads_of(o);
+    options.threads = threads_of(o.threads);
     options.stop = &interrupted();
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     return options;
@@ -87,7 +79,7 @@ int to_file(const TableOptions& o, const std::string& version) {
     std::optional<TableInParts> table;
     unsigned threads = 0;
     try {
-        threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o);
+        threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
         recipe = RecipeGrid::read(o.recipe);
         table.emplace(*recipe, o.out, *table_format(o.format), version);
         const auto folder = std::filesystem::path(o.out).parent_path();

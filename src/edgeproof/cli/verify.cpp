@@ -10,7 +10,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct Options {
+struct VerifyOptions {
     std::string ledger;
     long long digits = 50;
     std::string out;
@@ -19,12 +19,13 @@ struct Options {
     bool record = false;
 };
 
-constexpr long long most_digits = 10000;
+constexpr long long most_digits_of_a_formula = 10000;
 
-int verify(const Options& o) {
-    if (o.digits < 10 || o.digits > most_digits) {
+int verify(const VerifyOptions& o) {
+    if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
-                         "give a number of digits from 10 to " + std::to_string(most_digits));
+                         "give a number of digits from 10 to " +
+                             std::to_string(most_digits_of_a_formula));
     }
     if (o.record && o.only != "*") {
         throw InputError("--record with --only would forget the other claims",
@@ -79,7 +80,7 @@ int verify(const Options& o) {
 void add_verify(CLI::App& app, int& code) {
     CLI::App* sub =
         app.add_subcommand("verify", "hold a ledger of printed claims to the mechanics");
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<VerifyOptions>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
     sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md, .tex and report.html");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/convention.hpp"
 
+#include "edgeproof/conformance/convention_rule.hpp"
 #include "edgeproof/conformance/misreading.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +15,11 @@
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t least_rows = 3;
-constexpr double least_share = 0.9;
-constexpr double least_digits = 6;
-constexpr unsigned most_digits = 40;
+using convention_rule::digits_between;
+using convention_rule::enough;
+using convention_rule::least_digits;
+using convention_rule::least_rows;
+using convention_rule::most_digits;
 
 /// times/over, and pi or the root of 2 to a power.
 struct Factor {
@@ -67,18 +69,11 @@ const std::vector<Factor>& all_factors() {
 }
 
 /// A failing row: the answer over the reference, and over what stands at the other edge.
-struct Row {
+struct FailingRow {
     std::size_t question;
     Real ratio;
     std::optional<Real> mirrored;
 };
-
-double digits_between(const Real& ratio, const Real& factor) {
-    const Real off = abs(Real(ratio / factor - 1));
-    return off == 0 ? most_digits
-                    : std::clamp(-Real(log10(off)).convert_to<double>(), 0.0,
-                                 static_cast<double>(most_digits));
-}
 
 Real value_of(const Factor& factor) {
     const Real pi = 4 * atan(Real(1));
@@ -92,9 +87,10 @@ struct Fit {
 };
 
 template <class RatioOf>
-std::optional<Fit> fit(const std::vector<Row>& rows, const Real& factor, const RatioOf& ratio_of) {
+std::optional<Fit> fit(const std::vector<FailingRow>& rows, const Real& factor,
+                       const RatioOf& ratio_of) {
     Fit result{0, most_digits};
-    for (const Row& row : rows) {
+    for (const FailingRow& row : rows) {
         const std::optional<Real> ratio = ratio_of(row);
         const double digits = ratio ? digits_between(*ratio, factor) : 0;
         if (digits >= least_digits) {
@@ -102,19 +98,17 @@ std::optional<Fit> fit(const std::vector<Row>& rows, const Real& factor, const R
             result.digits = std::min(result.digits, digits);
         }
     }
-    const bool enough =
-        result.rows >= least_rows &&
-        static_cast<double>(result.rows) >= least_share * static_cast<double>(rows.size());
-    return enough ? std::optional(result) : std::nullopt;
+    return enough(result.rows, rows.size()) ? std::optional(result) : std::nullopt;
 }
 
 /// `named`: by a factor that has a meaning; else by any.
-std::optional<Convention> explain(const std::string& of, const std::vector<Row>& rows, bool named) {
+std::optional<Convention> explain(const std::string& of, const std::vector<FailingRow>& rows,
+                                  bool named) {
     if (rows.size() < least_rows) {
         return {};
     }
-    const auto straight = [](const Row& row) { return std::optional(row.ratio); };
-    const auto swapped = [](const Row& row) { return row.mirrored; };
+    const auto straight = [](const FailingRow& row) { return std::optional(row.ratio); };
+    const auto swapped = [](const FailingRow& row) { return row.mirrored; };
     const auto say = [&](const Fit& f, std::string relation, std::string hint) {
         return Convention{of, std::move(relation), f.digits, f.rows, rows.size(), std::move(hint)};
     };
@@ -143,7 +137,7 @@ std::optional<Convention> explain(const std::string& of, const std::vector<Row>&
         return {};
     }
     std::vector<Real> ratios;
-    for (const Row& row : rows) {
+    for (const FailingRow& row : rows) {
         ratios.push_back(row.ratio);
     }
     std::nth_element(ratios.begin(), ratios.begin() + static_cast<long>(ratios.size() / 2),
@@ -206,19 +200,19 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     const auto mirrored = mirrored_references(answers, failing, options);
     // Each failing row belongs to its quantity (c_k and s_k together, and each), at both edges and
     // at its own.
-    std::vector<std::pair<std::string, std::vector<Row>>> groups;
-    const auto group = [&](const std::string& name) -> std::vector<Row>& {
+    std::vector<std::pair<std::string, std::vector<FailingRow>>> groups;
+    const auto group = [&](const std::string& name) -> std::vector<FailingRow>& {
         for (auto& [known, rows] : groups) {
             if (known == name) {
                 return rows;
             }
         }
-        return groups.emplace_back(name, std::vector<Row>{}).second;
+        return groups.emplace_back(name, std::vector<FailingRow>{}).second;
     };
     for (const std::size_t i : failing) {
         const Question& q = answers.questions.list[i];
         const Real value = Ball(answers.given[i].value, 256).midpoint();
-        Row row{i, value / agreements.references[i].value.value.midpoint(), {}};
+        FailingRow row{i, value / agreements.references[i].value.value.midpoint(), {}};
         const auto other = mirrored.find(i);
         if (other != mirrored.end() && !contains_zero(other->second)) {
             row.mirrored = value / other->second.midpoint();
@@ -244,12 +238,12 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     std::set<std::size_t> explained;
     const auto look = [&](bool named) {
         for (const auto& [name, rows] : groups) {
-            const bool known = std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+            const bool known = std::all_of(rows.begin(), rows.end(), [&](const FailingRow& row) {
                 return explained.contains(row.question);
             });
             if (const auto convention = known ? std::nullopt : explain(name, rows, named)) {
                 found.push_back(*convention);
-                for (const Row& row : rows) {
+                for (const FailingRow& row : rows) {
                     explained.insert(row.question);
                 }
             }

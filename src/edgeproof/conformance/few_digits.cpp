@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/misreading.hpp"
 
+#include "edgeproof/conformance/convention_rule.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +12,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t least_rows = 3;
-constexpr double least_share = 0.9;
-constexpr double least_digits = 5.5;
+constexpr double least_digits_kept = 5.5;
 constexpr unsigned binary32_digits = 9; // that tell every binary32 from its neighbours
 constexpr unsigned full_digits = 15;
 
@@ -68,7 +68,7 @@ std::vector<Convention> infer_few_digits(const Answers& answers, const Agreement
         const unsigned written = number ? digits_written(answer.text) : 0;
         const bool cut = number && written > 0 && written < full_digits && !held.pass &&
                          is_cut(answer, agreements.references[i], written);
-        if (!number || held.pass || (held.digits < least_digits && !cut)) {
+        if (!number || held.pass || (held.digits < least_digits_kept && !cut)) {
             continue;
         }
         Tally& t = families[family_name(answers.questions.list[i].wanted)];
@@ -81,8 +81,7 @@ std::vector<Convention> infer_few_digits(const Answers& answers, const Agreement
     std::vector<Convention> found;
     for (const auto& [family, t] : families) {
         const auto most = [&, failing = t.failing](std::size_t n) {
-            return n >= least_rows &&
-                   static_cast<double>(n) >= least_share * static_cast<double>(failing);
+            return convention_rule::enough(n, failing);
         };
         if (most(t.cut)) {
             found.push_back({family,

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Reads `id` and `value` of one object: a number as its own text, so that no digit is lost.
-class Row : public nlohmann::json_sax<nlohmann::json> {
+class JsonRow : public nlohmann::json_sax<nlohmann::json> {
 public:
     std::string id;
     std::string value;
@@ -54,7 +54,7 @@ private:
     int depth_ = 0;
 };
 
-bool read(const std::string& line, Row& row) {
+bool read(const std::string& line, JsonRow& row) {
     row = {};
     return nlohmann::json::sax_parse(line, &row) && row.has_id && row.has_value;
 }
@@ -111,7 +111,7 @@ Csv parse_json_lines(std::string_view text, const std::string& file) {
         if (line.find_first_not_of(" \t\r") == std::string::npos) {
             continue;
         }
-        Row row;
+        JsonRow row;
         if (read(line, row) || read(with_quotes(line), row)) {
             csv.rows.push_back({number, {row.id, row.value}});
         } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/misreading.hpp"
 
+#include "edgeproof/conformance/convention_rule.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -13,10 +14,13 @@
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t least_rows = 3;
-constexpr std::size_t most_rows = 60; // of a family: enough to tell
-constexpr double least_share = 0.9;
-constexpr double least_digits = 6;
+using convention_rule::digits_between;
+using convention_rule::enough;
+using convention_rule::least_digits;
+using convention_rule::least_rows;
+using convention_rule::most_digits;
+
+constexpr std::size_t most_rows_of_a_family = 60; // of a family: enough to tell
 constexpr unsigned reading_digits = 30;
 
 using Parameters = std::vector<Parameter>;
@@ -142,13 +146,8 @@ const std::vector<Reading>& readings() {
 struct Rows {
     std::size_t count = 0; ///< that the reading changes
     std::size_t fit = 0;
-    double digits = 40;
+    double digits = most_digits;
 };
-
-double digits_between(const Real& value, const Real& other) {
-    const Real off = abs(Real(value / other - 1));
-    return off == 0 ? 40 : std::clamp(-Real(log10(off)).convert_to<double>(), 0.0, 40.0);
-}
 
 class Search {
 public:
@@ -159,7 +158,7 @@ public:
         for (const std::size_t i : failing) {
             const std::string family = family_name(answers.questions.list[i].wanted);
             ++failing_[family];
-            if (taken[family]++ < most_rows) {
+            if (taken[family]++ < most_rows_of_a_family) {
                 sample_.push_back(i);
             }
         }
@@ -256,10 +255,7 @@ private:
     void say(const char* relation, const char* hint, const std::map<std::string, Rows>& families,
              const std::vector<std::size_t>& fitting, std::vector<Convention>& found) {
         for (const auto& [family, rows] : families) {
-            const bool enough =
-                rows.fit >= least_rows &&
-                static_cast<double>(rows.fit) >= least_share * static_cast<double>(rows.count);
-            if (!enough) {
+            if (!enough(rows.fit, rows.count)) {
                 continue;
             }
             found.push_back({family, relation, rows.digits, rows.fit, failing_.at(family), hint});

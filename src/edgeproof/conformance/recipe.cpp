@@ -11,7 +11,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr long most_digits = 100'000;
+constexpr long most_digits_of_a_recipe = 100'000;
 
 Rounding rounding_of(const TomlSection& top) {
     const std::string name = top.text("rounding");
@@ -230,7 +230,8 @@ RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
     recipe.title = top.has("title") ? top.text("title") : "";
     recipe.digits.binary64 = true;
     if (top.has("digits")) {
-        recipe.digits.count = static_cast<unsigned>(top.count("digits", 2, most_digits));
+        recipe.digits.count =
+            static_cast<unsigned>(top.count("digits", 2, most_digits_of_a_recipe));
     }
     if (top.has("rounding")) {
         recipe.digits.rounding = rounding_of(top);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_at_once = 1'000'000;
 constexpr std::size_t small_contacts = 16; ///< rows of contacts that share a piece
-constexpr std::size_t most_rows = 10'000'000'000;
+constexpr std::size_t most_rows_of_a_grid = 10'000'000'000;
 
 /// Which value of each axis contact number `contact` has; the last axis runs fastest.
 std::vector<std::size_t> at_contact(const std::vector<GridAxis>& axes, std::size_t contact) {
@@ -80,7 +80,7 @@ void RecipeGrid::add(GridScene scene) {
     part.contacts = 1;
     const std::size_t each = scene.asked.size();
     for (const GridAxis& axis : scene.axes) {
-        if (axis.values.size() > most_rows / each / part.contacts) {
+        if (axis.values.size() > most_rows_of_a_grid / each / part.contacts) {
             throw InputError("more than 10^10 questions", "split the recipe")
                 .at(file_, scene.asked.front().line);
         }

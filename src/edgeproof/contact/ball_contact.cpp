@@ -167,7 +167,7 @@ BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
     read_profile();
 }
 
-bool BallContact::is_zero(const Expr& e) {
+bool certainly_zero(const Expr& e) {
     try {
         return Exact(e).sign() == 0;
     } catch (const BudgetError&) {
@@ -184,10 +184,10 @@ bool BallContact::bends(std::size_t knot) const {
 void BallContact::find_knots_on_edges(const Exact& a) {
     for (std::size_t i = 0; i < knots_.size(); ++i) {
         const Expr knot = profile_.knots()[i].expr();
-        if (overlaps(knots_[i], constant(a.expr())) && is_zero(a.expr() - knot)) {
+        if (overlaps(knots_[i], constant(a.expr())) && certainly_zero(a.expr() - knot)) {
             on_edge_[i] = Edge::right;
         } else if (profile_.symmetric() && overlaps(-knots_[i], constant(a.expr())) &&
-                   is_zero(a.expr() + knot)) {
+                   certainly_zero(a.expr() + knot)) {
             on_edge_[i] = Edge::left;
         }
     }

@@ -90,8 +90,6 @@ private:
         Ball rate;
     };
     [[nodiscard]] Ball constant(const Expr& e) const;
-    /// Of a constant; false where it is not told from zero.
-    [[nodiscard]] static bool is_zero(const Expr& e);
     void find_knots_on_edges(const Exact& a);
     /// What the pressure has of the contact and not of the point.
     struct Fixed {
@@ -143,6 +141,8 @@ private:
 
 /// A constant in a ball.
 [[nodiscard]] Ball enclosed_constant(const Exact& x, long bits);
+/// Of a constant; false where it is not told from zero.
+[[nodiscard]] bool certainly_zero(const Expr& e);
 
 /// c_0 ... c_{terms-1} to `digits` correct digits each (a coefficient that vanishes: to that many
 /// digits of its natural size |c_0|/length^k). Throws BudgetError as below.

@@ -21,16 +21,17 @@ Rational power_of_two(long k) {
     return k < 0 ? Rational(1, p) : Rational(p);
 }
 
-/// An interval that is told: all on one side, a root of f = level (f monotone), or not told.
-struct Piece {
+} // namespace
+
+/// An interval that is told: all on one side, a root of f = level (f monotone), or not told. Not of
+/// the anonymous namespace: the search, which has some, is not either.
+struct ToldPiece {
     Rational lo;
     Rational hi;
     Side from;
     Side to;
     std::optional<int> root; ///< +1: of f = tolerance, -1: of f = -tolerance
 };
-
-} // namespace
 
 class BallExtentSearch::Search {
 public:
@@ -53,25 +54,25 @@ private:
     }
     void scan();
     void tell(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
-              std::vector<Piece>& pieces);
+              std::vector<ToldPiece>& pieces);
     bool roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
-                       std::vector<Piece>& pieces);
-    [[nodiscard]] Ball refine(const RelativeError& f, const Piece& piece);
+                       std::vector<ToldPiece>& pieces);
+    [[nodiscard]] Ball refine(const RelativeError& f, const ToldPiece& piece);
 
     Contact contact_;
     Edge edge_;
     std::size_t n_;
     Exact tolerance_;
     ExtentRange range_;
-    std::vector<Piece> pieces_; ///< of the scan; adjacent ones that are not told are one
+    std::vector<ToldPiece> pieces_; ///< of the scan; adjacent ones that are not told are one
 };
 
 namespace {
 
 /// Pieces that are not told and lie beside each other become one.
-void merge_unknown(std::vector<Piece>& pieces) {
-    std::vector<Piece> merged;
-    for (Piece& piece : pieces) {
+void merge_unknown(std::vector<ToldPiece>& pieces) {
+    std::vector<ToldPiece> merged;
+    for (ToldPiece& piece : pieces) {
         const bool unknown = piece.from == Side::unknown;
         if (!merged.empty() && unknown && merged.back().from == Side::unknown) {
             merged.back().hi = piece.hi;
@@ -123,7 +124,7 @@ void BallExtentSearch::Search::scan() {
 }
 
 bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Rational& lo,
-                                             const Rational& hi, std::vector<Piece>& pieces) {
+                                             const Rational& hi, std::vector<ToldPiece>& pieces) {
     const Side from = f.side(f.at(lo));
     const Side to = f.side(f.at(hi));
     if (from == Side::unknown || to == Side::unknown) {
@@ -143,7 +144,7 @@ bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Ratio
 }
 
 void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, const Rational& hi,
-                                    long finest, std::vector<Piece>& pieces) {
+                                    long finest, std::vector<ToldPiece>& pieces) {
     count();
     const RelativeError::Over over = f.over(lo, hi);
     if (over.side != Side::unknown) {
@@ -164,7 +165,7 @@ void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, 
 
 /// Where f meets a level, f being monotone from lo to hi: found by Newton, which proves nothing,
 /// then held between two places where the signs differ.
-Ball BallExtentSearch::Search::refine(const RelativeError& f, const Piece& piece) {
+Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& piece) {
     const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
     const bool rises = piece.from < piece.to;
     Rational lo = piece.lo;
@@ -217,8 +218,8 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
     }
     const RelativeError f = error(bits);
     // What the scan did not tell is looked at again, as far as these bits go.
-    std::vector<Piece> pieces;
-    for (const Piece& piece : pieces_) {
+    std::vector<ToldPiece> pieces;
+    for (const ToldPiece& piece : pieces_) {
         if (piece.from == Side::unknown) {
             tell(f, piece.lo, piece.hi, bits - kept_bits, pieces);
         } else {
@@ -246,7 +247,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         found.first_exit = start;
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Piece& piece = pieces[i];
+        const ToldPiece& piece = pieces[i];
         Ball place(0, bits);
         if (piece.root) {
             place = refine(f, piece);

@@ -88,7 +88,7 @@ Ball BallContact::pressure(Edge edge, const Exact& u) const {
                 const Expr& a = given_a_->expr();
                 const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
                 const Expr offset = profile_.knots()[i].expr() - x;
-                if (is_zero(offset)) {
+                if (certainly_zero(offset)) {
                     at.offsets[i] = Ball(0, bits_);
                 }
             }

@@ -11,7 +11,7 @@ namespace edgeproof {
 namespace {
 
 constexpr unsigned lost_digits = 12;
-constexpr unsigned fewest_digits = 6;
+constexpr unsigned fewest_tilt_digits = 6;
 
 } // namespace
 
@@ -30,7 +30,7 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const Exact& contact_modulus
     const auto too_small = [&](const Exact& alpha) { // positive where the tilt lies beyond alpha
         return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
     };
-    for (unsigned k = digits; k >= fewest_digits; k -= digits / 8 + 1) {
+    for (unsigned k = digits; k >= fewest_tilt_digits; k -= digits / 8 + 1) {
         Exact lo = found.beside(k, -1);
         Exact hi = found.beside(k, 1);
         if (Exact(hi.expr() - lo.expr()).sign() < 0) {

@@ -10,7 +10,7 @@ namespace edgeproof {
 namespace {
 
 /// Up to here Newton's steps from the binary64 edge are as cheap as any.
-constexpr unsigned fewest_digits = 60;
+constexpr unsigned digits_from_binary64 = 60;
 
 } // namespace
 
@@ -34,7 +34,7 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
     if constexpr (std::same_as<T, Real>) {
         // Two thirds of the digits and a few, so that one step of Newton's from there is enough.
         const unsigned digits = working_digits() / 3 * 2 + 12;
-        if (!symmetric_ && working_digits() > fewest_digits) {
+        if (!symmetric_ && working_digits() > digits_from_binary64) {
             const PrecisionScope scope(digits);
             coarser_ =
                 std::make_shared<const ContactLaw>(profile, T(1), std::min(target_digits, digits));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstddef>
 
 namespace edgeproof {
 
@@ -9,5 +10,7 @@ enum class Edge { right, left };
 [[nodiscard]] constexpr Edge opposite(Edge edge) {
     return edge == Edge::right ? Edge::left : Edge::right;
 }
+/// For what is kept of both edges side by side.
+[[nodiscard]] constexpr std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
 
 } // namespace edgeproof

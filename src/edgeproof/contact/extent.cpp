@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/bracketed_root.hpp"
 #include "edgeproof/contact/extremum.hpp"
+#include "edgeproof/contact/require.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -314,12 +315,6 @@ private:
     std::vector<Landmark> marks_;
     unsigned digits_;
 };
-
-void require(bool holds, const std::string& problem, const std::string& instead) {
-    if (!holds) {
-        throw InputError(problem, instead);
-    }
-}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/fast_integral.hpp"
 
 #include "edgeproof/contact/complex_taylor.hpp"
+#include "edgeproof/contact/raw.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
@@ -13,12 +14,8 @@
 namespace edgeproof {
 namespace {
 
-constexpr double ln_10 = std::numbers::ln10;
 constexpr int first_level = 3;
 constexpr int last_level = 12;
-
-mpfr_ptr raw(Real& x) { return x.backend().data(); }
-mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 
 /// What is known of an expression at a few points that no formula meets by chance.
 bool is_odd(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& offset) {
@@ -80,7 +77,8 @@ FastIntegral::FastIntegral(const Profile& profile, const Real& modulus, const Ex
     for (const auto& piece : pieces_) {
         piece->measure(S_exponent_, G_exponent_);
         if (!piece->linear()) {
-            piece->find_reach(G_exponent_, -(static_cast<double>(digits_) + 4) * ln_10);
+            piece->find_reach(G_exponent_,
+                              -(static_cast<double>(digits_) + 4) * std::numbers::ln10);
         }
     }
     tasks_.resize(count);
@@ -95,8 +93,8 @@ RoutedPressure<Real> FastIntegral::operator()(const Point<Real>& at) {
     for (const Task& task : tasks_) {
         ln_total = std::max(ln_total, task.ln_size);
     }
-    const double ln_tolerance =
-        ln_total - (digits_ + 3) * ln_10 - std::log(static_cast<double>(tasks_.size()));
+    const double ln_tolerance = ln_total - (digits_ + 3) * std::numbers::ln10 -
+                                std::log(static_cast<double>(tasks_.size()));
     Real sum(0);
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         choose(i, ln_tolerance);
@@ -121,7 +119,7 @@ RoutedPressure<Real> FastIntegral::operator()(const Point<Real>& at) {
     p.estimate = from_ln_size(ln_error);
     p.value = value * factor_;
     p.evaluations = nodes_;
-    p.converged = converged_ && ln_error < -static_cast<double>(digits_) * ln_10;
+    p.converged = converged_ && ln_error < -static_cast<double>(digits_) * std::numbers::ln10;
     return p;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/fast_integral.hpp"
+
+#include "edgeproof/contact/raw.hpp"
+#include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
 /// What the fast routes have in closed form: poles that come near, and corners.
 namespace edgeproof {
 namespace {
-
-mpfr_ptr raw(Real& x) { return x.backend().data(); }
-mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 
 Real log_one_plus(const Real& x) {
     const long bits = mpfr_get_prec(raw(x)) + 8;

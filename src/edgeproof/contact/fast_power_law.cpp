@@ -2,6 +2,7 @@
 #include "edgeproof/contact/fast_power_law.hpp"
 
 #include "edgeproof/contact/fast_circle.hpp"
+#include "edgeproof/contact/raw.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/bernstein.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace edgeproof {
 namespace {
@@ -24,11 +26,8 @@ constexpr unsigned long most_steps = 200;
 /// Nodes of a rule whose weights take their square of steps to make.
 constexpr double most_product_nodes = 1300;
 constexpr double most_nodes = 20000;
-constexpr double ln_10 = 2.302585092994046;
-constexpr int last_level = 13;
+constexpr int last_level_of_a_share = 13;
 
-mpfr_ptr raw(Real& x) { return x.backend().data(); }
-mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 long precision_of(const Real& x) { return mpfr_get_prec(raw(x)); }
 
 void set_middle(Real& x, const Ball& ball) {
@@ -61,8 +60,8 @@ unsigned FastPowerLaw::lost_digits(const Exact& m) {
 FastPowerLaw::FastPowerLaw(const Exact& m, const Real& rate, const Real& a, unsigned digits,
                            FastPressure::Rule rule)
     : m_(m.to<Real>()), m_double_(static_cast<double>(m_)), scale_(rate / pi<Real>()),
-      inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * ln_10), rule_(rule),
-      power_(exponent_of_integrand(m)) {
+      inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * std::numbers::ln10),
+      rule_(rule), power_(exponent_of_integrand(m)) {
     if (!(m_double_ < 1e15)) {
         throw DomainError("a power law of so large an exponent has no fast route");
     }
@@ -281,7 +280,7 @@ template <class AddLevel> FastPowerLaw::Share FastPowerLaw::by_levels(const AddL
     share.converged = false;
     LevelEstimate estimate;
     Real sum(0);
-    for (int k = 0; k <= last_level && !share.converged; ++k) {
+    for (int k = 0; k <= last_level_of_a_share && !share.converged; ++k) {
         share.nodes += add_level(sum, k);
         share.value = sum * TanhSinhNodes<Real>::step(k);
         share.ln_error = estimate.next(share.value);

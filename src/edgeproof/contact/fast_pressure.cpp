@@ -11,7 +11,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr unsigned guard_digits = 10;
+constexpr unsigned fast_guard_digits = 10;
 
 /// The digits that fill the machine words which so many digits need: the rest is free.
 unsigned whole_words(unsigned digits) {
@@ -25,7 +25,7 @@ unsigned whole_words(unsigned digits) {
 }
 
 Real modulus_of(const NormalContact& contact, unsigned digits) {
-    const PrecisionScope scope(digits + 2 * guard_digits);
+    const PrecisionScope scope(digits + 2 * fast_guard_digits);
     return contact.contact_modulus().to<Real>();
 }
 
@@ -38,7 +38,7 @@ struct FastPressure::Contact {
         const bool power =
             profile.kind() == Profile::Kind::power_law && !profile.piecewise_linear();
         working =
-            whole_words(digits + guard_digits +
+            whole_words(digits + fast_guard_digits +
                         (power ? FastPowerLaw::lost_digits(profile.parameters().at("m")) : 0));
         const PrecisionScope scope(working);
         if (power) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/integrated_contact.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/complex_taylor.hpp"
 #include "edgeproof/formula/enclosure.hpp"
@@ -22,14 +23,6 @@ Ball constant(const Exact& x, long bits) {
         throw BudgetError("'" + x.text() + "' cannot be enclosed");
     }
     return Ball::from_interval(e->lower, e->upper, bits);
-}
-
-bool is_zero(const Expr& e) {
-    try {
-        return Exact(e).sign() == 0;
-    } catch (const BudgetError&) {
-        return false;
-    }
 }
 
 /// What is integrated over theta, s = c + d cos theta: g'(s) cos(n theta), or with x given
@@ -372,7 +365,7 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
             const Expr& a = load_.value.expr();
             const Expr exactly = edge == Edge::right ? a - u.expr() : u.expr() - a;
             if (profile_.has_corner(i) || !given ||
-                !is_zero(exactly - profile_.knots()[i].expr())) {
+                !certainly_zero(exactly - profile_.knots()[i].expr())) {
                 return unknown;
             }
             on_knot = i;

@@ -7,24 +7,28 @@ namespace {
 using Linear = SlopePiece::Linear;
 using Kind = Expr::Kind;
 
-bool is_zero(const Expr& e) {
+bool is_literal_zero(const Expr& e) {
     const Rational* q = e.rational();
     return q != nullptr && *q == 0;
 }
-bool is_one(const Expr& e) {
+bool is_literal_one(const Expr& e) {
     const Rational* q = e.rational();
     return q != nullptr && *q == 1;
 }
 
 // Products and sums with 0 and 1 are left out so that the pieces of the common profiles stay
 // readable and are recognised as constant.
-Expr plus(const Expr& x, const Expr& y) { return is_zero(x) ? y : is_zero(y) ? x : x + y; }
-Expr minus(const Expr& x, const Expr& y) { return is_zero(y) ? x : is_zero(x) ? -y : x - y; }
+Expr plus(const Expr& x, const Expr& y) {
+    return is_literal_zero(x) ? y : is_literal_zero(y) ? x : x + y;
+}
+Expr minus(const Expr& x, const Expr& y) {
+    return is_literal_zero(y) ? x : is_literal_zero(x) ? -y : x - y;
+}
 Expr times(const Expr& x, const Expr& y) {
-    if (is_zero(x) || is_zero(y)) {
+    if (is_literal_zero(x) || is_literal_zero(y)) {
         return Expr::number(0);
     }
-    return is_one(x) ? y : is_one(y) ? x : x * y;
+    return is_literal_one(x) ? y : is_literal_one(y) ? x : x * y;
 }
 
 } // namespace
@@ -57,20 +61,20 @@ std::optional<Linear> as_linear(const Expr& e, std::string_view x) {
     case Kind::mul: {
         const auto f = as_linear(e.arg(0), x);
         const auto g = as_linear(e.arg(1), x);
-        if (!f || !g || (!is_zero(f->rate) && !is_zero(g->rate))) {
+        if (!f || !g || (!is_literal_zero(f->rate) && !is_literal_zero(g->rate))) {
             return {};
         }
-        const Linear& form = is_zero(f->rate) ? *g : *f;
-        const Expr& factor = is_zero(f->rate) ? f->at_origin : g->at_origin;
+        const Linear& form = is_literal_zero(f->rate) ? *g : *f;
+        const Expr& factor = is_literal_zero(f->rate) ? f->at_origin : g->at_origin;
         return Linear{times(form.at_origin, factor), times(form.rate, factor)};
     }
     case Kind::div: {
         const auto f = as_linear(e.arg(0), x);
         const auto g = as_linear(e.arg(1), x);
-        if (!f || !g || !is_zero(g->rate)) {
+        if (!f || !g || !is_literal_zero(g->rate)) {
             return {};
         }
-        const auto over = [&](const Expr& c) { return is_zero(c) ? c : c / g->at_origin; };
+        const auto over = [&](const Expr& c) { return is_literal_zero(c) ? c : c / g->at_origin; };
         return Linear{over(f->at_origin), over(f->rate)};
     }
     default:

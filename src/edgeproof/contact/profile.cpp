@@ -2,6 +2,7 @@
 #include "edgeproof/contact/profile.hpp"
 
 #include "edgeproof/contact/profile_checks.hpp"
+#include "edgeproof/contact/require.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -10,14 +11,8 @@
 namespace edgeproof {
 namespace {
 
-const Expr x = Expr::symbol("x");  // NOLINT: Expr is immutable and needs no other translation unit
-const Expr zero = Expr::number(0); // NOLINT
-
-void require(bool holds, const std::string& problem, const std::string& instead) {
-    if (!holds) {
-        throw InputError(problem, instead);
-    }
-}
+const Expr symbol_x = Expr::symbol("x");  // NOLINT: Expr is immutable and needs no other source
+const Expr number_zero = Expr::number(0); // NOLINT
 
 /// e(-x), negated: a slope seen in a mirror.
 Expr mirrored(const Expr& e) {
@@ -27,9 +22,9 @@ Expr mirrored(const Expr& e) {
         if (at_origin != nullptr && *at_origin == 0) {
             return e;
         }
-        return linear->rate * x - linear->at_origin;
+        return linear->rate * symbol_x - linear->at_origin;
     }
-    return -substitute(e, "x", -x);
+    return -substitute(e, "x", -symbol_x);
 }
 
 } // namespace
@@ -43,7 +38,7 @@ Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr>
         ++at;
     }
     if (at == knots.size() || knots[at].sign() != 0) {
-        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), Exact(zero));
+        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), Exact(number_zero));
         slopes.insert(slopes.begin() + static_cast<std::ptrdiff_t>(at), slopes[at]);
     }
     p.origin_ = at;
@@ -66,11 +61,11 @@ Profile Profile::power_law(const Exact& C, const Exact& m) {
     if (exponent != nullptr && *exponent == 0) {
         slopes = {-c, c};
     } else if (exponent != nullptr && *exponent == 1) {
-        slopes = {c * x, c * x};
+        slopes = {c * symbol_x, c * symbol_x};
     } else {
-        slopes = {-(c * pow(-x, m.expr())), c * pow(x, m.expr())};
+        slopes = {-(c * pow(-symbol_x, m.expr())), c * pow(symbol_x, m.expr())};
     }
-    Profile p = assemble(Kind::power_law, {Exact(zero)}, std::move(slopes));
+    Profile p = assemble(Kind::power_law, {Exact(number_zero)}, std::move(slopes));
     p.corner_[0] = exponent != nullptr && *exponent == 0;
     p.symmetric_ = true;
     p.parameters_ = {{"C", C}, {"m", m}};
@@ -83,9 +78,9 @@ Profile Profile::flat_and_rounded(const Exact& t, const Exact& R) {
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
     const Expr T = t.expr();
     const Expr r = R.expr();
-    Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {x / r})
+    Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {symbol_x / r})
                               : assemble(Kind::flat_and_rounded, {Exact(-T), t},
-                                         {(x + T) / r, zero, (x - T) / r});
+                                         {(symbol_x + T) / r, number_zero, (symbol_x - T) / r});
     p.symmetric_ = true;
     p.parameters_ = {{"t", t}, {"R", R}};
     return p;
@@ -99,7 +94,7 @@ Profile Profile::tilted_wedge(const Exact& phi, const Exact& alpha) {
     require(Exact(f - al).sign() > 0 && Exact(f + al).sign() > 0,
             "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
             "give |alpha| < phi: beyond, one face of the wedge lifts off");
-    Profile p = assemble(Kind::tilted_wedge, {Exact(zero)}, {-(f + al), f - al});
+    Profile p = assemble(Kind::tilted_wedge, {Exact(number_zero)}, {-(f + al), f - al});
     p.corner_[0] = true;
     p.symmetric_ = alpha.sign() == 0;
     p.parameters_ = {{"phi", phi}, {"alpha", alpha}};
@@ -118,15 +113,15 @@ Profile Profile::tilted_flat_and_rounded(const Exact& alpha, const Exact& t, con
     std::vector<Exact> knots;
     std::vector<Expr> slopes;
     if (t.sign() == 0) {
-        slopes = {x / r};
+        slopes = {symbol_x / r};
     } else if (alpha.sign() == 0) {
         // Upright, the minimum is the whole flat; the paper's frame then has its origin at the
         // right end of the flat.
-        knots = {Exact(-two_t), Exact(zero)};
-        slopes = {(x + two_t) / r, zero, x / r};
+        knots = {Exact(-two_t), Exact(number_zero)};
+        slopes = {(symbol_x + two_t) / r, number_zero, symbol_x / r};
     } else {
         knots = {Exact(-(al * r) - two_t), Exact(-(al * r))};
-        slopes = {(x + two_t) / r, -al, x / r};
+        slopes = {(symbol_x + two_t) / r, -al, symbol_x / r};
     }
     Profile p = assemble(Kind::tilted_flat_and_rounded, std::move(knots), std::move(slopes));
     p.parameters_ = {{"alpha", alpha}, {"t", t}, {"R", R}};
@@ -157,7 +152,7 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
     for (std::size_t i = knots.size(); i-- > 0;) {
         all.push_back(Exact(-knots[i].expr()));
     }
-    all.push_back(Exact(zero));
+    all.push_back(Exact(number_zero));
     all.insert(all.end(), knots.begin(), knots.end());
     for (std::size_t i = slopes.size(); i-- > 0;) {
         both.push_back(mirrored(slopes[i]));
@@ -198,7 +193,7 @@ Profile Profile::reflected() const {
         p.parameters_ = parameters_;
     }
     for (std::size_t i = knots_.size(); i-- > 0;) {
-        p.knots_.emplace_back(i == origin_ ? zero : -knots_[i].expr());
+        p.knots_.emplace_back(i == origin_ ? number_zero : -knots_[i].expr());
         p.corner_.push_back(corner_[i]);
     }
     for (std::size_t i = pieces_.size(); i-- > 0;) {

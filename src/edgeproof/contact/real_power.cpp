@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/real_power.hpp"
 
+#include "edgeproof/contact/raw.hpp"
 #include "edgeproof/precision/ball.hpp"
 
 #include <bit>
@@ -9,10 +10,8 @@
 namespace edgeproof {
 namespace {
 
-constexpr long most = 4096; ///< of numerator and denominator: beyond, logarithms cost less
-
-mpfr_ptr raw(Real& x) { return x.backend().data(); }
-mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
+/// Of numerator and denominator: beyond, logarithms cost less.
+constexpr long largest_by_root = 4096;
 
 } // namespace
 
@@ -22,7 +21,7 @@ RealPower::RealPower(const Exact& exponent) : exponent_(exponent.to<Real>()) {
     }
     const Integer p = numerator(exponent.rational());
     const Integer q = denominator(exponent.rational());
-    if (abs(p) > most || q > most) {
+    if (abs(p) > largest_by_root || q > largest_by_root) {
         return;
     }
     by_root_ = true;

@@ -11,9 +11,9 @@
 namespace edgeproof {
 namespace {
 
-constexpr double enough_seconds = 0.05;
-constexpr std::size_t fewest = 3;
-constexpr std::size_t most = 9;
+constexpr double enough_seconds_of_an_effect = 0.05;
+constexpr std::size_t fewest_runs = 3;
+constexpr std::size_t most_runs = 9;
 
 struct Added {
     const char* name;
@@ -83,8 +83,8 @@ effect_costs(unsigned digits, bool timed, const std::atomic<bool>* stop,
         EffectCost cost{e.name, e.base, run_scene(scene).work, 0, 1};
         std::vector<double> seconds;
         double spent = 0;
-        while (timed &&
-               (seconds.size() < fewest || (spent < enough_seconds && seconds.size() < most))) {
+        while (timed && (seconds.size() < fewest_runs ||
+                         (spent < enough_seconds_of_an_effect && seconds.size() < most_runs))) {
             const double begun = thread_seconds();
             (void)run_scene(scene);
             seconds.push_back(thread_seconds() - begun);

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = AskedValue::Kind;
 
-constexpr std::size_t most_terms = 4;
+constexpr std::size_t most_counted_terms = 4;
 constexpr std::size_t integral_every = 8;
 constexpr std::size_t mossakovskii_every = 64;
 /// A printed value may be this many units of its last digit wide.
@@ -65,7 +65,7 @@ private:
         r->scene.ask.edges = {Edge::right, Edge::left};
         if (coefficients) {
             r->scene.ask.quantities = {Quantity::coefficients};
-            r->scene.ask.terms = {most_terms};
+            r->scene.ask.terms = {most_counted_terms};
         } else {
             r->scene.ask.quantities = {Quantity::pressure, Quantity::shear, Quantity::contact};
             r->scene.ask.u = {{Exact::of(Rational(1)), 0}}; // a plan wants a point
@@ -113,13 +113,14 @@ public:
             return {t.value, t.error};
         }
         case Kind::shear_coefficient: {
-            const EstimatedTraction t = shear_.expansion(asked.edge, most_terms).at(asked.n);
+            const EstimatedTraction t =
+                shear_.expansion(asked.edge, most_counted_terms).at(asked.n);
             return {t.value, t.error};
         }
         case Kind::coefficient: {
             auto& c = c_[asked.edge];
             if (c.empty()) {
-                c = contact_.expansion(asked.edge, most_terms);
+                c = contact_.expansion(asked.edge, most_counted_terms);
             }
             const Real natural =
                 abs(c[0]) / pow(contact_.convergence_radius(asked.edge), static_cast<int>(asked.n));

@@ -7,7 +7,9 @@
 namespace edgeproof {
 namespace {
 
-constexpr long most_terms = 1000;
+using Kind = AskedValue::Kind;
+
+constexpr long most_asked_terms = 1000;
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -62,7 +64,6 @@ Scene read_case_scene(const TomlSection& section) {
 }
 
 AskedValue read_asked(const TomlSection& section, const Scene& scene) {
-    using Kind = AskedValue::Kind;
     AskedValue asked;
     const std::string quantity = section.text("quantity");
     const auto kind = asked_kind(quantity);
@@ -86,9 +87,9 @@ AskedValue read_asked(const TomlSection& section, const Scene& scene) {
         asked.tolerance = parse_tolerance(section.text("tolerance"));
     }
     if (asked.kind == Kind::coefficient || asked.kind == Kind::shear_coefficient) {
-        asked.n = section.count("n", 0, most_terms);
+        asked.n = section.count("n", 0, most_asked_terms);
     } else if (asked.kind == Kind::residual || asked.kind == Kind::extent) {
-        asked.n = section.count("n", 1, most_terms);
+        asked.n = section.count("n", 1, most_asked_terms);
     }
     if ((asked.kind == Kind::shear || asked.kind == Kind::shear_coefficient) && !scene.shear) {
         section.reject(section.line(), "a shear is asked for and there is none",

@@ -45,7 +45,7 @@ template <Arithmetic T> Claimed by_boost(const HonestyPoint& p, unsigned digits)
 }
 
 /// log10, with 0 far down.
-double decades(const Real& x) {
+double decades_of(const Real& x) {
     return x > 0 ? Real(log10(x)).convert_to<double>() : -static_cast<double>(most_digits_right);
 }
 
@@ -65,8 +65,8 @@ void judge(HonestyRow& row, const Claimed* claimed, const Ball& exact) {
     if (counts && claimed->error < least) {
         ++row.understated;
     }
-    const double ratio =
-        counts ? decades(least) - decades(claimed->error) : -static_cast<double>(most_digits_right);
+    const double ratio = counts ? decades_of(least) - decades_of(claimed->error)
+                                : -static_cast<double>(most_digits_right);
     const unsigned right = digits_right(claimed->value, exact);
     // A claim of no error at all claims every digit.
     const Ball around =

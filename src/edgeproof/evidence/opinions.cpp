@@ -16,7 +16,7 @@ constexpr unsigned most_extra = 6000;
 /// Digits beyond those asked for, for a coefficient far below its natural size.
 constexpr unsigned cancelled = 25;
 /// Divided differences are taken at this many decades below the radius of convergence.
-constexpr unsigned decades = 12;
+constexpr unsigned step_decades = 12;
 
 Real power_of_ten(int k) { return pow(Real(10), k); }
 
@@ -63,12 +63,12 @@ Opinion by_series(const Scene& scene, const AskedValue& asked, unsigned digits) 
 Opinion by_differences(const Scene& scene, const AskedValue& asked, unsigned digits) {
     const auto n = static_cast<unsigned>(asked.n);
     const unsigned natural = digits + cancelled;
-    const unsigned count = n + (natural + 15) / (decades - 1) + 2;
-    const unsigned working = natural + decades * n + 40;
+    const unsigned count = n + (natural + 15) / (step_decades - 1) + 2;
+    const unsigned working = natural + step_decades * n + 40;
     const NormalContact contact = contact_of(scene, working);
     const PrecisionScope scope(working + 60);
     const Real delta =
-        contact.convergence_radius(asked.edge) * power_of_ten(-static_cast<int>(decades));
+        contact.convergence_radius(asked.edge) * power_of_ten(-static_cast<int>(step_decades));
     std::vector<Real> f;
     for (unsigned j = 1; j <= count; ++j) {
         const Real u = delta * j;

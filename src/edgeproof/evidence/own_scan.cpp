@@ -11,7 +11,7 @@ namespace edgeproof {
 namespace {
 
 constexpr unsigned guard = 80;
-constexpr int decades = 10;
+constexpr int scan_decades = 10;
 constexpr int per_decade = 40;
 constexpr int even_points = 400;
 
@@ -36,7 +36,7 @@ public:
         // A little shorter, so that no point falls on a knot, where the formula is infinity times
         // 0.
         const Real length = (formula_.a() + formula_.b()) * (1 - 1 / pow(Real(2), Real(61) / 4));
-        for (int i = -decades * per_decade; i < 0; ++i) {
+        for (int i = -scan_decades * per_decade; i < 0; ++i) {
             points.push_back(length * pow(Real(10), Real(i) / per_decade));
         }
         for (int i = 1; i < even_points; ++i) {

@@ -6,7 +6,7 @@
 namespace edgeproof {
 namespace {
 
-Integer power(const Integer& x, unsigned long n) {
+Integer whole_power(const Integer& x, unsigned long n) {
     Integer y;
     mpz_pow_ui(y.backend().data(), x.backend().data(), n);
     return y;
@@ -62,7 +62,8 @@ std::optional<Rational> fold_power(const Rational& base, const Rational& exponen
         return std::nullopt;
     }
     const auto k = size.convert_to<unsigned long>();
-    const Rational y(power(Integer(numerator(x)), k), power(Integer(denominator(x)), k));
+    const Rational y(whole_power(Integer(numerator(x)), k),
+                     whole_power(Integer(denominator(x)), k));
     return n > 0 ? y : Rational(1) / y;
 }
 

@@ -9,19 +9,19 @@
 namespace edgeproof {
 namespace {
 
-using fixed_point::Integer;
+using fixed_point::coarse_bits;
+using fixed_point::fine_bits;
+using fixed_point::GmpInteger;
 
-constexpr unsigned coarse_bits = 8;
-constexpr unsigned fine_bits = 16;
 constexpr std::size_t coarse_entries = (1U << coarse_bits) + 1;
 constexpr std::size_t fine_entries = (1U << (fine_bits - coarse_bits - 1)) + 2;
 /// The square of what is left has so many zero bits: |r| <= 2^-17.
-constexpr unsigned zero_bits = 2 * (fine_bits + 1);
+constexpr unsigned tangent_zero_bits = 2 * (fine_bits + 1);
 /// What arc tangents with one number of bits after the point share.
 class ArcTangents {
 public:
     explicit ArcTangents(mpfr_prec_t bits) : bits_(static_cast<mp_bitcnt_t>(bits)) {
-        for (mp_bitcnt_t k = 0; k <= bits_ / zero_bits + 1; ++k) {
+        for (mp_bitcnt_t k = 0; k <= bits_ / tangent_zero_bits + 1; ++k) {
             reciprocals_.emplace_back();
             mpz_setbit(reciprocals_.back().get(), bits_);
             mpz_fdiv_q_ui(reciprocals_.back().get(), reciprocals_.back().get(), 2 * k + 1);
@@ -75,7 +75,7 @@ private:
         return i;
     }
     /// sum <- atan(r)/r = 1 - r^2/3 + r^4/5 - ...
-    void series_of(Integer& r) {
+    void series_of(GmpInteger& r) {
         mpz_mul(square_.get(), r.get(), r.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
         std::size_t k = reciprocals_.size() - 1;
@@ -87,8 +87,9 @@ private:
         }
     }
     /// atan(i/2^k), MPFR's.
-    template <std::size_t N> mpz_srcptr entry(std::array<Integer, N>& table, long i, unsigned k) {
-        Integer& known = table[static_cast<std::size_t>(i)];
+    template <std::size_t N>
+    mpz_srcptr entry(std::array<GmpInteger, N>& table, long i, unsigned k) {
+        GmpInteger& known = table[static_cast<std::size_t>(i)];
         if (i != 0 && mpz_sgn(known.get()) == 0) {
             const auto precision = static_cast<mpfr_prec_t>(bits_);
             mpfr_t value;
@@ -103,14 +104,14 @@ private:
     }
 
     mp_bitcnt_t bits_;
-    std::array<Integer, coarse_entries> coarse_;
-    std::array<Integer, fine_entries> fine_;
-    std::vector<Integer> reciprocals_; ///< 1/(2k + 1)
-    Integer r_;
-    Integer sum_;
-    Integer square_;
-    Integer below_;
-    Integer work_;
+    std::array<GmpInteger, coarse_entries> coarse_;
+    std::array<GmpInteger, fine_entries> fine_;
+    std::vector<GmpInteger> reciprocals_; ///< 1/(2k + 1)
+    GmpInteger r_;
+    GmpInteger sum_;
+    GmpInteger square_;
+    GmpInteger below_;
+    GmpInteger work_;
 };
 
 } // namespace

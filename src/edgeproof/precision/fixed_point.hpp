@@ -9,16 +9,16 @@
 namespace edgeproof::fixed_point {
 
 /// An integer of GMP's; as a fixed-point number it counts units of 2^-bits.
-class Integer {
+class GmpInteger {
 public:
-    Integer() { mpz_init(z_); }
-    Integer(const Integer&) = delete;
-    Integer& operator=(const Integer&) = delete;
-    Integer(Integer&& other) noexcept {
+    GmpInteger() { mpz_init(z_); }
+    GmpInteger(const GmpInteger&) = delete;
+    GmpInteger& operator=(const GmpInteger&) = delete;
+    GmpInteger(GmpInteger&& other) noexcept {
         mpz_init(z_);
         mpz_swap(z_, other.z_);
     }
-    ~Integer() { mpz_clear(z_); }
+    ~GmpInteger() { mpz_clear(z_); }
     [[nodiscard]] mpz_ptr get() { return z_; }
 
 private:
@@ -30,6 +30,9 @@ constexpr mpfr_prec_t most_bits = 2400;
 /// Bits beyond those asked for: 18 for a result as small as 2^-18, the others for the roundoff of
 /// some sixty truncated operations with room to spare.
 constexpr mpfr_prec_t guard_bits = 40;
+/// The arguments that a table holds: steps of 2^-8, and within one of these of 2^-16.
+constexpr unsigned coarse_bits = 8;
+constexpr unsigned fine_bits = 16;
 /// Thread-local tables of more precisions than this are made anew.
 constexpr std::size_t most_tables = 48;
 

@@ -9,10 +9,10 @@
 namespace edgeproof {
 namespace {
 
-using fixed_point::Integer;
+using fixed_point::coarse_bits;
+using fixed_point::fine_bits;
+using fixed_point::GmpInteger;
 
-constexpr unsigned coarse_bits = 8;
-constexpr unsigned fine_bits = 16;
 /// v = 2^e m with 3/4 <= m < 3/2.
 constexpr long coarse_first = 3L << (coarse_bits - 2);
 constexpr long coarse_last = 3L << (coarse_bits - 1);
@@ -20,7 +20,7 @@ constexpr long coarse_last = 3L << (coarse_bits - 1);
 constexpr long fine_centre = 1L << fine_bits;
 constexpr long fine_reach = (1L << (fine_bits - coarse_bits)) * 2 / 3 + 2;
 /// The square of what is left has so many zero bits: |y| <= 2^-18.
-constexpr unsigned zero_bits = 2 * (fine_bits + 2);
+constexpr unsigned quotient_zero_bits = 2 * (fine_bits + 2);
 /// An argument below this stands for itself: 1 + x would lose its digits.
 constexpr mpfr_exp_t small_exponent = -17;
 
@@ -28,7 +28,7 @@ constexpr mpfr_exp_t small_exponent = -17;
 class Logarithms {
 public:
     explicit Logarithms(mpfr_prec_t bits) : bits_(static_cast<mp_bitcnt_t>(bits)) {
-        for (mp_bitcnt_t k = 0; k <= bits_ / zero_bits + 1; ++k) {
+        for (mp_bitcnt_t k = 0; k <= bits_ / quotient_zero_bits + 1; ++k) {
             reciprocals_.emplace_back();
             mpz_setbit(reciprocals_.back().get(), bits_);
             mpz_fdiv_q_ui(reciprocals_.back().get(), reciprocals_.back().get(), 2 * k + 1);
@@ -87,7 +87,7 @@ private:
         return (mpz_get_si(work_.get()) + 1) >> 1;
     }
     /// sum <- artanh(y)/y = 1 + y^2/3 + y^4/5 + ...
-    void series_of(Integer& y) {
+    void series_of(GmpInteger& y) {
         mpz_mul(square_.get(), y.get(), y.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
         std::size_t k = reciprocals_.size() - 1;
@@ -100,8 +100,8 @@ private:
     }
     /// ln(n/2^k), MPFR's, kept at `place`.
     template <std::size_t N>
-    mpz_srcptr entry(std::array<Integer, N>& table, long place, long n, unsigned k) {
-        Integer& known = table[static_cast<std::size_t>(place)];
+    mpz_srcptr entry(std::array<GmpInteger, N>& table, long place, long n, unsigned k) {
+        GmpInteger& known = table[static_cast<std::size_t>(place)];
         if (n != 1L << k && mpz_sgn(known.get()) == 0) {
             mpfr_t value;
             mpfr_init2(value, static_cast<mpfr_prec_t>(bits_));
@@ -115,15 +115,15 @@ private:
     }
 
     mp_bitcnt_t bits_;
-    std::array<Integer, coarse_last - coarse_first + 1> coarse_;
-    std::array<Integer, 2 * fine_reach + 1> fine_;
-    std::array<Integer, 1> two_;
-    std::vector<Integer> reciprocals_; ///< 1/(2k + 1)
-    Integer r_;
-    Integer sum_;
-    Integer square_;
-    Integer below_;
-    Integer work_;
+    std::array<GmpInteger, coarse_last - coarse_first + 1> coarse_;
+    std::array<GmpInteger, 2 * fine_reach + 1> fine_;
+    std::array<GmpInteger, 1> two_;
+    std::vector<GmpInteger> reciprocals_; ///< 1/(2k + 1)
+    GmpInteger r_;
+    GmpInteger sum_;
+    GmpInteger square_;
+    GmpInteger below_;
+    GmpInteger work_;
 };
 
 } // namespace

@@ -12,7 +12,7 @@
 namespace edgeproof {
 namespace {
 
-using Kind = Column::Kind;
+using ColumnKind = Column::Kind;
 
 std::string whole(double x) { return fmt::format("{:.0f}", x); }
 /// Digits right, rounded down: 50 are 50 only when they are there.
@@ -43,7 +43,7 @@ std::vector<std::string> reading_cells(const CostCell& c) {
 void add_reading_columns(Table& t) {
     for (const char* name : {"digits", "points", "right", "median", "evaluations", "most",
                              "time a value", "middle half", "slowest", "repeats"}) {
-        t.columns.push_back({name, Kind::number});
+        t.columns.push_back({name, ColumnKind::number});
     }
 }
 
@@ -74,7 +74,7 @@ nlohmann::ordered_json json_of(const Table& t) {
     for (const auto& row : t.rows) {
         nlohmann::ordered_json one;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const bool number = t.columns[i].kind != Kind::text;
+            const bool number = t.columns[i].kind != ColumnKind::text;
             one[t.columns[i].name] = row[i].empty() ? nlohmann::ordered_json(nullptr)
                                      : number       ? nlohmann::ordered_json::parse(row[i])
                                                     : nlohmann::ordered_json(row[i]);
@@ -110,7 +110,8 @@ std::string time_text(double seconds) {
 }
 
 Table cost_table(const CostReport& report, const std::string& scene) {
-    Table t = table("What a value costs: " + scene, {{"route", Kind::text}, {"in", Kind::text}});
+    Table t = table("What a value costs: " + scene,
+                    {{"route", ColumnKind::text}, {"in", ColumnKind::text}});
     t.notes = reading_notes(report);
     add_reading_columns(t);
     for (const CostCell& c : report.cells) {
@@ -125,8 +126,9 @@ Table cost_table(const CostReport& report, const std::string& scene) {
 }
 
 Table cost_table_at(const CostReport& report, unsigned digits) {
-    Table t = table("Other contacts, at " + std::to_string(digits) + " digits",
-                    {{"contact", Kind::text}, {"route", Kind::text}, {"in", Kind::text}});
+    Table t = table(
+        "Other contacts, at " + std::to_string(digits) + " digits",
+        {{"contact", ColumnKind::text}, {"route", ColumnKind::text}, {"in", ColumnKind::text}});
     add_reading_columns(t);
     std::string last;
     for (const CostCell& c : report.cells) {
@@ -145,12 +147,12 @@ Table cost_table_at(const CostReport& report, unsigned digits) {
 }
 
 Table growth_table(const CostReport& report) {
-    Table t = table("Growth with the digits", {{"contact", Kind::text},
-                                               {"route", Kind::text},
-                                               {"in", Kind::text},
-                                               {"time ~ digits^", Kind::number},
-                                               {"evaluations ~ digits^", Kind::number},
-                                               {"ten digits more, at 50", Kind::number}});
+    Table t = table("Growth with the digits", {{"contact", ColumnKind::text},
+                                               {"route", ColumnKind::text},
+                                               {"in", ColumnKind::text},
+                                               {"time ~ digits^", ColumnKind::number},
+                                               {"evaluations ~ digits^", ColumnKind::number},
+                                               {"ten digits more, at 50", ColumnKind::number}});
     t.notes = {"exponents by least squares in the logarithms, over all digits that were timed"};
     for (const Growth& g : growths(report.cells)) {
         t.rows.push_back({g.scene, g.route, g.arithmetic, fmt::format("{:.2f}", g.time.exponent),
@@ -161,14 +163,14 @@ Table growth_table(const CostReport& report) {
 }
 
 Table bound_table(const CostReport& report) {
-    Table t = table("What a proof costs", {{"contact", Kind::text},
-                                           {"digits", Kind::count},
-                                           {"fastest bare route", Kind::text},
-                                           {"bare", Kind::number},
-                                           {"enclosure", Kind::number},
-                                           {"ratio", Kind::number},
-                                           {"rounded", Kind::number},
-                                           {"ratio to bare", Kind::number}});
+    Table t = table("What a proof costs", {{"contact", ColumnKind::text},
+                                           {"digits", ColumnKind::count},
+                                           {"fastest bare route", ColumnKind::text},
+                                           {"bare", ColumnKind::number},
+                                           {"enclosure", ColumnKind::number},
+                                           {"ratio", ColumnKind::number},
+                                           {"rounded", ColumnKind::number},
+                                           {"ratio to bare", ColumnKind::number}});
     t.notes = {"bare: a value without a bound, by the fastest route in MPFR that has all its "
                "digits at every point; enclosure: the same value as a ball; rounded: enclosed, and "
                "correctly rounded to the digits asked for"};
@@ -187,15 +189,15 @@ Table bound_table(const CostReport& report) {
 Table effect_table(const CostReport& report) {
     Table t = table("What an effect of a scene adds, at " + std::to_string(report.usual_digits()) +
                         " digits",
-                    {{"effect", Kind::text},
-                     {"beside", Kind::text},
-                     {"time", Kind::number},
-                     {"ratio", Kind::number},
-                     {"closed forms", Kind::count},
-                     {"solved", Kind::count},
-                     {"expansions", Kind::count},
-                     {"shear points", Kind::count},
-                     {"extents", Kind::count}});
+                    {{"effect", ColumnKind::text},
+                     {"beside", ColumnKind::text},
+                     {"time", ColumnKind::number},
+                     {"ratio", ColumnKind::number},
+                     {"closed forms", ColumnKind::count},
+                     {"solved", ColumnKind::count},
+                     {"expansions", ColumnKind::count},
+                     {"shear points", ColumnKind::count},
+                     {"extents", ColumnKind::count}});
     t.notes = {"a scene of ten points as `edgeproof pressure` runs it, every value proved; solved: "
                "edges, loads and tilts"};
     for (const EffectCost& e : report.effects) {
@@ -211,13 +213,14 @@ Table effect_table(const CostReport& report) {
 }
 
 Table cost_cells(const CostReport& report) {
-    Table t = table("Cost by route and digits",
-                    {{"contact", Kind::text}, {"route", Kind::text}, {"arithmetic", Kind::text}});
+    Table t = table("Cost by route and digits", {{"contact", ColumnKind::text},
+                                                 {"route", ColumnKind::text},
+                                                 {"arithmetic", ColumnKind::text}});
     for (const char* name : {"digits", "points", "failed", "right_least", "right_median",
                              "evaluations_least", "evaluations_median", "evaluations_most",
                              "evaluations_total", "seconds_least", "seconds_low", "seconds_median",
                              "seconds_high", "seconds_most", "repeats_spread", "contact_seconds"}) {
-        t.columns.push_back({name, Kind::number});
+        t.columns.push_back({name, ColumnKind::number});
     }
     for (const auto& [name, value] : report.machine) {
         t.facts.push_back({name, value});
@@ -242,16 +245,16 @@ Table cost_cells(const CostReport& report) {
 }
 
 Table cost_points(const CostReport& report) {
-    Table t = table("Cost point by point", {{"contact", Kind::text},
-                                            {"route", Kind::text},
-                                            {"arithmetic", Kind::text},
-                                            {"digits", Kind::number},
-                                            {"u", Kind::text},
-                                            {"right", Kind::number},
-                                            {"evaluations", Kind::number},
-                                            {"seconds", Kind::number},
-                                            {"repeats_spread", Kind::number},
-                                            {"failure", Kind::text}});
+    Table t = table("Cost point by point", {{"contact", ColumnKind::text},
+                                            {"route", ColumnKind::text},
+                                            {"arithmetic", ColumnKind::text},
+                                            {"digits", ColumnKind::number},
+                                            {"u", ColumnKind::text},
+                                            {"right", ColumnKind::number},
+                                            {"evaluations", ColumnKind::number},
+                                            {"seconds", ColumnKind::number},
+                                            {"repeats_spread", ColumnKind::number},
+                                            {"failure", ColumnKind::text}});
     for (const CostCell& c : report.cells) {
         const CostCase& which = report.case_named(c.scene);
         for (const PointCost& p : c.points) {

@@ -10,7 +10,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr const char* head = "id,verdict,correct";
+constexpr const char* golden_head = "id,verdict,correct";
 
 std::string row(const ClaimResult& r) {
     return r.claim.id + "," + std::string(name_of(r.outcome.verdict)) + "," +
@@ -25,7 +25,7 @@ std::filesystem::path golden_file(const std::filesystem::path& ledger) {
 }
 
 std::string golden_text(const AuditResult& result) {
-    std::string out(head);
+    std::string out(golden_head);
     out += '\n';
     for (const ClaimResult& r : result.claims) {
         out += row(r);
@@ -42,8 +42,8 @@ std::vector<std::string> golden_differences(const AuditResult& result,
         throw InputError("cannot read " + file.string(), "give a file that can be read");
     }
     std::string line;
-    if (!std::getline(in, line) || line != head) {
-        throw InputError("the first line is not '" + std::string(head) + "'",
+    if (!std::getline(in, line) || line != golden_head) {
+        throw InputError("the first line is not '" + std::string(golden_head) + "'",
                          "record the verdicts anew with --record")
             .at(file.string(), 1);
     }

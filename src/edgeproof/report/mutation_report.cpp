@@ -11,7 +11,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr const char* columns = "claim,kind,verdict,equivalent,named,original,mutant,note";
+constexpr const char* mutation_columns = "claim,kind,verdict,equivalent,named,original,mutant,note";
 
 struct Count {
     std::size_t made = 0;
@@ -88,7 +88,7 @@ std::string mutation_text(const MutationRun& run, const std::vector<std::string>
 }
 
 std::string mutation_csv(const std::vector<MutantFate>& fates) {
-    std::string out = std::string(columns) + "\n";
+    std::string out = std::string(mutation_columns) + "\n";
     for (const MutantFate& f : fates) {
         out += fmt::format("{},{},{},{},{},{},{},{}\n", f.claim, quoted(f.kind), name_of(f.verdict),
                            f.equivalent ? "yes" : "no", f.named ? "yes" : "no", quoted(f.original),

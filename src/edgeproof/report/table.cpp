@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/table.hpp"
 
+#include "edgeproof/report/text_width.hpp"
 #include "edgeproof/report/verdict_writers.hpp"
 
 #include <nlohmann/json.hpp>
@@ -97,13 +98,6 @@ std::string escaped(const std::string& text, std::string_view specials,
     return out;
 }
 
-/// Characters, not bytes, of UTF-8.
-std::size_t shown(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    }));
-}
-
 std::string markdown(const Table& table) {
     std::string out;
     if (!table.title.empty()) {
@@ -129,14 +123,14 @@ std::string markdown(const Table& table) {
     std::vector<std::size_t> width(table.columns.size(), 3);
     for (const auto& row : cells) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            width[i] = std::max(width[i], shown(row[i]));
+            width[i] = std::max(width[i], text_width(row[i]));
         }
     }
     const auto is_text = [&](std::size_t i) { return table.columns[i].kind == Column::Kind::text; };
     const auto line = [&](const std::vector<std::string>& row) {
         out += "|";
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string room(width[i] - shown(row[i]), ' ');
+            const std::string room(width[i] - text_width(row[i]), ' ');
             out += " " + (is_text(i) ? row[i] + room : room + row[i]) + " |";
         }
         out += "\n";
@@ -154,7 +148,7 @@ std::string markdown(const Table& table) {
     return out;
 }
 
-std::string latex_text(const std::string& text) {
+std::string latex_cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
@@ -182,7 +176,7 @@ std::string latex_number(const std::string& text) {
     const std::size_t e = text.find('e');
     const bool number = text.find_first_not_of("+-.0123456789e") == std::string::npos;
     if (!number) {
-        return latex_text(text);
+        return latex_cell(text);
     }
     if (e == std::string::npos) {
         return "$" + text + "$";
@@ -198,13 +192,13 @@ std::string latex(const Table& table) {
     }
     out += "}\n\\toprule\n";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        out += (i == 0 ? "" : " & ") + latex_text(table.columns[i].name);
+        out += (i == 0 ? "" : " & ") + latex_cell(table.columns[i].name);
     }
     out += " \\\\\n\\midrule\n";
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             out += (i == 0 ? "" : " & ") + (table.columns[i].kind == Column::Kind::text
-                                                ? latex_text(row[i])
+                                                ? latex_cell(row[i])
                                                 : latex_number(row[i]));
         }
         out += " \\\\\n";

@@ -2,21 +2,15 @@
 #include "edgeproof/report/verdict_writers.hpp"
 
 #include "edgeproof/audit/enclosures.hpp"
+#include "edgeproof/report/text_width.hpp"
 
 #include <algorithm>
 
 namespace edgeproof {
 namespace {
 
-/// Code points, as columns: the texts are ASCII but for what a ledger's author puts in.
-std::size_t columns(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    }));
-}
-
 std::string padded(const std::string& text, std::size_t width) {
-    const std::size_t n = columns(text);
+    const std::size_t n = text_width(text);
     return n < width ? text + std::string(width - n, ' ') : text;
 }
 
@@ -38,7 +32,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
             lines.push_back(word.substr(0, width));
             word.erase(0, width);
         }
-        if (!line.empty() && columns(line) + 1 + columns(word) > width) {
+        if (!line.empty() && text_width(line) + 1 + text_width(word) > width) {
             lines.push_back(std::move(line));
             line.clear();
         }
@@ -106,7 +100,7 @@ std::string refutations_line(const AuditResult& result) {
 std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool colour) {
     std::size_t id_width = 2;
     for (const ClaimResult& r : result.claims) {
-        id_width = std::max(id_width, columns(r.claim.id));
+        id_width = std::max(id_width, text_width(r.claim.id));
     }
     constexpr std::size_t verdict_width = 14;
     const std::size_t left = id_width + 2 + verdict_width + 2;

@@ -11,7 +11,7 @@ namespace edgeproof {
 namespace {
 
 constexpr unsigned working = 60;
-constexpr std::size_t draws = 4;
+constexpr std::size_t gradient_draws = 4;
 
 /// The gradient of a formula by all names, by central differences good to about 20 digits.
 std::vector<Real> gradient(const Expr& e, const FormalValues& at,
@@ -95,7 +95,7 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     std::size_t dependent = 0;
     const PrecisionScope scope(working);
     Real least(1);
-    for (std::size_t draw = 0; draw < draws; ++draw) {
+    for (std::size_t draw = 0; draw < gradient_draws; ++draw) {
         const FormalValues values(names, under, draw, working);
         std::vector<std::vector<Real>> others;
         for (const Expr& e : from) {
@@ -120,7 +120,7 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
         .add("derived", to_text(of))
         .add("derived_tex", to_tex(of))
         .add("free", variables)
-        .add("draws", draws)
+        .add("draws", gradient_draws)
         .add("left_of_the_gradient_at_least", value_text(least, 6));
     std::set<std::string> known;
     for (const Expr& e : from) {
@@ -132,17 +132,17 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
             alone += (alone.empty() ? "" : ", ") + name;
         }
     }
-    if (independent == draws) {
+    if (independent == gradient_draws) {
         outcome.note = claim.text("of") + " is no function of the others" +
                        (alone.empty() ? "" : ": it depends on " + alone + ", and they do not");
-    } else if (dependent == draws) {
+    } else if (dependent == gradient_draws) {
         outcome.note = claim.text("of") + " is a function of the others";
     }
     const bool says_independent = claim.text("says") == "independent";
     outcome.verdict =
-        independent == draws ? (says_independent ? Verdict::confirmed : Verdict::refuted)
-        : dependent == draws ? (says_independent ? Verdict::refuted : Verdict::confirmed)
-                             : Verdict::undecided;
+        independent == gradient_draws ? (says_independent ? Verdict::confirmed : Verdict::refuted)
+        : dependent == gradient_draws ? (says_independent ? Verdict::refuted : Verdict::confirmed)
+                                      : Verdict::undecided;
     return outcome;
 }
 

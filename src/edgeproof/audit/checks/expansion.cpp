@@ -13,7 +13,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t draws = 3;
+constexpr std::size_t formal_draws = 3;
 
 /// Names of two formulas, and those that the functions along the family of contacts expand into.
 std::set<std::string> names_of(const Expr& x, const Expr& y) {
@@ -30,7 +30,7 @@ std::set<std::string> names_of(const Expr& x, const Expr& y) {
 std::vector<FormalValues> draw_values(const std::set<std::string>& names,
                                       const SymbolicCase& under) {
     std::vector<FormalValues> values;
-    for (std::size_t k = 0; k < draws; ++k) {
+    for (std::size_t k = 0; k < formal_draws; ++k) {
         values.emplace_back(names, under, k);
     }
     return values;
@@ -163,7 +163,7 @@ public:
         const PrecisionScope scope(digits_);
         const Real small = pow(Real(10), -static_cast<int>(decades));
         tolerance_ = pow(small, from_rational<Real>(Rational(span + Rational(1, 4))));
-        for (std::size_t k = 0; k < draws; ++k) {
+        for (std::size_t k = 0; k < formal_draws; ++k) {
             FormalValues values(names, under, k, digits_);
             values.set(in.variable, small);
             Real exact(0);

@@ -31,13 +31,13 @@ Exact exact_in(const Claim& claim, std::string_view key, const SceneSpec& scene)
 }
 
 /// One scene's figure, and what else could have been meant by it.
-struct Reach {
+struct ReachInScene {
     Real value;
     Evidence evidence;
 };
 
-Reach reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
-               const QuotedFigure& figure) {
+ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
+                      const QuotedFigure& figure) {
     const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
     const auto terms = static_cast<std::size_t>(claim.integer("terms"));
     const Exact tolerance = Exact::parse(claim.text("tolerance"));
@@ -50,7 +50,7 @@ Reach reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& c
     const PrecisionScope scope(context.digits() + 20);
     const Real base = setting.evaluate(claim.formula("base")).value;
     const bool first = claim.text("reach") == "first-exit";
-    Reach reach;
+    ReachInScene reach;
     reach.value = (first ? extents.first_exit : extents.measure) / base;
     Evidence& e = reach.evidence;
     e.add("at", scene.family + ": " + scene.text())
@@ -143,7 +143,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     std::optional<SceneSpec> worst_scene;
     for (const SceneSpec& scene : context.scenes(claim)) {
         try {
-            Reach reach = reach_in(scene, claim, context, figure);
+            ReachInScene reach = reach_in(scene, claim, context, figure);
             const long off = std::labs(figure.units_off(reach.value));
             if (off > worst) {
                 worst = off;

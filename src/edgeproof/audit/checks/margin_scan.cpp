@@ -8,7 +8,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr int per_decade = 3;
+constexpr int places_per_decade = 3;
 constexpr int even_places = 24;
 constexpr unsigned scan_digits = 40; // of the fractions themselves
 
@@ -25,7 +25,7 @@ MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
     }
     marks.push_back(Real(1));
     std::vector<Real> fractions;
-    const Real step = pow(Real(10), Real(-1) / per_decade);
+    const Real step = pow(Real(10), Real(-1) / places_per_decade);
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
         const Real width = marks[i + 1] - marks[i];
         for (Real d = width / 2; d > width * nearest; d *= step) {

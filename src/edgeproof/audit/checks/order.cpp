@@ -10,15 +10,15 @@ namespace edgeproof {
 namespace {
 
 constexpr int first_rung = 20; // decades from the length of the contact
-constexpr int rungs = 4;
+constexpr int rungs_to_the_edge = 4;
 constexpr int decades_per_rung = 2;
 /// What the measured orders and the constants may differ by.
-constexpr const char* tolerance = "1e-6";
+constexpr const char* order_tolerance = "1e-6";
 /// A constant is a pure number of order one if over the family it varies by less than this.
 constexpr int most_spread = 100;
 
 /// One scene: the order of `of`, that of `says`, and the limit of of/says at the edge.
-struct InScene {
+struct OrderInScene {
     std::string text;
     Real order;
     Real order_said;
@@ -31,14 +31,14 @@ Real slope(const Real& near, const Real& far, const Real& decades) {
 }
 
 /// nullopt where `says` is zero: nothing is of the order of zero.
-std::optional<InScene> measure(const Setting& setting, const Sample& sample, const Expr& of,
-                               const Expr& says, const std::string& text) {
-    InScene found;
+std::optional<OrderInScene> measure(const Setting& setting, const Sample& sample, const Expr& of,
+                                    const Expr& says, const std::string& text) {
+    OrderInScene found;
     found.text = text;
     std::vector<Real> f;
     std::vector<Real> g;
     const Variables variables = setting.values_of(sample.variables);
-    for (int k = 0; k < rungs; ++k) {
+    for (int k = 0; k < rungs_to_the_edge; ++k) {
         const Real u = setting.length() * pow(Real(10), -(first_rung + k * decades_per_rung));
         const Place place = setting.place_at_u(sample.edge, u);
         f.push_back(abs(setting.evaluate(of, &place, variables).value));
@@ -57,19 +57,20 @@ std::optional<InScene> measure(const Setting& setting, const Sample& sample, con
     found.order_said = slope(g[last], g[last - 1], step);
     found.ratio = f[last] / g[last];
     const Real before = slope(f[last - 1], f[last - 2], step);
-    found.clear = abs(found.order - before) < Real(tolerance);
+    found.clear = abs(found.order - before) < Real(order_tolerance);
     return found;
 }
 
 struct Scenes {
-    std::vector<InScene> all;
+    std::vector<OrderInScene> all;
     std::size_t left_out = 0; ///< where `says` is zero or `where` does not hold
 };
 
 Scenes measure_all(const Claim& claim, const AuditContext& context, const Expr& says) {
     const Expr of = claim.formula("of");
     // Errors near the edge are differences of nearly equal numbers.
-    const unsigned digits = context.digits() + first_rung + rungs * decades_per_rung + 20;
+    const unsigned digits =
+        context.digits() + first_rung + rungs_to_the_edge * decades_per_rung + 20;
     Scenes scenes;
     const PrecisionScope scope(digits + 20);
     for (const Sample& sample : context.samples(claim)) {
@@ -93,9 +94,9 @@ Verdict judge(const Scenes& scenes, bool universal, std::string& note) {
         note = "no scene admits the claim";
         return Verdict::undecided;
     }
-    const Real slack(tolerance);
+    const Real slack(order_tolerance);
     bool higher = false;
-    for (const InScene& s : scenes.all) {
+    for (const OrderInScene& s : scenes.all) {
         if (!s.clear) {
             note = "the order is not settled in " + s.text;
             return Verdict::undecided;
@@ -111,9 +112,9 @@ Verdict judge(const Scenes& scenes, bool universal, std::string& note) {
         note = "of a higher order than is said";
         return Verdict::imprecise;
     }
-    const auto [least, most] =
-        std::minmax_element(scenes.all.begin(), scenes.all.end(),
-                            [](const InScene& x, const InScene& y) { return x.ratio < y.ratio; });
+    const auto [least, most] = std::minmax_element(
+        scenes.all.begin(), scenes.all.end(),
+        [](const OrderInScene& x, const OrderInScene& y) { return x.ratio < y.ratio; });
     if (universal && most->ratio > least->ratio * most_spread) {
         note = "the factor is no pure number: from " + to_decimal(least->ratio, 4) + " to " +
                to_decimal(most->ratio, 4) + " over the scenes";
@@ -138,15 +139,15 @@ void report(const Scenes& scenes, Evidence& evidence) {
     const auto range = [&](auto&& value) {
         Real least = value(scenes.all.front());
         Real most = least;
-        for (const InScene& s : scenes.all) {
+        for (const OrderInScene& s : scenes.all) {
             least = std::min(least, Real(value(s)));
             most = std::max(most, Real(value(s)));
         }
         return std::vector<std::string>{to_decimal(least, 10), to_decimal(most, 10)};
     };
-    evidence.add("order", range([](const InScene& s) { return s.order; }))
-        .add("order_said", range([](const InScene& s) { return s.order_said; }))
-        .add("factor", range([](const InScene& s) { return s.ratio; }));
+    evidence.add("order", range([](const OrderInScene& s) { return s.order; }))
+        .add("order_said", range([](const OrderInScene& s) { return s.order_said; }))
+        .add("factor", range([](const OrderInScene& s) { return s.ratio; }));
 }
 
 Outcome check_order(const Claim& claim, const AuditContext& context) {

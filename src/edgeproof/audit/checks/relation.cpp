@@ -10,7 +10,7 @@ namespace edgeproof {
 namespace {
 
 /// What was found in one scene.
-struct InScene {
+struct RelationInScene {
     enum class Finding { holds, fails, unclear } finding = Finding::unclear;
     std::size_t places = 0;
     std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
@@ -39,10 +39,10 @@ std::vector<std::string> interval_texts(const MarginScan& scan, bool holding) {
     return texts;
 }
 
-using Finding = InScene::Finding;
+using Finding = RelationInScene::Finding;
 
-InScene without_place(const ConditionInScene& condition) {
-    InScene result;
+RelationInScene without_place(const ConditionInScene& condition) {
+    RelationInScene result;
     if (const auto margin = condition.anywhere()) {
         result.places = 1;
         result.decisive = MarginAt{Real(0), *margin};
@@ -53,8 +53,8 @@ InScene without_place(const ConditionInScene& condition) {
     return result;
 }
 
-InScene everywhere(const ConditionInScene& condition, const Real& nearest) {
-    InScene result;
+RelationInScene everywhere(const ConditionInScene& condition, const Real& nearest) {
+    RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
     if (const MarginAt* least = scan.least()) {
@@ -72,8 +72,8 @@ InScene everywhere(const ConditionInScene& condition, const Real& nearest) {
     return result;
 }
 
-InScene somewhere(const ConditionInScene& condition, const Real& nearest) {
-    InScene result;
+RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest) {
+    RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
     if (const MarginAt* most = scan.most()) {
@@ -90,8 +90,8 @@ InScene somewhere(const ConditionInScene& condition, const Real& nearest) {
 }
 
 /// The sign on the last decades towards the edge: from 10^10 times `nearest` to `nearest`.
-InScene near_edge(const ConditionInScene& condition, const Real& nearest) {
-    InScene result;
+RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest) {
+    RelationInScene result;
     std::size_t held = 0;
     std::size_t failed = 0;
     for (int k = 0; k <= 10; ++k) {
@@ -142,13 +142,13 @@ Condition opposite(const Claim& claim, const Condition& condition) {
     return {r};
 }
 
-Outcome summed_up(const std::vector<std::pair<std::string, InScene>>& found,
+Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& found,
                   const std::string& holds) {
     Outcome outcome;
     std::size_t places = 0;
-    std::vector<const std::pair<std::string, InScene>*> failing;
+    std::vector<const std::pair<std::string, RelationInScene>*> failing;
     std::size_t unclear = 0;
-    const std::pair<std::string, InScene>* narrowest = nullptr;
+    const std::pair<std::string, RelationInScene>* narrowest = nullptr;
     for (const auto& f : found) {
         places += f.second.places;
         if (f.second.finding == Finding::fails) {
@@ -228,14 +228,14 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
     const Real nearest = claim.has("nearest") ? Exact::parse(claim.text("nearest")).to<Real>()
                                               : pow(Real(10), holds == "near-edge" ? -40 : -10);
-    std::vector<std::pair<std::string, InScene>> found;
+    std::vector<std::pair<std::string, RelationInScene>> found;
     std::size_t left_out = 0;
     for (const Sample& sample : context.samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, context.digits());
-        InScene result = !placed                ? without_place(in_scene)
-                         : holds == "somewhere" ? somewhere(in_scene, nearest)
-                         : holds == "near-edge" ? near_edge(in_scene, nearest)
-                                                : everywhere(in_scene, nearest);
+        RelationInScene result = !placed                ? without_place(in_scene)
+                                 : holds == "somewhere" ? somewhere(in_scene, nearest)
+                                 : holds == "near-edge" ? near_edge(in_scene, nearest)
+                                                        : everywhere(in_scene, nearest);
         if (result.places == 0) { // `where` admits no place of this scene
             ++left_out;
         } else {

@@ -24,7 +24,7 @@ std::vector<Real> numbers(const Claim& claim, std::string_view key) {
 }
 
 /// What the residuals of one scene say of the claim.
-struct InScene {
+struct FitInScene {
     bool as_claimed = true;
     std::size_t vanishing = 0;
     std::string problem;
@@ -32,8 +32,8 @@ struct InScene {
     int digits = 1000000;
 };
 
-InScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
-                  const std::vector<Real>& orders, unsigned digits) {
+FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
+                     const std::vector<Real>& orders, unsigned digits) {
     ResidualFitOptions options;
     options.orders = orders.size();
     options.digits = digits;
@@ -52,7 +52,7 @@ InScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& te
     const std::vector<OrderFit> fits =
         fit_residuals(scene.make_profile(), scene.parameter("Es"),
                       Load::right_edge(scene.parameter("a")), edge, options, c);
-    InScene found;
+    FitInScene found;
     for (const OrderFit& fit : fits) {
         found.slopes.push_back(to_decimal(fit.slope, 12));
         const Real off = abs(fit.slope - orders[fit.n] - (fit.vanishing ? 1 : 0));
@@ -98,7 +98,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     int digits = 1000000;
     std::vector<std::string> slopes;
     for (const SceneSpec& scene : context.scenes(claim)) {
-        const InScene found = fit_scene(scene, edge, terms, orders, context.digits());
+        const FitInScene found = fit_scene(scene, edge, terms, orders, context.digits());
         ++scenes;
         vanishing += found.vanishing > 0 ? 1 : 0;
         digits = std::min(digits, found.digits);

@@ -92,13 +92,13 @@ std::vector<Quoted> companions(const Claim& claim, const AuditContext& context) 
     return all;
 }
 
-constexpr std::size_t readings = extent_readings.size();
+constexpr std::size_t reading_count = extent_readings.size();
 
 /// What a figure is at all sizes, and for which it holds, under each reading.
 struct Found {
-    std::array<SizeSet, readings> holds;
-    std::array<Float128, readings> least;
-    std::array<Float128, readings> most;
+    std::array<SizeSet, reading_count> holds;
+    std::array<Float128, reading_count> least;
+    std::array<Float128, reading_count> most;
     std::vector<Float128> breaks;
     std::size_t looked_at = 0;
 };
@@ -106,16 +106,16 @@ struct Found {
 Found find_sizes(const Quoted& q, const Profile& profile, const Exact& from, const Exact& to) {
     const SizeScan scan(profile, from, to);
     const ContactsBySize contacts(profile);
-    std::array<std::vector<Float128>, readings> table;
+    std::array<std::vector<Float128>, reading_count> table;
     for (const Float128& a : scan.sizes()) {
         ContactsBySize::At contact = contacts.at(a);
         const Fractions values = rough_values_of(q, contact);
-        for (std::size_t r = 0; r < readings; ++r) {
+        for (std::size_t r = 0; r < reading_count; ++r) {
             table[r].push_back(values[r]);
         }
     }
     Found found;
-    for (std::size_t r = 0; r < readings; ++r) {
+    for (std::size_t r = 0; r < reading_count; ++r) {
         const auto f = [&](const Float128& a) {
             ContactsBySize::At contact = contacts.at(a);
             return values_of(q, contact)[r];
@@ -234,7 +234,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     std::size_t everything = 0;
     bool jointly = false;
     std::string fitting;
-    for (std::size_t r = 0; r < readings; ++r) {
+    for (std::size_t r = 0; r < reading_count; ++r) {
         const SizeSet& holds = found->holds[r];
         Evidence one;
         one.add("least", to_text(found->least[r], 6)).add("most", to_text(found->most[r], 6));

@@ -10,7 +10,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr unsigned digits = 18; // orders are measured: more would show nothing more
+constexpr unsigned split_digits = 18; // orders are measured: more would show nothing more
 
 /// An expansion of the integrand, term by term up to the cut, less the finite part of the whole
 /// integral: the terms of the first part that name the cut.
@@ -39,7 +39,7 @@ public:
         : claim_(claim), variable_(claim.text("variable")), small_(claim.text("small")),
           of_(claim.formula("of")) {
         for (const Sample& sample : context.samples(claim)) {
-            settings_.emplace_back(sample.scene, digits);
+            settings_.emplace_back(sample.scene, split_digits);
             texts_.push_back(sample.text());
             variables_.push_back(settings_.back().values_of(sample.variables));
         }
@@ -51,7 +51,7 @@ public:
     }
 
     [[nodiscard]] Left left(const CutTerms& terms) const {
-        const PrecisionScope scope(digits + 20);
+        const PrecisionScope scope(split_digits + 20);
         Left worst{1e9, {}};
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             const Real far = abs(Real(second_[2 * i] + with_cut(terms, i, 1)));
@@ -68,7 +68,7 @@ public:
 private:
     [[nodiscard]] Variables at(std::size_t i, int shrink) const {
         Variables v = variables_[i];
-        const PrecisionScope scope(digits + 20);
+        const PrecisionScope scope(split_digits + 20);
         v.at(small_) /= shrink;
         return v;
     }
@@ -84,7 +84,7 @@ private:
         return value.value;
     }
     [[nodiscard]] Real with_cut(const CutTerms& terms, std::size_t i, int shrink) const {
-        const PrecisionScope scope(digits + 20);
+        const PrecisionScope scope(split_digits + 20);
         const Variables v = at(i, shrink);
         const auto power = [&](const Rational& k) {
             return Real(pow(v.at(small_), from_rational<Real>(k)));

@@ -11,7 +11,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr int rungs = 20; // decades towards the place of the breakdown
+constexpr int rungs_to_the_breakdown = 20; // decades towards the place of the breakdown
 
 /// What an expansion in a small variable leaves, over the power of it that comes next, as another
 /// variable runs to where the expansion is said to break down.
@@ -28,7 +28,7 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
     const PrecisionScope scope(2 * digits);
     const Real end = setting.evaluate(towards).value;
     std::vector<Real> values;
-    for (int k = 1; k <= rungs; ++k) {
+    for (int k = 1; k <= rungs_to_the_breakdown; ++k) {
         Variables at = fixed;
         at.insert_or_assign(variable, Real(end - pow(Real(10), -k)));
         values.push_back(abs(setting.evaluate(rest, nullptr, at).value));
@@ -42,8 +42,8 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
     found.last = value_text(values.back(), 12);
     if (!found.vanishes) {
         // The last half of the ladder.
-        const Real growth = values.back() / values[rungs / 2 - 1];
-        found.slope = Real(log10(growth) / (rungs / 2)).convert_to<double>();
+        const Real growth = values.back() / values[rungs_to_the_breakdown / 2 - 1];
+        found.slope = Real(log10(growth) / (rungs_to_the_breakdown / 2)).convert_to<double>();
     }
     return found;
 }
@@ -52,8 +52,9 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
 void add_last_rung(const Claim& claim, const Sample& sample, const Expr& rest, const Expr& term,
                    unsigned digits, Outcome& outcome) {
     const std::string variable = claim.text("variable");
-    const Expr at = Exact::parse(claim.text("towards")).expr() -
-                    pow(Expr::number(Rational(10)), Expr::number(Rational(-rungs)));
+    const Expr at =
+        Exact::parse(claim.text("towards")).expr() -
+        pow(Expr::number(Rational(10)), Expr::number(Rational(-rungs_to_the_breakdown)));
     add_pair("printed", enclosed(substitute(term, variable, at), sample, digits), "exact",
              enclosed(substitute(rest, variable, at), sample, digits),
              sample.text() + ", " + variable + " = " + Exact(at).text(), digits, outcome);
@@ -72,7 +73,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         predicted = claim.formula("term");
     }
     // The rest loses order times the decades of the small variable, and those of the distance.
-    const unsigned digits = 4 * rungs + 60;
+    const unsigned digits = 4 * rungs_to_the_breakdown + 60;
     std::size_t breaking = 0;
     std::size_t uniform = 0;
     std::size_t nothing_left = 0;

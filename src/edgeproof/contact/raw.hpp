@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/real.hpp"
+
+namespace edgeproof {
+
+/// What MPFR's own functions take: the inner loops of the fast routes call them without
+/// temporaries.
+[[nodiscard]] inline mpfr_ptr raw(Real& x) { return x.backend().data(); }
+[[nodiscard]] inline mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
+
+} // namespace edgeproof

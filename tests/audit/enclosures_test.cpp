@@ -13,7 +13,7 @@ using namespace edgeproof::small_ledger;
 
 namespace {
 
-Expr formula(const std::string& text) {
+Expr enclosed_formula(const std::string& text) {
     Symbols symbols;
     for (const std::string& name : setting_symbols()) {
         symbols.add(name);
@@ -27,7 +27,7 @@ Expr formula(const std::string& text) {
     return parse(text, symbols);
 }
 
-Sample tilted(Edge edge, const char* fraction) {
+Sample tilted_sample(Edge edge, const char* fraction) {
     Sample sample;
     sample.scene.family = "tilted";
     sample.scene.profile = "tilted-flat-and-rounded";
@@ -48,7 +48,7 @@ Sample tilted(Edge edge, const char* fraction) {
 /// The route in Real must lie in the ball, but for its own error, and the ball must be narrow.
 std::string fault_of(const std::string& text, const Sample& sample) {
     const unsigned digits = 40;
-    const Expr e = formula(text);
+    const Expr e = enclosed_formula(text);
     const Setting setting(sample.scene, digits);
     const Place place = setting.place(sample.edge, *sample.fraction);
     const Real value = setting.evaluate(e, &place).value;
@@ -68,7 +68,7 @@ Ball integral(const std::string& f, const Rational& lo, const Rational& hi) {
     const NameEnclosure none = [](std::string_view name) -> Ball {
         throw Error(std::string(name) + " has no value");
     };
-    return enclosed_integral(formula(f), "s", none, Ball(lo, 200), Ball(hi, 200), 30);
+    return enclosed_integral(enclosed_formula(f), "s", none, Ball(lo, 200), Ball(hi, 200), 30);
 }
 
 const Evidence& enclosures_of(const ClaimResult& r) {
@@ -86,7 +86,7 @@ std::string value_claim(const std::string& says) {
 TEST_CASE("a sample's names and functions in balls hold the values found in Real") {
     for (const Edge edge : {Edge::right, Edge::left}) {
         for (const char* fraction : {"1e-20", "1/7", "2/3"}) {
-            const Sample sample = tilted(edge, fraction);
+            const Sample sample = tilted_sample(edge, fraction);
             CAPTURE(sample.text());
             for (const char* text : {"a",
                                      "b",

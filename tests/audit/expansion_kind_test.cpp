@@ -10,7 +10,7 @@ using namespace edgeproof;
 namespace {
 
 /// One claim about expansions, over a contact whose b(a) is no straight line.
-Outcome outcome_of(const std::string& claim) {
+Outcome expansion_outcome(const std::string& claim) {
     const std::string text = R"toml([ledger]
 name = "own"
 source = "a test"
@@ -41,7 +41,7 @@ variable = "eps"
 
 // The reversion of b - y = b(a + d) to second order, by hand: d = -y/b' - y^2 b''/(2 b'^3).
 TEST_CASE("a right expansion is proved, and what is left shows its order in a real contact") {
-    const Outcome o = outcome_of(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
+    const Outcome o = expansion_outcome(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "binv(b-eps*X)-a"
 says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^3)"
@@ -53,7 +53,7 @@ says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^3)"
 }
 
 TEST_CASE("a wrong term is refuted where it departs, and the edit that mends it is named") {
-    const Outcome o = outcome_of(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
+    const Outcome o = expansion_outcome(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "binv(b-eps*X)-a"
 says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^2)"
@@ -64,7 +64,7 @@ says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^2)"
 }
 
 TEST_CASE("an expansion with a term too few is refuted at the power that it leaves out") {
-    const Outcome o = outcome_of(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
+    const Outcome o = expansion_outcome(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "P1of(a-eps*X)"
 says = "P1 - eps*X*P2"
@@ -80,7 +80,7 @@ of = "P1of(a-eps*X)"
 says = "P1 + eps*X*P2 + eps^2*X^2*P3/2"
 as_if = { "the sign of u turned" = "P1of(a+eps*X)", "P for P'" = "Pof(a-eps*X)" }
 )toml";
-    const Outcome o = outcome_of(claim);
+    const Outcome o = expansion_outcome(claim);
     CHECK(o.verdict == Verdict::refuted);
     const auto* tried = std::get_if<Evidence>(&o.evidence.find("as_if")->value());
     REQUIRE(tried != nullptr);

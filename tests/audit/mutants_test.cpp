@@ -25,7 +25,7 @@ std::set<std::string> mutants(const std::string& text) {
 }
 
 /// Hertz, in scenes enough to tell a power of one parameter from a power of another.
-const std::string head = R"toml([ledger]
+const std::string mutants_head = R"toml([ledger]
 name = "small"
 [[family]]
 name = "hertz"
@@ -39,8 +39,8 @@ a = ["3/2", "7e5", "0.02"]
 Es = ["7/3", "2.1e11"]
 )toml";
 
-MutationRun run(const std::string& claims, int threads, std::size_t count = 1000) {
-    const Ledger ledger = parse_ledger(head + claims, "small.toml");
+MutationRun run_all(const std::string& claims, int threads, std::size_t count = 1000) {
+    const Ledger ledger = parse_ledger(mutants_head + claims, "small.toml");
     MutationOptions options;
     options.audit.digits = 20;
     options.audit.threads = threads;
@@ -48,7 +48,7 @@ MutationRun run(const std::string& claims, int threads, std::size_t count = 1000
     return run_mutants(ledger, options);
 }
 
-const std::string hertz =
+const std::string hertz_pressure =
     "[[claim]]\nid = \"H\"\nkind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n"
     "says = \"Es*C/2*sqrt(a^2 - x^2)\"\n";
 /// b = a under a symmetric contact: a for b changes nothing.
@@ -71,7 +71,7 @@ TEST_CASE("every misprint of the eight kinds, and no other") {
 }
 
 TEST_CASE("what is broken is refuted, what is the same is proved so, and the edit is named") {
-    const MutationRun r = run(hertz + first, 1);
+    const MutationRun r = run_all(hertz_pressure + first, 1);
     CHECK(r.claims == 2);
     CHECK(r.fates.size() == r.possible);
     REQUIRE(r.fates.size() > 15);
@@ -92,8 +92,8 @@ TEST_CASE("what is broken is refuted, what is the same is proved so, and the edi
 }
 
 TEST_CASE("the seed decides which, not the threads") {
-    const MutationRun one = run(hertz + first, 1, 8);
-    const MutationRun two = run(hertz + first, 2, 8);
+    const MutationRun one = run_all(hertz_pressure + first, 1, 8);
+    const MutationRun two = run_all(hertz_pressure + first, 2, 8);
     REQUIRE(one.fates.size() == 8);
     REQUIRE(two.fates.size() == 8);
     for (std::size_t k = 0; k < 8; ++k) {
@@ -103,7 +103,7 @@ TEST_CASE("the seed decides which, not the threads") {
 }
 
 TEST_CASE("the second mutant of a claim that is held to an integral is decided as the first is") {
-    const MutationRun r = run(hertz + R"toml([[claim]]
+    const MutationRun r = run_all(hertz_pressure + R"toml([[claim]]
 id = "P"
 kind = "value"
 lines = [1, 2]
@@ -112,7 +112,7 @@ over = "hertz"
 of = "integral(p(s), s, -a, a)"
 says = "Pi*Es*C*a^2/4"
 )toml",
-                              1);
+                                  1);
     std::size_t different = 0;
     for (const MutantFate& f : r.fates) {
         CAPTURE(f.mutated);

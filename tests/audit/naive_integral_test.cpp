@@ -10,11 +10,11 @@ using namespace edgeproof;
 
 namespace {
 
-constexpr unsigned digits = 40;
-const NaivePrecision precision{.nodes = digits};
+constexpr unsigned naive_digits = 40;
+const NaivePrecision precision{.nodes = naive_digits};
 
 bool agrees(const NaiveIntegral& found, const Real& right) {
-    const PrecisionScope scope(digits);
+    const PrecisionScope scope(naive_digits);
     return found.converged && abs(Real(found.value - right)) < abs(right) * pow(Real(10), -30);
 }
 
@@ -22,7 +22,7 @@ bool agrees(const NaiveIntegral& found, const Real& right) {
 
 // The values are elementary integrals, by their antiderivatives.
 TEST_CASE("an integrand as it stands: singular ends of every power that has an integral") {
-    const PrecisionScope scope(3 * digits);
+    const PrecisionScope scope(3 * naive_digits);
     const Real zero(0);
     const Real one(1);
     const Real pi = boost::math::constants::pi<Real>();
@@ -39,7 +39,7 @@ TEST_CASE("an integrand as it stands: singular ends of every power that has an i
 
 TEST_CASE(
     "an integrand that grows like one over the distance, or faster, is said to have no value") {
-    const PrecisionScope scope(3 * digits);
+    const PrecisionScope scope(3 * naive_digits);
     const auto thrown = [&](const Integrand& f) {
         CHECK_THROWS_AS((void)integrate_naively(f, Real(-1), Real(1), {}, precision), DomainError);
     };
@@ -50,7 +50,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a kink inside settles at no level, and is given up, not called divergent") {
-    const PrecisionScope scope(3 * digits);
+    const PrecisionScope scope(3 * naive_digits);
     const Real third = Real(1) / 3;
     std::size_t calls = 0;
     const Integrand kinked = [&](const Real& s) {

@@ -9,7 +9,7 @@ using namespace edgeproof;
 
 namespace {
 
-const std::string head = R"(
+const std::string shear_head = R"(
 [ledger]
 name = "shear"
 [define]
@@ -52,14 +52,15 @@ name = "force-alone"
 union = ["force-on-wedge", "force-on-flat"]
 )";
 
-Outcome outcome_of(const std::string& fields, unsigned digits = 34) {
-    const Ledger ledger = parse_ledger(head + "[[claim]]\nid = \"A\"\n" + fields, "shear.toml");
+Outcome shear_outcome(const std::string& fields, unsigned digits = 34) {
+    const Ledger ledger =
+        parse_ledger(shear_head + "[[claim]]\nid = \"A\"\n" + fields, "shear.toml");
     AuditOptions options;
     options.digits = digits;
     options.threads = 1;
     return run_audit(ledger, options).claims[0].outcome;
 }
-Verdict verdict_of(const std::string& fields) { return outcome_of(fields).verdict; }
+Verdict shear_verdict(const std::string& fields) { return shear_outcome(fields).verdict; }
 
 std::string vanishing(const std::string& of, const std::string& says) {
     return "kind = \"vanishing\"\nover = \"sheared\"\nloads = [\"Q\", \"sig0\"]\nratio = "
@@ -78,33 +79,35 @@ std::string parts(const std::string& of, const std::string& says, const std::str
 // coefficients 1, 1/2, 3/8, 5/16 of (1-z)^(-1/2). So sigma_0 d/Q = 4/(3 pi) at the right edge for
 // k = 1, 12/(5 pi) for k = 2, and the negatives of these at the left edge.
 TEST_CASE("vanishing: the ratio of the loads at which a coefficient is zero") {
-    CHECK(verdict_of(vanishing("right.s1", "4/(3*Pi)")) == Verdict::confirmed);
-    CHECK(verdict_of(vanishing("left.s1", "-4/(3*Pi)")) == Verdict::confirmed);
-    CHECK(verdict_of(vanishing("right.s2", "12/(5*Pi)")) == Verdict::confirmed);
+    CHECK(shear_verdict(vanishing("right.s1", "4/(3*Pi)")) == Verdict::confirmed);
+    CHECK(shear_verdict(vanishing("left.s1", "-4/(3*Pi)")) == Verdict::confirmed);
+    CHECK(shear_verdict(vanishing("right.s2", "12/(5*Pi)")) == Verdict::confirmed);
     const Outcome wrong =
-        outcome_of(vanishing("left.s1", "4/(3*Pi)") + "elsewhere = [\"right.s1\"]\n");
+        shear_outcome(vanishing("left.s1", "4/(3*Pi)") + "elsewhere = [\"right.s1\"]\n");
     CHECK(wrong.verdict == Verdict::refuted);
     REQUIRE(wrong.correct);
     CHECK(wrong.correct->find("-(4/(3*Pi))") != std::string::npos);
     CHECK(wrong.note.find("it is right.s1") != std::string::npos);
-    const Outcome factor = outcome_of(vanishing("right.s1", "8/(3*Pi)"));
+    const Outcome factor = shear_outcome(vanishing("right.s1", "8/(3*Pi)"));
     CHECK(factor.verdict == Verdict::refuted);
     REQUIRE(factor.evidence.find("printed_over_exact") != nullptr);
     CHECK(factor.evidence.find("printed_over_exact")->text() == "2");
 }
 
 TEST_CASE("superposition: parts that add and parts that subtract, at any signs of the loads") {
-    CHECK(verdict_of(parts("right.s0", "add", "when_zero = \"right.s1\"\n")) == Verdict::confirmed);
-    CHECK(verdict_of(parts("right.s0", "subtract", "when_zero = \"right.s1\"\n")) ==
-          Verdict::refuted);
-    CHECK(verdict_of(parts("left.s0", "subtract", "when_zero = \"right.s1\"\n")) ==
+    CHECK(shear_verdict(parts("right.s0", "add", "when_zero = \"right.s1\"\n")) ==
           Verdict::confirmed);
-    CHECK(verdict_of(parts("left.s1", "add", "when_zero = \"right.s1\"\n")) == Verdict::confirmed);
+    CHECK(shear_verdict(parts("right.s0", "subtract", "when_zero = \"right.s1\"\n")) ==
+          Verdict::refuted);
+    CHECK(shear_verdict(parts("left.s0", "subtract", "when_zero = \"right.s1\"\n")) ==
+          Verdict::confirmed);
+    CHECK(shear_verdict(parts("left.s1", "add", "when_zero = \"right.s1\"\n")) ==
+          Verdict::confirmed);
     // With signs drawn freely they do one in some scenes and the other in others.
-    CHECK(verdict_of(parts("right.s0", "add")) == Verdict::refuted);
-    CHECK(verdict_of(parts("right.s0", "subtract")) == Verdict::refuted);
+    CHECK(shear_verdict(parts("right.s0", "add")) == Verdict::refuted);
+    CHECK(shear_verdict(parts("right.s0", "subtract")) == Verdict::refuted);
     // A quantity that is not linear in the loads has no parts.
-    CHECK(verdict_of(parts("right.s0^2", "add")) == Verdict::undecided);
+    CHECK(shear_verdict(parts("right.s0^2", "add")) == Verdict::undecided);
 }
 
 TEST_CASE("independence: what all scenes share, and what they do not") {
@@ -113,15 +116,15 @@ TEST_CASE("independence: what all scenes share, and what they do not") {
                "\"" +
                of + "\"\n";
     };
-    CHECK(verdict_of(claim("q(x)*L/Q")) == Verdict::confirmed);
-    CHECK(verdict_of(claim("q(x)*a/Q")) == Verdict::refuted);
-    CHECK(verdict_of(claim("p(x)*L/P")) == Verdict::refuted);
+    CHECK(shear_verdict(claim("q(x)*L/Q")) == Verdict::confirmed);
+    CHECK(shear_verdict(claim("q(x)*a/Q")) == Verdict::refuted);
+    CHECK(shear_verdict(claim("p(x)*L/P")) == Verdict::refuted);
 }
 
 TEST_CASE("linear loads: a second load that has no effect is refused") {
     const Ledger ledger =
-        parse_ledger(head + "[[claim]]\nid = \"A\"\nkind = \"definition\"\nover = "
-                            "\"sheared\"\n",
+        parse_ledger(shear_head + "[[claim]]\nid = \"A\"\nkind = \"definition\"\nover = "
+                                  "\"sheared\"\n",
                      "shear.toml");
     const AuditContext context(ledger, 34);
     const Claim& claim = ledger.claims.front();

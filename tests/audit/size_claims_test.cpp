@@ -17,7 +17,7 @@ const Profile& punch() {
     return p;
 }
 
-const std::string head = R"(
+const std::string sizes_head = R"(
 [ledger]
 name = "sizes"
 [[family]]
@@ -40,8 +40,8 @@ std::string extent_claim(const std::string& id, const std::string& edge, int ter
            "\"100\"]\nfigure = \"" + figure + "\"\n" + more;
 }
 
-AuditResult run(const std::string& claims) {
-    const Ledger ledger = parse_ledger(head + claims, "sizes.toml");
+AuditResult run_sizes(const std::string& claims) {
+    const Ledger ledger = parse_ledger(sizes_head + claims, "sizes.toml");
     AuditOptions options;
     options.digits = 34;
     options.threads = 1;
@@ -130,7 +130,7 @@ TEST_CASE("sizes: the search finds intervals, extrema and jumps of a known funct
 }
 
 TEST_CASE("sizes: a figure without its size is underspecified, its sizes are those it holds for") {
-    const AuditResult result = run(extent_claim("A", "left", 2, "10/100"));
+    const AuditResult result = run_sizes(extent_claim("A", "left", 2, "10/100"));
     const Outcome& o = result.claims[0].outcome;
     CHECK(o.verdict == Verdict::underspecified);
     // The ends by the multiprecision scan: 9.5 % and 10.5 % of the side.
@@ -151,32 +151,33 @@ TEST_CASE("sizes: a figure without its size is underspecified, its sizes are tho
 }
 
 TEST_CASE("sizes: a figure that no size gives is refuted, one that all sizes give is confirmed") {
-    CHECK(run(extent_claim("A", "right", 2, "70/100")).claims[0].outcome.verdict ==
+    CHECK(run_sizes(extent_claim("A", "right", 2, "70/100")).claims[0].outcome.verdict ==
           Verdict::refuted);
-    CHECK(run(extent_claim("A", "right", 1, "4/100")).claims[0].outcome.verdict ==
+    CHECK(run_sizes(extent_claim("A", "right", 1, "4/100")).claims[0].outcome.verdict ==
           Verdict::confirmed);
 }
 
 TEST_CASE("sizes: figures that hold together, and figures that do not") {
     const std::string together = "together = [\"A\", \"B\"]\n";
     // 42 % and 71 % both hold near a = 3/2; 43 % and 80 % nowhere.
-    const AuditResult both = run(extent_claim("A", "right", 2, "42/100", together) +
-                                 extent_claim("B", "right", 3, "71/100", together));
+    const AuditResult both = run_sizes(extent_claim("A", "right", 2, "42/100", together) +
+                                       extent_claim("B", "right", 3, "71/100", together));
     CHECK(text_at(both.claims[0].outcome, {first_of_side, "all_hold_for_a"}) != "none");
     CHECK(text_at(both.claims[1].outcome, {first_of_side, "together"}).find("A, B") !=
           std::string::npos);
-    const AuditResult not_both = run(extent_claim("A", "right", 2, "42/100", together) +
-                                     extent_claim("B", "right", 3, "80/100", together));
+    const AuditResult not_both = run_sizes(extent_claim("A", "right", 2, "42/100", together) +
+                                           extent_claim("B", "right", 3, "80/100", together));
     CHECK(text_at(not_both.claims[0].outcome, {first_of_side, "all_hold_for_a"}) == "none");
-    CHECK_THROWS_AS((void)run(extent_claim("A", "right", 2, "42/100", "together = [\"Z\"]\n")),
-                    InputError);
+    CHECK_THROWS_AS(
+        (void)run_sizes(extent_claim("A", "right", 2, "42/100", "together = [\"Z\"]\n")),
+        InputError);
 }
 
 TEST_CASE("sizes: a quotient of extents") {
     const std::string quotient = "over_terms = 1\n";
-    CHECK(run(extent_claim("A", "right", 2, "12", quotient)).claims[0].outcome.verdict ==
+    CHECK(run_sizes(extent_claim("A", "right", 2, "12", quotient)).claims[0].outcome.verdict ==
           Verdict::underspecified);
-    CHECK(run(extent_claim("A", "right", 2, "10", quotient)).claims[0].outcome.verdict ==
+    CHECK(run_sizes(extent_claim("A", "right", 2, "10", quotient)).claims[0].outcome.verdict ==
           Verdict::refuted);
 }
 
@@ -186,11 +187,11 @@ TEST_CASE("sizes: a condition on the coefficients holds up to where an edge meet
                "[\"1/100\", \"100\"]\nsays = \"" +
                says + "\"\n";
     };
-    const AuditResult result = run(claim("left.c1 < 0"));
+    const AuditResult result = run_sizes(claim("left.c1 < 0"));
     CHECK(result.claims[0].outcome.verdict == Verdict::underspecified);
     // alpha R = pi/8 is where the left edge comes to the flat: until then b = a.
     CHECK(text_at(result.claims[0].outcome, {"holds_for_a"}).find("... 0.392699081699;") !=
           std::string::npos);
-    CHECK(run(claim("right.c1 < 0")).claims[0].outcome.verdict == Verdict::confirmed);
-    CHECK(run(claim("b < a")).claims[0].outcome.verdict == Verdict::refuted);
+    CHECK(run_sizes(claim("right.c1 < 0")).claims[0].outcome.verdict == Verdict::confirmed);
+    CHECK(run_sizes(claim("b < a")).claims[0].outcome.verdict == Verdict::refuted);
 }

@@ -28,7 +28,7 @@ bool equal(const std::string& x, const std::string& y, const SymbolicCase& under
     return proved_equal(formula(x), formula(y), under);
 }
 
-const SymbolicCase symmetric{.symmetric = true, .P = {}, .b = {}};
+const SymbolicCase symmetric_case{.symmetric = true, .P = {}, .b = {}};
 
 } // namespace
 
@@ -48,10 +48,10 @@ TEST_CASE("identities with roots are decided") {
 
 TEST_CASE("the first multipliers of a symmetric contact, by a derivation made on paper") {
     // p = (1/pi) int_x^a P'(s)/sqrt(s^2 - x^2) ds, s = a - u r, by hand:
-    CHECK(equal("right.c0", "sqrt(2/a)*P1/Pi", symmetric));
-    CHECK(equal("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8-a*P2)", symmetric));
-    CHECK(equal("left.c1", "right.c1", symmetric));
-    CHECK(equal("left.c2", "right.c2", symmetric));
+    CHECK(equal("right.c0", "sqrt(2/a)*P1/Pi", symmetric_case));
+    CHECK(equal("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8-a*P2)", symmetric_case));
+    CHECK(equal("left.c1", "right.c1", symmetric_case));
+    CHECK(equal("left.c2", "right.c2", symmetric_case));
     CHECK(equal("left.c0", "right.c0/b1"));
     CHECK_FALSE(equal("left.c1", "right.c1/b1"));
     // Hertz: P = k a^2, p = (2k/pi) sqrt(2 a u - u^2)

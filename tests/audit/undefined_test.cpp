@@ -7,7 +7,7 @@ using namespace edgeproof;
 
 namespace {
 
-std::string verdict_of(const std::string& says, const std::string& vary) {
+std::string varied_verdict(const std::string& says, const std::string& vary) {
     return small_ledger::verdict_of("kind = \"value\"\nover = \"hertz\"\nof = \"Pi\"\nsays = \"" +
                                     says + "\"\nvary = { " + vary + " }");
 }
@@ -16,11 +16,11 @@ std::string verdict_of(const std::string& says, const std::string& vary) {
 
 TEST_CASE("right at some samples, without a value by far at others: refuted") {
     const std::string from_edge = "integral(1/sqrt((a-s)*(s+a)), s, -a, k*a)";
-    CHECK(verdict_of(from_edge, R"(k = ["1"])") == "confirmed");
-    CHECK(verdict_of(from_edge, R"(k = ["1", "1.01"])") == "refuted");
-    CHECK(verdict_of(from_edge, R"(k = ["1", "2"])") == "refuted");
-    CHECK(verdict_of("Pi + sqrt(1-k) - sqrt(1-k)", R"(k = ["1/2", "3"])") == "refuted");
-    CHECK(verdict_of("Pi + (1-k)^(3/2) - (1-k)^(3/2)", R"(k = ["1/2", "3"])") == "refuted");
+    CHECK(varied_verdict(from_edge, R"(k = ["1"])") == "confirmed");
+    CHECK(varied_verdict(from_edge, R"(k = ["1", "1.01"])") == "refuted");
+    CHECK(varied_verdict(from_edge, R"(k = ["1", "2"])") == "refuted");
+    CHECK(varied_verdict("Pi + sqrt(1-k) - sqrt(1-k)", R"(k = ["1/2", "3"])") == "refuted");
+    CHECK(varied_verdict("Pi + (1-k)^(3/2) - (1-k)^(3/2)", R"(k = ["1/2", "3"])") == "refuted");
 }
 
 TEST_CASE("the root of zero, which roundoff makes negative: not refuted") {
@@ -30,8 +30,8 @@ TEST_CASE("the root of zero, which roundoff makes negative: not refuted") {
         for (const char* k : {"1/3", "1/7", "1/11", "3/13", "5/17", "7/29"}) {
             CAPTURE(std::string(zero));
             CAPTURE(std::string(k));
-            CHECK(verdict_of("Pi + sqrt(" + std::string(zero) + ")",
-                             "k = [\"" + std::string(k) + "\"]") != "refuted");
+            CHECK(varied_verdict("Pi + sqrt(" + std::string(zero) + ")",
+                                 "k = [\"" + std::string(k) + "\"]") != "refuted");
         }
     }
 }

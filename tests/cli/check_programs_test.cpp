@@ -47,10 +47,6 @@ std::string last_line(const std::string& text) {
     return all.empty() ? "" : all.back();
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("third-party programs: C in double") {

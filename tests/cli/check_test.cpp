@@ -8,7 +8,7 @@ using namespace edgeproof::test;
 namespace {
 
 const std::string header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n";
-const std::string hertz = ",power-law,1,1,1,1,";
+const std::string hertz_cells = ",power-law,1,1,1,1,";
 
 bool have_python() { return std::system("python3 -c '' >/dev/null 2>&1") == 0; }
 
@@ -16,16 +16,12 @@ std::string third_party(const char* file) {
     return "'" + (source_dir() / "examples" / "third-party" / file).string() + "'";
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("check: pass and fail against a target, the worst case of each regime named") {
     const Folder folder;
     // 0.3 and 0.4 by 3-4-5; the second is wrong in its seventh digit.
-    folder.write("a.csv", header + "one" + hertz + "p,right,0.2,0.3\ntwo" + hertz +
+    folder.write("a.csv", header + "one" + hertz_cells + "p,right,0.2,0.3\ntwo" + hertz_cells +
                               "p,left,0.4,0.40000004\n");
     const Outcome pass = run(folder, "check a.csv --digits 6.9");
     CHECK(pass.code == 0);
@@ -51,9 +47,10 @@ TEST_CASE("check: pass and fail against a target, the worst case of each regime 
 
 TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors caps the list") {
     const Folder folder;
-    folder.write("a.csv", header + "1" + hertz + "p,right,0.2,nan\n2" + hertz +
-                              "p,right,0.4,-inf\n3" + hertz + "p,left,0.4,\n4" + hertz +
-                              "p,left,0.2,0.3 MPa\n5" + hertz + "P,,,0.785398163397448\nAborted\n");
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2,nan\n2" + hertz_cells +
+                              "p,right,0.4,-inf\n3" + hertz_cells + "p,left,0.4,\n4" + hertz_cells +
+                              "p,left,0.2,0.3 MPa\n5" + hertz_cells +
+                              "P,,,0.785398163397448\nAborted\n");
     const Outcome o = run(folder, "check a.csv");
     CHECK(o.code == 1);
     for (const char* line :
@@ -69,7 +66,7 @@ TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors c
 
 TEST_CASE("check: bad input is one line; exit 2; no file") {
     const Folder folder;
-    folder.write("a.csv", header + "1" + hertz + "p,right,2.5,0.3\n");
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,2.5,0.3\n");
     folder.write("b.csv", "id,answer\n1,2\n");
     struct Bad {
         const char* command;

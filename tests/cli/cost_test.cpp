@@ -8,15 +8,15 @@ using namespace edgeproof::test;
 
 namespace {
 
-const std::string scene = "[profile]\nkind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n"
-                          "[load]\na = \"1\"\ncontact_modulus = \"1\"\n"
-                          "[ask]\nu = [\"1e-3\", \"0.1\", \"0.5\"]\n";
+const std::string flat_scene = "[profile]\nkind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n"
+                               "[load]\na = \"1\"\ncontact_modulus = \"1\"\n"
+                               "[ask]\nu = [\"1e-3\", \"0.1\", \"0.5\"]\n";
 
 } // namespace
 
 TEST_CASE("cost: a scene's own points, in JSON, each with its digits, evaluations and time") {
     const Folder folder;
-    folder.write("pad.toml", scene);
+    folder.write("pad.toml", flat_scene);
     const Outcome o = run(folder, "cost pad.toml --digits 16,30 --points 2 --json");
     CAPTURE(o.err);
     REQUIRE(o.code == 0);
@@ -40,7 +40,7 @@ TEST_CASE("cost: a scene's own points, in JSON, each with its digits, evaluation
 
 TEST_CASE("cost: tables to read, and a page with its data beside it") {
     const Folder folder;
-    folder.write("pad.toml", scene);
+    folder.write("pad.toml", flat_scene);
     const Outcome o = run(folder, "cost pad.toml --digits 16,20 --points 1 --out here");
     CHECK(o.code == 0);
     CHECK(o.out.rfind("What a value costs: pad\n", 0) == 0);
@@ -60,10 +60,10 @@ TEST_CASE("cost: tables to read, and a page with its data beside it") {
 
 TEST_CASE("cost: bad input is one line") {
     const Folder folder;
-    folder.write("pad.toml", scene);
+    folder.write("pad.toml", flat_scene);
     folder.write("moment.toml", "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\n[load]\n"
                                 "P = \"1\"\nM = \"0.1\"\ncontact_modulus = \"1\"\n");
-    folder.write("outside.toml", scene.substr(0, scene.find("u =")) + "u = [\"5\"]\n");
+    folder.write("outside.toml", flat_scene.substr(0, flat_scene.find("u =")) + "u = [\"5\"]\n");
     for (const char* bad :
          {"cost pad.toml --digits 16,x", "cost pad.toml --digits 1", "cost pad.toml --points 0",
           "cost nothing.toml", "cost moment.toml", "cost outside.toml --digits 16"}) {

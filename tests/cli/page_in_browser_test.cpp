@@ -45,7 +45,7 @@ std::string tag_of(const std::string& page, const std::string& id) {
     return page.substr(begin, page.find('>', at) - begin);
 }
 
-const std::string ledger = hertz_head + R"toml([[claim]]
+const std::string page_ledger = hertz_head + R"toml([[claim]]
 id = "good"
 kind = "value"
 lines = [1, 2]
@@ -72,7 +72,7 @@ TEST_SUITE("slow") {
             return;
         }
         const Folder folder;
-        folder.write("own.toml", ledger);
+        folder.write("own.toml", page_ledger);
         REQUIRE(run(folder, "verify own.toml --out out").code == 0);
 
         const Opened whole = open_page(folder, "");
@@ -97,7 +97,7 @@ TEST_SUITE("slow") {
 
     TEST_CASE("without gnuplot the audit runs, and the page says what is missing") {
         const Folder folder;
-        folder.write("own.toml", ledger);
+        folder.write("own.toml", page_ledger);
         const std::string command = "cd '" + folder.path().string() + "' && PATH= '" +
                                     program().string() +
                                     "' verify own.toml --out out >said.txt 2>&1";

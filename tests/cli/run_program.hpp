@@ -84,4 +84,8 @@ inline std::vector<std::string> lines(const std::string& text) {
     return list;
 }
 
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 } // namespace edgeproof::test

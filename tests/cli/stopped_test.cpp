@@ -18,9 +18,9 @@ using namespace edgeproof::test;
 namespace {
 
 /// The right Hertz pressure, and one that is a factor off: enough work to be stopped in.
-const std::string ledger = hertz_head + hertz_right + hertz_wrong;
+const std::string stopped_ledger = hertz_head + hertz_right + hertz_wrong;
 
-const std::string scene = R"toml([profile]
+const std::string tilted_scene = R"toml([profile]
 kind = "tilted-flat-and-rounded"
 alpha = "1/100"
 t = "2/5"
@@ -87,7 +87,7 @@ std::set<std::string> unlike(const std::map<std::string, std::string>& found,
 
 TEST_CASE("verify --out: stopped at many moments, every file that is there is the whole one") {
     const Folder folder;
-    folder.write("own.toml", ledger);
+    folder.write("own.toml", stopped_ledger);
     REQUIRE(run(folder, "verify own.toml --digits 30 --out whole").code == 0);
     const auto whole = files_of(folder.path() / "whole");
     REQUIRE(whole.size() > 4);
@@ -115,7 +115,7 @@ TEST_CASE("verify --out: stopped at many moments, every file that is there is th
 
 TEST_CASE("verify --out: a full disk, and a folder that goes, are one line each") {
     const Folder folder;
-    folder.write("own.toml", ledger);
+    folder.write("own.toml", stopped_ledger);
     REQUIRE(run(folder, "verify own.toml --digits 20 --out whole").code == 0);
     const auto whole = files_of(folder.path() / "whole");
     // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
@@ -140,11 +140,11 @@ TEST_CASE("verify --out: a full disk, and a folder that goes, are one line each"
 
 TEST_CASE("scenes: stopped at many moments, --out is the old file or the whole new one") {
     const Folder folder;
-    folder.write("s.toml", scene);
+    folder.write("s.toml", tilted_scene);
     for (const char* command : {"pressure", "expand", "extent"}) {
         const std::string arguments = command + std::string(" s.toml --digits 400 --out t.csv");
         if (std::string(command) == "extent") {
-            folder.write("s.toml", scene + "terms = [2]\ntolerance = \"0.01\"\n");
+            folder.write("s.toml", tilted_scene + "terms = [2]\ntolerance = \"0.01\"\n");
         }
         REQUIRE(run(folder, arguments).code == 0);
         const std::string whole = file_text(folder.path() / "t.csv");
@@ -167,7 +167,7 @@ TEST_CASE("scenes: stopped at many moments, --out is the old file or the whole n
 
 TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are one line") {
     const Folder folder;
-    folder.write("s.toml", scene);
+    folder.write("s.toml", tilted_scene);
     folder.write("t.csv", "old\n");
     for (const char* command :
          {"trap '' XFSZ; ulimit -f 0; P s.toml --out t.csv", "P s.toml --out t.csv/t.csv",
@@ -185,7 +185,7 @@ TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are o
 
 TEST_CASE("mutate --state: stopped again and again, the same mutants in the end") {
     const Folder folder;
-    folder.write("own.toml", ledger);
+    folder.write("own.toml", stopped_ledger);
     const std::string command = "mutate own.toml --mutants 12 --digits 15 --threads 2 --out ";
     const Outcome whole = run(folder, command + "whole.csv");
     REQUIRE(lines(file_text(folder.path() / "whole.csv")).size() > 8);

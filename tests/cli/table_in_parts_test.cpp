@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run_program.hpp"
+#include "shell_text.hpp"
+#include "tilted_recipe.hpp"
 
 #include <doctest/doctest.h>
-
-#include <cstdio>
 
 using namespace edgeproof::test;
 
 namespace {
-
-/// Some hundred contacts of a curved profile: about a second of work.
-std::string recipe(int values) {
-    std::string grid;
-    for (int i = 1; i <= values; ++i) {
-        grid += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "/7\"";
-    }
-    return "digits = 40\n[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"1e-9\", \"1/9\"]\n"
-           "quantities = [\"p\", \"c_0\", \"c_1\", \"P\", \"M\", \"b\"]\n[scenes.w.profile]\n"
-           "kind = \"tilted-flat-and-rounded\"\nalpha = \"pi/64\"\nt = \"1/10\"\nR = \"1\"\n"
-           "[scenes.w.load]\na = [" +
-           grid + "]\ncontact_modulus = \"1\"\n";
-}
-
-std::string shell(const Folder& folder, const std::string& command) {
-    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } 2>&1";
-    std::string out;
-    FILE* const pipe = ::popen(all.c_str(), "r");
-    char buffer[4096];
-    while (pipe != nullptr && std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
-        out += buffer;
-    }
-    if (pipe != nullptr) {
-        ::pclose(pipe);
-    }
-    return out;
-}
 
 std::string table_command(const std::string& options) {
     return "'" + program().string() + "' table r.toml --out t.csv " + options;
@@ -47,8 +19,8 @@ std::string table_command(const std::string& options) {
 int kill_and_resume(const Folder& folder, int first, int step, const std::string& options) {
     for (int runs = 0;; ++runs) {
         const double seconds = (first + runs * step * (1 + runs / 20)) / 1e4;
-        (void)shell(folder, "timeout -s KILL " + std::to_string(seconds) + " " +
-                                table_command(options) + " || true");
+        (void)shell_text(folder, "timeout -s KILL " + std::to_string(seconds) + " " +
+                                     table_command(options) + " || true");
         if ((std::filesystem::exists(folder.path() / "t.csv") &&
              !std::filesystem::exists(folder.path() / "t.csv.part")) ||
             runs > 200) {
@@ -61,7 +33,7 @@ int kill_and_resume(const Folder& folder, int first, int step, const std::string
 
 TEST_CASE("table --out: killed at many moments and begun again, the same bytes in the end") {
     const Folder folder;
-    folder.write("r.toml", recipe(40));
+    folder.write("r.toml", tilted_recipe(40, 40));
     const std::string whole = run(folder, "table r.toml --threads 1").out;
     REQUIRE(lines(whole).size() > 400);
     // 0.0040 s, 0.0047 s, ...: the program is killed while it starts, computes, writes.
@@ -74,9 +46,9 @@ TEST_CASE("table --out: killed at many moments and begun again, the same bytes i
 TEST_CASE(
     "table --out: what a run killed before it removed its part file left, the next one ends") {
     const Folder folder;
-    folder.write("r.toml", recipe(600));
+    folder.write("r.toml", tilted_recipe(600, 40));
     // Interrupted, so that there is a part file; kept; and laid beside the whole table again.
-    (void)shell(folder, "timeout -s INT 0.3 " + table_command("--threads 1"));
+    (void)shell_text(folder, "timeout -s INT 0.3 " + table_command("--threads 1"));
     if (!std::filesystem::exists(folder.path() / "t.csv.part")) {
         MESSAGE("done before it could be interrupted");
         return;
@@ -92,7 +64,7 @@ TEST_CASE(
 
 TEST_CASE("table --out: killed hundreds of times" * doctest::test_suite("slow")) {
     const Folder folder;
-    folder.write("r.toml", recipe(300));
+    folder.write("r.toml", tilted_recipe(300, 40));
     const std::string whole = run(folder, "table r.toml --threads 1").out;
     int killed = 0;
     for (int round = 0; round < 10; ++round) {
@@ -106,9 +78,9 @@ TEST_CASE("table --out: killed hundreds of times" * doctest::test_suite("slow"))
 TEST_CASE(
     "table --out: an interrupt keeps what is done and says so; every format goes on from it") {
     const Folder folder;
-    folder.write("r.toml", recipe(600));
+    folder.write("r.toml", tilted_recipe(600, 40));
     const std::string said =
-        shell(folder, "timeout -s INT 0.3 " + table_command("--threads 1 --format md"));
+        shell_text(folder, "timeout -s INT 0.3 " + table_command("--threads 1 --format md"));
     if (said.empty()) {
         MESSAGE("done before it could be interrupted");
         return;
@@ -125,13 +97,14 @@ TEST_CASE(
 
 TEST_CASE("table --out: a full disk is one line, no half file, and the run goes on later") {
     const Folder folder;
-    folder.write("r.toml", recipe(20));
+    folder.write("r.toml", tilted_recipe(20, 40));
     folder.write("t.csv", "old\n");
     // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
     for (const char* blocks : {"0", "1", "40"}) {
         CAPTURE(blocks);
-        const std::string said = shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks +
-                                                   "; " + table_command("--threads 1"));
+        const std::string said =
+            shell_text(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
+                                   table_command("--threads 1"));
         CHECK(said.rfind("cannot write t.csv", 0) == 0);
         CHECK(lines(said).size() == 1);
         CHECK(file_text(folder.path() / "t.csv") == "old\n");
@@ -143,18 +116,19 @@ TEST_CASE("table --out: a full disk is one line, no half file, and the run goes 
 
 TEST_CASE("table --out: a folder that is gone is one line; a recipe that is wrong leaves nothing") {
     const Folder folder;
-    folder.write("r.toml", recipe(600));
-    const std::string said =
-        shell(folder, "mkdir d; (until [ -e d/t.csv.part ]; do sleep 0.01; done; "
-                      "while [ -e d ]; do rm -rf d; done) & '" +
-                          program().string() + "' table r.toml --out d/t.csv --threads 1; wait");
+    folder.write("r.toml", tilted_recipe(600, 40));
+    const std::string said = shell_text(
+        folder, "mkdir d; (until [ -e d/t.csv.part ]; do sleep 0.01; done; "
+                "while [ -e d ]; do rm -rf d; done) & '" +
+                    program().string() + "' table r.toml --out d/t.csv --threads 1; wait");
     CHECK(lines(said).size() == 1);
     CHECK(said.find("d/t.csv") != std::string::npos);
     CHECK(folder.files() == 1);
-    folder.write("r.toml", recipe(20) + "[scenes.x]\nu = [\"5\"]\nquantities = [\"p\"]\n"
-                                        "[scenes.x.profile]\nkind = \"power-law\"\nm = \"1\"\n"
-                                        "C = \"1\"\n[scenes.x.load]\na = \"1\"\n"
-                                        "contact_modulus = \"1\"\n");
+    folder.write("r.toml", tilted_recipe(20, 40) +
+                               "[scenes.x]\nu = [\"5\"]\nquantities = [\"p\"]\n"
+                               "[scenes.x.profile]\nkind = \"power-law\"\nm = \"1\"\n"
+                               "C = \"1\"\n[scenes.x.load]\na = \"1\"\n"
+                               "contact_modulus = \"1\"\n");
     const Outcome wrong = run(folder, "table r.toml --out t.csv");
     CHECK(wrong.code == 2);
     CHECK(wrong.err.find("u = 5 from the right edge") != std::string::npos);

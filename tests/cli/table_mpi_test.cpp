@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run_program.hpp"
+#include "shell_text.hpp"
+#include "tilted_recipe.hpp"
 
 #include <doctest/doctest.h>
-
-#include <cstdio>
 
 using namespace edgeproof::test;
 
 namespace {
-
-/// Contacts whose other edge is solved for: a few milliseconds each.
-std::string recipe(int contacts) {
-    std::string grid;
-    for (int i = 1; i <= contacts; ++i) {
-        grid += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "/7\"";
-    }
-    return "digits = 30\n[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"1e-9\", \"1/9\"]\n"
-           "quantities = [\"p\", \"c_0\", \"c_1\", \"P\", \"M\", \"b\"]\n[scenes.w.profile]\n"
-           "kind = \"tilted-flat-and-rounded\"\nalpha = \"pi/64\"\nt = \"1/10\"\nR = \"1\"\n"
-           "[scenes.w.load]\na = [" +
-           grid + "]\ncontact_modulus = \"1\"\n";
-}
-
-std::string shell(const Folder& folder, const std::string& command) {
-    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } 2>&1";
-    std::string out;
-    FILE* const pipe = ::popen(all.c_str(), "r");
-    char buffer[4096];
-    while (pipe != nullptr && std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
-        out += buffer;
-    }
-    if (pipe != nullptr) {
-        ::pclose(pipe);
-    }
-    return out;
-}
 
 /// Open MPI, and a program that was built with it.
 bool can_run() {
@@ -59,13 +31,13 @@ std::string mpirun(int ranks, const std::string& arguments) {
 
 /// Kills one rank with SIGKILL after that time. What mpirun said.
 std::string run_and_kill(const Folder& folder, int ranks, int rank, const char* seconds) {
-    return shell(folder, "{ " + mpirun(ranks, "table r.toml --out t.csv") +
-                             "; } & here=$PWD; sleep " + seconds +
-                             "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
-                             " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
-                             "OMPI_COMM_WORLD_RANK=" +
-                             std::to_string(rank) +
-                             "; then kill -KILL ${p#/proc/}; fi; done; wait");
+    return shell_text(folder,
+                      "{ " + mpirun(ranks, "table r.toml --out t.csv") + "; } & here=$PWD; sleep " +
+                          seconds +
+                          "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
+                          " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
+                          "OMPI_COMM_WORLD_RANK=" +
+                          std::to_string(rank) + "; then kill -KILL ${p#/proc/}; fi; done; wait");
 }
 
 } // namespace
@@ -75,12 +47,12 @@ TEST_CASE("table under mpirun: byte for byte what one process makes") {
         return;
     }
     const Folder folder;
-    folder.write("r.toml", recipe(30));
+    folder.write("r.toml", tilted_recipe(30, 30));
     const std::string whole = run(folder, "table r.toml --threads 1").out;
     REQUIRE(lines(whole).size() > 300);
     for (const int ranks : {1, 2, 4}) {
         CAPTURE(ranks);
-        CHECK(shell(folder, mpirun(ranks, "table r.toml --out t.csv")).empty());
+        CHECK(shell_text(folder, mpirun(ranks, "table r.toml --out t.csv")).empty());
         CHECK(file_text(folder.path() / "t.csv") == whole);
         CHECK(folder.files() == 2); // and no part file
         std::filesystem::remove(folder.path() / "t.csv");
@@ -92,7 +64,7 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
         return;
     }
     const Folder folder;
-    folder.write("r.toml", recipe(200));
+    folder.write("r.toml", tilted_recipe(200, 30));
     const std::string said = run_and_kill(folder, 3, 2, "1.2");
     if (std::filesystem::exists(folder.path() / "t.csv")) {
         MESSAGE("done before it could be killed");
@@ -100,7 +72,7 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
     }
     CHECK(said.find("exited on signal 9") != std::string::npos);
     CHECK(std::filesystem::exists(folder.path() / "t.csv.part"));
-    CHECK(shell(folder, mpirun(2, "table r.toml --out t.csv")).empty());
+    CHECK(shell_text(folder, mpirun(2, "table r.toml --out t.csv")).empty());
     CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml").out);
     CHECK(folder.files() == 2);
 }
@@ -110,14 +82,14 @@ TEST_CASE("table under mpirun: any rank killed, many times" * doctest::test_suit
         return;
     }
     const Folder folder;
-    folder.write("r.toml", recipe(400));
+    folder.write("r.toml", tilted_recipe(400, 30));
     const std::string whole = run(folder, "table r.toml --threads 1").out;
     const char* const after[] = {"0.8", "1.0", "1.3", "1.7", "2.2"};
     for (int rank = 0; rank < 4; ++rank) {
         for (const char* seconds : after) {
             (void)run_and_kill(folder, 4, rank, seconds);
         }
-        (void)shell(folder, mpirun(2, "table r.toml --out t.csv"));
+        (void)shell_text(folder, mpirun(2, "table r.toml --out t.csv"));
         CAPTURE(rank);
         CHECK(file_text(folder.path() / "t.csv") == whole);
         CHECK(folder.files() == 2);
@@ -130,27 +102,28 @@ TEST_CASE("table under mpirun: what is wrong is told once") {
         return;
     }
     const Folder folder;
-    std::string wrong = recipe(20);
+    std::string wrong = tilted_recipe(20, 30);
     wrong.replace(wrong.find("1/9"), 3, "300");
     folder.write("r.toml", wrong);
     const std::string alone = run(folder, "table r.toml --out t.csv").err;
     CHECK(alone.rfind("r.toml:4: u = 300 from the right edge", 0) == 0);
     for (const char* recipe_file : {"r.toml", "nothing.toml"}) {
         const std::string said =
-            shell(folder, mpirun(3, std::string("table ") + recipe_file + " --out t.csv"));
+            shell_text(folder, mpirun(3, std::string("table ") + recipe_file + " --out t.csv"));
         const std::string line = run(folder, std::string("table ") + recipe_file).err;
         CHECK(said.find(line) != std::string::npos);
         CHECK(said.find(line) == said.rfind(line));
     }
-    CHECK(shell(folder, mpirun(2, "table r.toml")).find("add --out FILE") != std::string::npos);
+    CHECK(shell_text(folder, mpirun(2, "table r.toml")).find("add --out FILE") !=
+          std::string::npos);
     CHECK(folder.files() == 1);
 }
 
 TEST_CASE("a table is not begun by several processes that cannot find each other") {
     const Folder folder;
-    folder.write("r.toml", recipe(2));
-    const std::string said = shell(folder, "OMPI_COMM_WORLD_SIZE=2 '" + program().string() +
-                                               "' table r.toml --out t.csv");
+    folder.write("r.toml", tilted_recipe(2, 30));
+    const std::string said = shell_text(folder, "OMPI_COMM_WORLD_SIZE=2 '" + program().string() +
+                                                    "' table r.toml --out t.csv");
     CHECK(said.rfind("started as one of 2 processes, and ", 0) == 0);
     CHECK(lines(said).size() == 1);
     CHECK(folder.files() == 1);

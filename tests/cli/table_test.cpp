@@ -14,7 +14,7 @@ using namespace edgeproof::test;
 namespace {
 
 // p = sqrt(u (2 - u))/2: 3-4-5 at u = 1/5 and 2/5; P = pi/4; c_0 = sqrt(2)/2, c_1 = -sqrt(2)/8.
-const std::string hertz = R"(title = "Hertz"
+const std::string hertz_recipe = R"(title = "Hertz"
 digits = 20
 [scenes.hertz]
 edges = ["right", "left"]
@@ -50,7 +50,7 @@ std::string spoilt(std::string text, const std::string& id) {
 
 TEST_CASE("table: Hertz by hand, every value correctly rounded with its bound and binary64") {
     const Folder folder;
-    folder.write("h.toml", hertz);
+    folder.write("h.toml", hertz_recipe);
     const Outcome o = run(folder, "table h.toml");
     CHECK(o.code == 0);
     CHECK(o.err.empty());
@@ -77,7 +77,7 @@ TEST_CASE("table: Hertz by hand, every value correctly rounded with its bound an
 
 TEST_CASE("table: the same bytes on any number of threads, every format, written whole") {
     const Folder folder;
-    folder.write("h.toml", hertz);
+    folder.write("h.toml", hertz_recipe);
     const std::string one = run(folder, "table h.toml --threads 1").out;
     CHECK(one == run(folder, "table h.toml --threads 2").out);
     CHECK(run(folder, "table h.toml --out new/h.csv").code == 0);
@@ -92,16 +92,16 @@ TEST_CASE("table: the same bytes on any number of threads, every format, written
 
 TEST_CASE("table: rounded down and up") {
     const Folder folder;
-    folder.write("h.toml", "rounding = \"down\"\n" + hertz);
+    folder.write("h.toml", "rounding = \"down\"\n" + hertz_recipe);
     CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:P"] == "0.78539816339744830961");
-    folder.write("h.toml", "rounding = \"up\"\n" + hertz);
+    folder.write("h.toml", "rounding = \"up\"\n" + hertz_recipe);
     CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:left:c_1"] ==
           "-0.17677669529663688110");
 }
 
 TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are named") {
     const Folder folder;
-    folder.write("h.toml", hertz);
+    folder.write("h.toml", hertz_recipe);
     CHECK(run(folder, "table h.toml --out h.csv").code == 0);
     const std::string good = file_text(folder.path() / "h.csv");
     REQUIRE(lines(good).size() > 11);
@@ -142,15 +142,16 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     twice.push_back(all.back());
     CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
     // A table of other digits is refused by its rows alone.
-    folder.write("h.toml", std::string(hertz).replace(hertz.find("20"), 2, "21"));
+    folder.write("h.toml", std::string(hertz_recipe).replace(hertz_recipe.find("20"), 2, "21"));
     CHECK(said(good).find("row hertz:P: value is 0.78539816339744830962, made anew "
                           "0.785398163397448309616") != std::string::npos);
 }
 
 TEST_CASE("table and points: bad input is one line with file and line; exit 2; no file") {
     const Folder folder;
-    folder.write("h.toml", hertz);
-    folder.write("far.toml", std::string(hertz).replace(hertz.find("\"2/5\""), 5, "\"5/2\""));
+    folder.write("h.toml", hertz_recipe);
+    folder.write("far.toml",
+                 std::string(hertz_recipe).replace(hertz_recipe.find("\"2/5\""), 5, "\"5/2\""));
     struct Bad {
         const char* command;
         const char* said;

@@ -14,12 +14,13 @@ using namespace edgeproof;
 
 namespace {
 
-const std::string header = "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
+const std::string agreement_header =
+    "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
 // Hertz, a = 1: p = sqrt(u (2 - u))/2, so 0.3 at u = 0.2 and 0.4 at u = 0.4 by 3-4-5.
-const std::string hertz = ",power-law,1,1,,,1,1,";
+const std::string hertz_cells = ",power-law,1,1,,,1,1,";
 
 Answers answered(const std::string& rows) {
-    return echoed_answers(parse_csv(header + rows, "a.csv"));
+    return echoed_answers(parse_csv(agreement_header + rows, "a.csv"));
 }
 
 Agreements held(const Answers& answers, const Target& target = {}) {
@@ -50,22 +51,22 @@ TEST_CASE("what counts as a number, and what is said of anything else") {
 }
 
 TEST_CASE("digits and ulps by hand") {
-    const Answers answers = answered("exact" + hertz +
+    const Answers answers = answered("exact" + hertz_cells +
                                      "p,right,0.2,0.3\n"
                                      "millionth" +
-                                     hertz +
+                                     hertz_cells +
                                      "p,left,0.2,0.3000003\n"
                                      "ulp" +
-                                     hertz +
+                                     hertz_cells +
                                      "p,right,0.4,0.40000000000000005551115123125783\n"
                                      "half" +
-                                     hertz +
+                                     hertz_cells +
                                      "p,right,0.4,0.2\n"
                                      "zero" +
-                                     hertz +
+                                     hertz_cells +
                                      "M,,,1e-12\n"
                                      "nan" +
-                                     hertz + "p,right,0.4,nan\n");
+                                     hertz_cells + "p,right,0.4,nan\n");
     REQUIRE(answers.faults.empty());
     const Agreements a = held(answers, {6.0, {}});
     REQUIRE(a.cases.size() == 6);
@@ -88,8 +89,8 @@ TEST_CASE("digits and ulps by hand") {
 TEST_CASE("the reference is computed at what the row says, to the last bit") {
     // u a little larger than 0.2, as binary64 has it: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
     const Answers answers =
-        answered("u" + hertz + "p,right,0.200000000000000011102230246251565404236316680908203125," +
-                 "0.3\n");
+        answered("u" + hertz_cells +
+                 "p,right,0.200000000000000011102230246251565404236316680908203125," + "0.3\n");
     const Agreements a = held(answers);
     // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18 of 0.3
     CHECK(a.cases[0].digits == doctest::Approx(-std::log10(7.401486830834377e-18 / 0.3)));
@@ -142,13 +143,14 @@ TEST_CASE("rows that answer nothing, twice, out of order, or are garbage are nam
     CHECK(missing.given[0].state == Answer::State::missing);
     CHECK(missing.given[0].line == 0);
     CHECK(missing.given[1].state == Answer::State::number);
-    CHECK(echoed_answers(
-              parse_csv("# questions: 3\n" + header + "1" + hertz + "p,right,0.2,0.3\n", "a.csv"))
+    CHECK(echoed_answers(parse_csv("# questions: 3\n" + agreement_header + "1" + hertz_cells +
+                                       "p,right,0.2,0.3\n",
+                                   "a.csv"))
               .faults == Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe says "
                                 "which are missing)"});
-    CHECK(echoed_answers(
-              parse_csv(header + "1" + hertz + "p,right,0.2,0.3\n1" + hertz + "p,right,0.2,0.3\n",
-                        "a.csv"))
+    CHECK(echoed_answers(parse_csv(agreement_header + "1" + hertz_cells + "p,right,0.2,0.3\n1" +
+                                       hertz_cells + "p,right,0.2,0.3\n",
+                                   "a.csv"))
               .faults == Faults{"a.csv:3: 1 is answered twice, first in line 2"});
 }
 
@@ -162,19 +164,18 @@ TEST_CASE("a question that is none is bad input, with its line") {
         }
         return std::string("accepted");
     };
-    const std::string good = "1" + hertz + "p,right,0.2,0.3\n";
-    CHECK(refusal(good + "2" + hertz + "p,right,2.5,0.3\n").rfind("a.csv:3: u = 2.5 from the", 0) ==
-          0);
-    CHECK(
-        refusal(good + "2" + hertz + "p,right,zero,0.3\n").rfind("a.csv:3: u = 'zero' is no", 0) ==
-        0);
-    CHECK(refusal(good + "2" + hertz + "p,top,0.1,0.3\n").rfind("a.csv:3: there is no edge", 0) ==
-          0);
-    CHECK(refusal(good + "2" + hertz + "z,right,0.1,0.3\n").rfind("a.csv:3: unknown quantity", 0) ==
-          0);
+    const std::string good = "1" + hertz_cells + "p,right,0.2,0.3\n";
+    CHECK(refusal(good + "2" + hertz_cells + "p,right,2.5,0.3\n")
+              .rfind("a.csv:3: u = 2.5 from the", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "p,right,zero,0.3\n")
+              .rfind("a.csv:3: u = 'zero' is no", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "p,top,0.1,0.3\n")
+              .rfind("a.csv:3: there is no edge", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "z,right,0.1,0.3\n")
+              .rfind("a.csv:3: unknown quantity", 0) == 0);
     CHECK(refusal(good + "2,power-law,-3,1,,,1,1,p,right,0.1,0.3\n").rfind("a.csv:3: ", 0) == 0);
-    CHECK(refusal(good + "2" + hertz + "q,right,0.1,0.3\n").rfind("a.csv:3: q is asked for", 0) ==
-          0);
+    CHECK(refusal(good + "2" + hertz_cells + "q,right,0.1,0.3\n")
+              .rfind("a.csv:3: q is asked for", 0) == 0);
     CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,value\n1,2\n", "a.csv")), InputError);
     CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,kind,quantity\n1,2,3\n", "a.csv")),
                     InputError);

@@ -10,10 +10,10 @@ using namespace edgeproof;
 
 namespace {
 
-const std::string header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n";
+const std::string conditioning_header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n";
 
 Agreements held(const std::string& rows, const Target& target = {}) {
-    return compare(echoed_answers(parse_csv(header + rows, "a.csv")), target, {});
+    return compare(echoed_answers(parse_csv(conditioning_header + rows, "a.csv")), target, {});
 }
 
 double condition_number(const std::string& row) {

@@ -5,8 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 using namespace edgeproof;
+using Cells = std::vector<std::string>;
 using State = Answer::State;
 
 namespace {
@@ -118,7 +121,6 @@ TEST_CASE("JSON lines: questions as objects, answers with every digit as written
                                      "{\"id\": \"g\"}\n",
                                      "out");
     REQUIRE(csv.rows.size() == 8);
-    using Cells = std::vector<std::string>;
     CHECK(csv.rows[0].cells == Cells{"a", "0.12345678901234567890123"});
     CHECK(csv.rows[1].cells == Cells{"b", "1e-3"});
     CHECK(csv.rows[1].line == 3);

@@ -41,8 +41,8 @@ std::vector<std::string> found(const std::string& keys, const std::vector<std::s
 
 using Said = std::vector<std::string>;
 
-double wedge(double a, double u) { return std::acosh(a / (a - u)) / half_turn; }
-double hertz(double a, double u) { return std::sqrt(u * (2 * a - u)) / 2; }
+double wedge_pressure(double a, double u) { return std::acosh(a / (a - u)) / half_turn; }
+double hertz_pressure(double a, double u) { return std::sqrt(u * (2 * a - u)) / 2; }
 
 const std::vector<std::string> wedges{"power-law,0,1,1,1", "power-law,0,1,2,1"};
 const std::vector<std::string> hertzes{"power-law,1,1,1,1", "power-law,1,1,2,1"};
@@ -53,15 +53,21 @@ double a_of(std::size_t contact) { return contact == 0 ? 1 : 2; }
 } // namespace
 
 TEST_CASE("a question read otherwise is recognised and said") {
-    CHECK(found(keys, wedges, "p", [](auto c, double u) { return wedge(a_of(c), u); }).empty());
-    CHECK(found(keys, wedges, "p", [](auto c, double u) { return wedge(a_of(c) / 2, u); }) ==
-          Said{"p: ours with a taken for the whole width"});
-    CHECK(found(keys, wedges, "p", [](auto c, double u) { return wedge(2 * a_of(c), u); }) ==
-          Said{"p: ours with a doubled"});
-    CHECK(found(keys, hertzes, "p", [](auto c, double u) { return hertz(a_of(c), a_of(c) - u); }) ==
-          Said{"p: ours with u taken for x"});
-    CHECK(found(keys, hertzes, "p", [](auto c, double u) { return 2 * hertz(a_of(c), u); }) ==
-          Said{"p, right edge: 2 times ours"});
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(a_of(c), u);
+          }).empty());
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(a_of(c) / 2, u);
+          }) == Said{"p: ours with a taken for the whole width"});
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(2 * a_of(c), u);
+          }) == Said{"p: ours with a doubled"});
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return hertz_pressure(a_of(c), a_of(c) - u);
+          }) == Said{"p: ours with u taken for x"});
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return 2 * hertz_pressure(a_of(c), u);
+          }) == Said{"p, right edge: 2 times ours"});
 }
 
 TEST_CASE("a mean pressure for a force, and the gap's constant for the slope's") {
@@ -83,29 +89,31 @@ TEST_CASE("angles in degrees, and the moduli of one body") {
     const std::string tilted = "kind,phi,alpha,a,contact_modulus";
     // Untilted: C = phi, so that p = phi acosh(a/x)/pi; phi in degrees is a factor with a name.
     CHECK(found(tilted, {"tilted-wedge,0.2,0,1,1", "tilted-wedge,0.2,0,2,1"}, "p",
-                [](auto c, double u) { return 0.2 * half_turn / 180 * wedge(a_of(c), u); }) ==
-          Said{"p, right edge: pi/180 times ours"});
+                [](auto c, double u) {
+                    return 0.2 * half_turn / 180 * wedge_pressure(a_of(c), u);
+                }) == Said{"p, right edge: pi/180 times ours"});
     const std::string bodies = "kind,m,C,a,E1,nu1,E2,nu2";
     const std::vector<std::string> two{"power-law,0,1,1,2,0.25,3,0.5", "power-law,0,1,2,5,0.5,3,0"};
     const double one_body[] = {2 / (1 - 0.0625), 5 / (1 - 0.25)};
     const double no_nu[] = {6.0 / 5, 15.0 / 8};
     CHECK(found(bodies, two, "p", [&](auto c, double u) {
-              return one_body[c] * wedge(a_of(c), u);
+              return one_body[c] * wedge_pressure(a_of(c), u);
           }) == Said{"p: ours with E/(1 - nu^2) of one body for the contact modulus"});
-    CHECK(found(bodies, two, "p", [&](auto c, double u) { return no_nu[c] * wedge(a_of(c), u); }) ==
-          Said{"p: ours with Poisson's ratio left out"});
+    CHECK(found(bodies, two, "p", [&](auto c, double u) {
+              return no_nu[c] * wedge_pressure(a_of(c), u);
+          }) == Said{"p: ours with Poisson's ratio left out"});
 }
 
 TEST_CASE("single precision is named as such, and so are answers cut when written") {
     const auto single = [](auto c, double u) {
-        return static_cast<double>(static_cast<float>(wedge(a_of(c), u)));
+        return static_cast<double>(static_cast<float>(wedge_pressure(a_of(c), u)));
     };
     CHECK(found(keys, wedges, "p", single) == Said{"p: in single precision (binary32)"});
     CHECK(found(keys, wedges, "p", single, "%.9g") == Said{"p: in single precision (binary32)"});
     CHECK(found(
-              keys, wedges, "p", [](auto c, double u) { return wedge(a_of(c), u); }, "%.8g") ==
-          Said{"p: right, and cut to 8 digits when written"});
+              keys, wedges, "p", [](auto c, double u) { return wedge_pressure(a_of(c), u); },
+              "%.8g") == Said{"p: right, and cut to 8 digits when written"});
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
-              return wedge(a_of(c), u) * (1 + 1e-7);
+              return wedge_pressure(a_of(c), u) * (1 + 1e-7);
           }).empty());
 }

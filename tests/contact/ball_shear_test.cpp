@@ -8,21 +8,16 @@
 #include <doctest/doctest.h>
 
 using namespace edgeproof;
+using scenes::all_signs;
 using scenes::exact;
+using scenes::ShearCase;
 
 namespace {
 
-constexpr long bits = 300;
+constexpr long shear_bits = 300;
 
-struct Case {
-    const char* Q;
-    const char* sigma;
-};
-const Case all_signs[] = {{"0.3", "0.7"}, {"0.3", "-0.7"}, {"-0.3", "0.7"}, {"-0.3", "-0.7"},
-                          {"0.3", "0"},   {"0", "0.7"},    {"2e6", "1e-3"}};
-
-BallShearLoad balls(const Case& c) {
-    return {Ball(exact(c.Q).rational(), bits), Ball(exact(c.sigma).rational(), bits)};
+BallShearLoad balls(const ShearCase& c) {
+    return {Ball(exact(c.Q).rational(), shear_bits), Ball(exact(c.sigma).rational(), shear_bits)};
 }
 
 } // namespace
@@ -31,7 +26,7 @@ BallShearLoad balls(const Case& c) {
 // here Q/pi is rational: Q = pi times it.
 TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow") {
     const Rational length(9, 4); // a square, so that the root is rational
-    for (const Case& c : all_signs) {
+    for (const ShearCase& c : all_signs) {
         CAPTURE(c.Q);
         CAPTURE(c.sigma);
         for (const Edge edge : {Edge::right, Edge::left}) {
@@ -39,7 +34,8 @@ TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow
             const Rational sigma = exact(c.sigma).rational();
             const auto brackets = full_stick_brackets<Rational>(over_pi, sigma, length, edge, 12);
             const auto s = full_stick_expansion(
-                Ball(length, bits), {Ball(over_pi, bits) * Ball::pi(bits), Ball(sigma, bits)}, edge,
+                Ball(length, shear_bits),
+                {Ball(over_pi, shear_bits) * Ball::pi(shear_bits), Ball(sigma, shear_bits)}, edge,
                 12);
             REQUIRE(s.size() == 12);
             for (std::size_t k = 0; k < 12; ++k) {
@@ -54,17 +50,17 @@ TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow
 TEST_CASE("balls of the traction hold the one in Real") {
     const PrecisionScope scope(60);
     const Extent<Real> e{Real(7) / 3, Real(1) / 5};
-    const Ball length = Ball(Rational(7, 3), bits) + Ball(Rational(1, 5), bits);
-    for (const Case& c : all_signs) {
+    const Ball length = Ball(Rational(7, 3), shear_bits) + Ball(Rational(1, 5), shear_bits);
+    for (const ShearCase& c : all_signs) {
         const ShearLoad<Real> load{exact(c.Q).to<Real>(), exact(c.sigma).to<Real>()};
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (const char* u : {"1e-20", "0.001", "0.7", "2.5"}) {
                 const Real value =
                     full_stick_traction(point_at(e, edge, exact(u).to<Real>()), load);
-                const Ball q =
-                    full_stick_traction(length, balls(c), edge, Ball(exact(u).rational(), bits));
-                CHECK(
-                    overlaps(q, Ball::around(value, Real(abs(value) * pow(Real(10), -55)), bits)));
+                const Ball q = full_stick_traction(length, balls(c), edge,
+                                                   Ball(exact(u).rational(), shear_bits));
+                CHECK(overlaps(
+                    q, Ball::around(value, Real(abs(value) * pow(Real(10), -55)), shear_bits)));
                 CHECK(q.relative_accuracy_bits() > 250);
             }
         }
@@ -79,8 +75,8 @@ TEST_CASE("an edge given on a knot exactly is expanded from inside the contact")
         {exact("1/3")}, {parse("1/10", x), parse("1/10 + (x - 1/3)", x)});
     const Profile plain = Profile::power_law(exact("1/10"), exact("0"));
     const Load load = Load::right_edge(exact("1/3"));
-    const BallContact on(knotted, exact("7/3"), load, bits);
-    const BallContact without(plain, exact("7/3"), load, bits);
+    const BallContact on(knotted, exact("7/3"), load, shear_bits);
+    const BallContact without(plain, exact("7/3"), load, shear_bits);
     for (const Edge edge : {Edge::right, Edge::left}) {
         const auto c = on.expansion(edge, 6);
         const auto d = without.expansion(edge, 6);

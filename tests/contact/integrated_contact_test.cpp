@@ -12,7 +12,7 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-constexpr long bits = 300;
+constexpr long integral_bits = 300;
 
 /// Curved on both sides, a bend at 1/3 and a corner at the origin.
 Contact own_tilted() {
@@ -35,8 +35,8 @@ TEST_CASE("rigorous integrals meet the closed forms where there are both") {
     for (const Contact& c : all) {
         CAPTURE(c.name);
         REQUIRE(IntegratedContact::handles(c.profile, c.load));
-        const IntegratedContact integrals(c.profile, c.modulus, c.load, bits);
-        const BallContact closed(c.profile, c.modulus, c.load, bits);
+        const IntegratedContact integrals(c.profile, c.modulus, c.load, integral_bits);
+        const BallContact closed(c.profile, c.modulus, c.load, integral_bits);
         const auto meet = [](const Ball& x, const Ball& y) {
             CHECK(overlaps(x, y));
             CHECK(x.relative_accuracy_bits() > 150);
@@ -50,7 +50,7 @@ TEST_CASE("rigorous integrals meet the closed forms where there are both") {
             for (const char* u : {"1e-20", "1e-3", "0.003"}) {
                 CAPTURE(u);
                 const Exact at = exact(u);
-                if (certainly_less(Ball(at.rational(), bits), closed.a() + closed.b())) {
+                if (certainly_less(Ball(at.rational(), integral_bits), closed.a() + closed.b())) {
                     meet(integrals.pressure(edge, at), closed.pressure(edge, at));
                 }
             }
@@ -68,11 +68,11 @@ TEST_CASE("rigorous integrals hold what the quadratures in Real find for a curve
     for (const Contact& c : {own_symmetric(), own_tilted()}) {
         CAPTURE(c.name);
         REQUIRE_FALSE(BallContact::has_closed_form(c.profile));
-        const IntegratedContact balls(c.profile, c.modulus, c.load, bits);
+        const IntegratedContact balls(c.profile, c.modulus, c.load, integral_bits);
         const NormalContact reals(c.profile, c.modulus, c.load, 40);
         const PrecisionScope scope(60);
         const auto holds = [](const Ball& x, const Real& y) {
-            CHECK(overlaps(x, Ball::around(y, Real(abs(y) * Real("1e-38")), bits)));
+            CHECK(overlaps(x, Ball::around(y, Real(abs(y) * Real("1e-38")), integral_bits)));
             CHECK(x.relative_accuracy_bits() > 100);
         };
         holds(balls.b(), reals.b());
@@ -97,21 +97,21 @@ TEST_CASE("rigorous integrals hold what the quadratures in Real find for a curve
 TEST_CASE("a force on a symmetric curved contact: its edge enclosed") {
     const Contact c = own_symmetric();
     const Load load = Load::force(exact("1/10"));
-    const IntegratedContact balls(c.profile, c.modulus, load, bits);
-    CHECK(overlaps(balls.force(), Ball(Rational(1, 10), bits)));
+    const IntegratedContact balls(c.profile, c.modulus, load, integral_bits);
+    CHECK(overlaps(balls.force(), Ball(Rational(1, 10), integral_bits)));
     CHECK(balls.a().relative_accuracy_bits() > 250);
     CHECK_FALSE(IntegratedContact::handles(own_tilted().profile, load));
 }
 
 TEST_CASE("on a bend that exact numbers tell, the pressure is enclosed; on a corner it is not") {
     const Contact c = own_tilted();
-    const IntegratedContact balls(c.profile, c.modulus, c.load, bits);
+    const IntegratedContact balls(c.profile, c.modulus, c.load, integral_bits);
     const NormalContact reals(c.profile, c.modulus, c.load, 40);
     const PrecisionScope scope(60);
     const Exact bend = exact("4/5 - 1/3");
     const Real p = reals.pressure(Edge::right, bend).value;
     CHECK(overlaps(balls.pressure(Edge::right, bend),
-                   Ball::around(p, Real(p * Real("1e-38")), bits)));
+                   Ball::around(p, Real(p * Real("1e-38")), integral_bits)));
     CHECK(balls.pressure(Edge::right, bend).relative_accuracy_bits() > 100);
     CHECK_FALSE(balls.pressure(Edge::right, exact("4/5")).is_finite());
     CHECK_THROWS_AS((void)balls.pressure(Edge::right, exact("7")), DomainError);

@@ -12,13 +12,14 @@ using scenes::exact;
 
 namespace {
 
-constexpr long bits = 500;
+constexpr long power_law_bits = 500;
 
 Ball integral(const char* m, const Ball& q) {
     const Exact exponent = exact(m);
-    return power_law_integral(exponent, Ball(exponent.rational(), bits), q, (1 - q) * (1 + q));
+    return power_law_integral(exponent, Ball(exponent.rational(), power_law_bits), q,
+                              (1 - q) * (1 + q));
 }
-Ball ball(const char* text) { return {parse_decimal(text), bits}; }
+Ball ball(const char* text) { return {parse_decimal(text), power_law_bits}; }
 bool narrow(const Ball& x) { return x.relative_accuracy_bits() > 400; }
 
 } // namespace
@@ -50,8 +51,9 @@ TEST_CASE("the integral is Gauss's 2F1, where Arb's gives a value") {
             CAPTURE(at);
             const Ball q = ball(at);
             const Ball y = (1 - q) * (1 + q);
-            const Ball gauss = sqrt(y) * hypergeometric_2f1((1 - ball(m)) / 2, Ball(1, bits),
-                                                            Ball(Rational(3, 2), bits), y);
+            const Ball gauss =
+                sqrt(y) * hypergeometric_2f1((1 - ball(m)) / 2, Ball(1, power_law_bits),
+                                             Ball(Rational(3, 2), power_law_bits), y);
             CHECK(overlaps(integral(m, q), gauss));
             CHECK(narrow(integral(m, q)));
         }
@@ -59,7 +61,7 @@ TEST_CASE("the integral is Gauss's 2F1, where Arb's gives a value") {
 }
 
 TEST_CASE("at the apex the integral is 1/m, and next to it narrow, for m from 1e-10 to 1e6") {
-    const Ball zero(0, bits);
+    const Ball zero(0, power_law_bits);
     for (const char* m :
          {"1e-10", "0.62499999999999999999", "5/8", "2", "3", "101/7", "10000", "1000000"}) {
         CAPTURE(m);
@@ -73,7 +75,7 @@ TEST_CASE("at the apex the integral is 1/m, and next to it narrow, for m from 1e
         }
     }
     // A ball around the apex holds what is at it, and beside it.
-    const Ball about = Ball::around(Real(0), pow(Real(10), -100), bits);
+    const Ball about = Ball::around(Real(0), pow(Real(10), -100), power_law_bits);
     for (const char* m : {"1/2", "2", "4", "9/2"}) {
         CAPTURE(m);
         CHECK(contains(integral(m, about), integral(m, zero)));

@@ -67,4 +67,17 @@ inline std::vector<Contact> tilted() {
             punch("0.01", "0.5", "70", "0.9")};
 }
 
+/// A shear force and a bulk tension, each as text.
+struct ShearCase {
+    const char* Q;
+    const char* sigma;
+};
+inline const ShearCase all_signs[] = {{"0.3", "0.7"},   {"0.3", "-0.7"}, {"-0.3", "0.7"},
+                                      {"-0.3", "-0.7"}, {"0.3", "0"},    {"0", "0.7"},
+                                      {"2e6", "1e-3"}};
+
+inline bool agree(const Real& x, const Real& y, int digits) {
+    return abs(Real(x - y)) <= abs(y) * pow(Real(10), -digits);
+}
+
 } // namespace edgeproof::scenes

@@ -8,29 +8,17 @@
 #include <doctest/doctest.h>
 
 using namespace edgeproof;
+using scenes::agree;
+using scenes::all_signs;
 using scenes::exact;
-
-namespace {
-
-bool agree(const Real& x, const Real& y, int digits) {
-    return abs(Real(x - y)) <= abs(y) * pow(Real(10), -digits);
-}
-
-struct Case {
-    const char* Q;
-    const char* sigma;
-};
-const Case all_signs[] = {{"0.3", "0.7"}, {"0.3", "-0.7"}, {"-0.3", "0.7"}, {"-0.3", "-0.7"},
-                          {"0.3", "0"},   {"0", "0.7"},    {"2e6", "1e-3"}};
-
-} // namespace
+using scenes::ShearCase;
 
 TEST_CASE("full stick: the integral equation gives the tension back, the resultant gives Q") {
     const PrecisionScope scope(50);
     for (const Extent<Real>& e :
          {Extent<Real>{Real(3) / 2, Real(3) / 2}, Extent<Real>{Real(7) / 3, Real(1) / 5},
           Extent<Real>{Real("1e-6"), Real(40)}}) {
-        for (const Case& c : all_signs) {
+        for (const ShearCase& c : all_signs) {
             const ShearLoad<Real> load{exact(c.Q).to<Real>(), exact(c.sigma).to<Real>()};
             const auto q = [&](const Point<Real>& at) { return full_stick_traction(at, load); };
             CAPTURE(c.Q);
@@ -97,7 +85,7 @@ TEST_CASE("the brackets over the rationals") {
 TEST_CASE("expansions converge to the traction; a mirror changes the sign of the tension") {
     const PrecisionScope scope(60);
     const Extent<Real> e{Real(7) / 3, Real(1) / 5};
-    for (const Case& c : all_signs) {
+    for (const ShearCase& c : all_signs) {
         const ShearLoad<Real> load{exact(c.Q).to<Real>(), exact(c.sigma).to<Real>()};
         for (const Edge edge : {Edge::right, Edge::left}) {
             const auto s = full_stick_expansion(e.length(), load, edge, 40);

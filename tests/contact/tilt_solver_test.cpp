@@ -10,13 +10,10 @@
 #include <doctest/doctest.h>
 
 using namespace edgeproof;
+using scenes::agree;
 using scenes::exact;
 
 namespace {
-
-bool agree(const Real& x, const Real& y, int digits) {
-    return abs(Real(x - y)) <= abs(y) * pow(Real(10), -digits);
-}
 
 Exact exactly(const Real& x) {
     Rational q;

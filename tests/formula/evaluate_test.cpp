@@ -12,10 +12,10 @@ using namespace edgeproof;
 
 namespace {
 
-const Symbols symbols{"x", "y", "n"};
+const Symbols value_symbols{"x", "y", "n"};
 
 template <class T> T value(std::string_view text, const Values<T>& values = {}) {
-    return evaluate<T>(parse(text, symbols), values);
+    return evaluate<T>(parse(text, value_symbols), values);
 }
 
 /// |x| in units of 10^-digits, for a message that says how far it is off.
@@ -116,7 +116,7 @@ TEST_CASE("outside its domain a function throws, and names itself and the part")
 }
 
 TEST_CASE("what the environment does not have is an error") {
-    Symbols s = symbols;
+    Symbols s = value_symbols;
     s.add_function("f", 2);
     const Expr e = parse("f(x, 2)*3", s);
     Values<double> values{{"x", 5.0}};

@@ -16,13 +16,13 @@ using namespace edgeproof;
 
 namespace {
 
-const Symbols symbols = [] {
+const Symbols text_symbols = [] {
     Symbols s{"a", "b", "s", "x", "y", "k", "P1", "s_1"};
     s.add_function("f", 1).add_function("g", 2);
     return s;
 }();
 
-Expr read(std::string_view text) { return parse(text, symbols); }
+Expr read(std::string_view text) { return parse(text, text_symbols); }
 
 } // namespace
 

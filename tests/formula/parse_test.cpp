@@ -13,7 +13,7 @@ using namespace edgeproof;
 
 namespace {
 
-const Symbols symbols = [] {
+const Symbols parsed_symbols = [] {
     Symbols s{"a", "b", "m", "P1", "x"};
     s.add_function("slope", 1).add_function("kernel", 2);
     return s;
@@ -28,7 +28,7 @@ Rational rational(std::string_view text) {
 /// The error that a text gives.
 FormulaError error_of(const std::string& text) {
     try {
-        (void)parse(text, symbols);
+        (void)parse(text, parsed_symbols);
     } catch (const FormulaError& e) {
         return e;
     }
@@ -89,11 +89,11 @@ TEST_CASE("numbers are exact") {
 TEST_CASE("names") {
     CHECK(parse("Pi").kind() == Expr::Kind::pi);
     CHECK(parse("pi") == parse("Pi"));
-    CHECK(parse("a*P1 + slope(x)", symbols).arg(1).name() == "slope");
-    const Expr f = parse("integral(s*x/sqrt(a^2 - s^2), s, 0, a)", symbols);
+    CHECK(parse("a*P1 + slope(x)", parsed_symbols).arg(1).name() == "slope");
+    const Expr f = parse("integral(s*x/sqrt(a^2 - s^2), s, 0, a)", parsed_symbols);
     CHECK(f.kind() == Expr::Kind::integral);
     CHECK(free_symbols(f) == std::set<std::string>{"a", "x"});
-    CHECK(parse("pv(slope(s)/(s - x), s, -b, a, x)", symbols).args().size() == 5);
+    CHECK(parse("pv(slope(s)/(s - x), s, -b, a, x)", parsed_symbols).args().size() == 5);
     // The bound variable is known in the first argument only.
     CHECK(error_of("integral(s, s, 0, s)").offset() == 18);
     CHECK(error_of("integral(s, s, 0, 1) + s").offset() == 23);
@@ -107,8 +107,8 @@ TEST_CASE("an unknown name is an error that says what may be used") {
     CHECK(std::string(e.what()) == "unknown name 'bb' at column 5; use one of: P1, a, b, m, x, Pi");
     CHECK_THROWS_AS((void)parse("a"), FormulaError);
     for (const char* name : {"E", "e", "I", "inf", "nan", "NaN", "Infinity", "ln", "PI", "c"}) {
-        CHECK_THROWS_AS((void)parse(name, symbols), FormulaError);
-        CHECK_THROWS_AS((void)parse("1 + " + std::string(name), symbols), FormulaError);
+        CHECK_THROWS_AS((void)parse(name, parsed_symbols), FormulaError);
+        CHECK_THROWS_AS((void)parse("1 + " + std::string(name), parsed_symbols), FormulaError);
     }
     CHECK(error_of("e").instead().find("exp(1)") != std::string::npos);
     CHECK(error_of("ln(a)").instead() == "write log(...)");
@@ -253,9 +253,9 @@ TEST_CASE("random strings are expressions or errors, nothing else") {
         }
         CAPTURE(text);
         try {
-            const Expr e = parse(text, symbols);
+            const Expr e = parse(text, parsed_symbols);
             ++accepted;
-            CHECK(parse(to_text(e), symbols) == e);
+            CHECK(parse(to_text(e), parsed_symbols) == e);
         } catch (const FormulaError& error) {
             CHECK(error.offset() <= text.size());
             CHECK(std::string(error.what()).find('\n') == std::string::npos);
@@ -266,7 +266,7 @@ TEST_CASE("random strings are expressions or errors, nothing else") {
 
 TEST_CASE("places in the text are kept") {
     const std::string text = " 2*sqrt(a ) + (b - 1)^2/3 ";
-    const Expr e = parse(text, symbols);
+    const Expr e = parse(text, parsed_symbols);
     const auto slice = [&](const Expr& x) { return text.substr(x.offset(), x.length()); };
     CHECK(slice(e) == "2*sqrt(a ) + (b - 1)^2/3");
     CHECK(slice(e.arg(0)) == "2*sqrt(a )");

@@ -15,7 +15,7 @@ using namespace edgeproof;
 
 namespace {
 
-const Symbols symbols = [] {
+const Symbols program_symbols = [] {
     Symbols s{"x", "y"};
     s.add_function("f", 1);
     return s;
@@ -58,7 +58,7 @@ TEST_CASE("random expressions: a program gives what evaluation gives") {
 
 TEST_CASE("equal parts are computed once, constant parts beforehand") {
     const auto steps = [](const char* text) {
-        return Program(parse(text, symbols), {"x", "y"}).steps().size();
+        return Program(parse(text, program_symbols), {"x", "y"}).steps().size();
     };
     CHECK(steps("x") == 0);
     CHECK(steps("2*Pi/sqrt(3)") == 0);
@@ -66,12 +66,12 @@ TEST_CASE("equal parts are computed once, constant parts beforehand") {
     CHECK(steps("sqrt(x + y)*sqrt(x + y)") == 3);
     CHECK(steps("(x + sqrt(2)/3)*(x + sqrt(2)/3)") == 2);
     CHECK(steps("sum(x^k, k, 0, 3)") == 4 + 3);
-    const Program program(parse("x*(sqrt(2)/3) + sqrt(2)/3", symbols), {"x"});
+    const Program program(parse("x*(sqrt(2)/3) + sqrt(2)/3", program_symbols), {"x"});
     CHECK(program.constants() == std::vector<Expr>{parse("sqrt(2)/3")});
 }
 
 TEST_CASE("one program serves several precisions and arithmetics") {
-    const Program program(parse("x^(3/2)/3 + Pi*x^(1/3) + x^-2", symbols), {"x"});
+    const Program program(parse("x^(3/2)/3 + Pi*x^(1/3) + x^-2", program_symbols), {"x"});
     const std::vector<double> x64{2.0};
     const double low = run<double>(program, x64, constants_of<double>(program));
     for (const unsigned digits : {30U, 300U}) {
@@ -94,7 +94,7 @@ TEST_CASE("functions and integrals come from outside") {
             return node.kind() == Expr::Kind::integral ? at[0] * at[0] / 2 : 0;
         }
     };
-    const Expr e = parse("f(x + 1) + integral(s, s, 0, x)", symbols);
+    const Expr e = parse("f(x + 1) + integral(s, s, 0, x)", program_symbols);
     const Program program(e, {"x"});
     const std::array<double, 1> at{4.0};
     CHECK(run<double>(program, at, constants_of<double>(program), Externals{}) == 58.0);
@@ -102,9 +102,9 @@ TEST_CASE("functions and integrals come from outside") {
 }
 
 TEST_CASE("misuse is an error, and so is a value outside the domain") {
-    CHECK_THROWS_AS(Program(parse("x + y", symbols), {"x"}), Error);
-    CHECK_THROWS_AS(Program(parse("integral(s*y, s, 0, x)", symbols), {"x"}), Error);
-    const Program program(parse("2 + log(x - 3)", symbols), {"x"});
+    CHECK_THROWS_AS(Program(parse("x + y", program_symbols), {"x"}), Error);
+    CHECK_THROWS_AS(Program(parse("integral(s*y, s, 0, x)", program_symbols), {"x"}), Error);
+    const Program program(parse("2 + log(x - 3)", program_symbols), {"x"});
     const std::array<double, 1> at{1.0};
     const std::array<double, 2> two{1.0, 2.0};
     const auto constants = constants_of<double>(program);

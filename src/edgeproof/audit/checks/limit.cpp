@@ -12,6 +12,7 @@ enum class Trend { towards, away, unclear };
 /// Distances from the limit claimed: do they die away?
 Trend finite_trend(const std::vector<Real>& f, const Real& limit, const Real& noise) {
     std::vector<Real> d;
+    d.reserve(f.size());
     for (const Real& value : f) {
         d.push_back(abs(value - limit));
     }

@@ -71,9 +71,7 @@ public:
         plan_.route = ask_.route != Route::automatic ? ask_.route
                       : closed                       ? Route::closed_form
                                                      : Route::singular_integral;
-        // Derivatives and crossings lose digits at most points; a pressure in closed form at few.
-        const bool values_alone = closed && plan_.terms == 0 && !plan_.extents;
-        plan_.bits = bits_for(ask_.digits.count) + (values_alone ? 40 : 96);
+        plan_.bits = bits_for(ask_.digits.count) + 96;
         proof();
         contact();
         pressure();

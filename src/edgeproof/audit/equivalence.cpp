@@ -110,7 +110,7 @@ bool differ_by_a_zero_integral(const Expr& x, const Expr& y, const SymbolicCase&
     if (!(x.arg(2) == -b) || !(x.arg(3) == a)) {
         return false;
     }
-    const Expr s = x.arg(1);
+    const Expr& s = x.arg(1);
     const Expr w = Expr::call("sqrt", {(a - s) * (s + b)});
     const Expr difference = (x.arg(0) - y.arg(0)) * w * (s - x.arg(4));
     return proved_equal(difference, substitute(difference, s.name(), Expr::symbol("s_elsewhere")),

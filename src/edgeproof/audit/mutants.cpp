@@ -70,7 +70,7 @@ private:
     }
 
     void number(const Expr& node) {
-        const Rational n = node.number();
+        const Rational& n = node.number();
         if (is_exponent()) {
             put("exponent", Expr::number(Rational(n + Rational(1, 2))));
             put("exponent", Expr::number(Rational(n - Rational(1, 2))));

@@ -219,7 +219,7 @@ std::vector<Real> SettingState::critical_arguments(const std::string& function) 
         } else if (knot < 0 && !law.symmetric()) {
             values.push_back(level.right_edge_of(Real(-knot)));
         } else {
-            values.push_back(Real(0));
+            values.emplace_back(0);
         }
     }
     return values;

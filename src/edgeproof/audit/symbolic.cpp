@@ -43,7 +43,7 @@ public:
         ex sum = 0;
         ex beta = 2; // B(j + 1, 1/2)
         for (std::size_t j = 0; j < q.size(); ++j) {
-            const auto n = static_cast<int>(j);
+            const auto n = static_cast<long>(j);
             if (n > 0) {
                 beta = beta * GiNaC::numeric(2 * n, 2 * n + 1);
             }

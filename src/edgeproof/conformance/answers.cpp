@@ -37,7 +37,7 @@ public:
         for (const std::string_view key : parameter_keys()) {
             // P, M and alpha are parameters here; as quantities they stand in their own column.
             if (const auto at = csv.column(key)) {
-                keys_.push_back({std::string(key), *at});
+                keys_.emplace_back(std::string(key), *at);
             }
         }
         quantity_ = csv.column("quantity");

@@ -22,7 +22,7 @@ struct Answer {
 
 /// What a program wrote for a number: a decimal, with E or D for the exponent, or a hexadecimal
 /// float; "nan", "inf", nothing, or garbage. Never throws.
-[[nodiscard]] Answer read_answer(std::string_view text);
+[[nodiscard]] Answer read_answer(std::string_view given);
 
 /// Answers beside the questions that they answer, and what is wrong with them as a whole.
 struct Answers {

@@ -137,6 +137,7 @@ std::optional<Convention> explain(const std::string& of, const std::vector<Faili
         return {};
     }
     std::vector<Real> ratios;
+    ratios.reserve(rows.size());
     for (const FailingRow& row : rows) {
         ratios.push_back(row.ratio);
     }

@@ -56,9 +56,8 @@ std::optional<std::vector<PartFile::Entry>> entries_of(std::string_view body) {
 } // namespace
 
 PartFile::PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces)
-    : file_(std::move(file)), head_(fmt::format("edgeproof part file 2, {:016x}\n", fingerprint)),
-      places_(pieces) {
-    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    : file_(std::move(file)), fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
+      head_(fmt::format("edgeproof part file 2, {:016x}\n", fingerprint)), places_(pieces) {
     if (fd_ < 0) {
         cannot("write", errno);
     }

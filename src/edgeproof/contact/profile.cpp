@@ -55,7 +55,7 @@ Profile Profile::power_law(const Exact& C, const Exact& m) {
             "give C > 0");
     require(m.sign() >= 0, "the power-law exponent m = " + m.text() + " is negative",
             "give m >= 0 (0: a wedge, 1: Hertz)");
-    const Expr c = C.expr();
+    const Expr& c = C.expr();
     const Rational* exponent = m.expr().rational();
     std::vector<Expr> slopes;
     if (exponent != nullptr && *exponent == 0) {
@@ -76,8 +76,8 @@ Profile Profile::flat_and_rounded(const Exact& t, const Exact& R) {
     require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
             "give t >= 0");
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
-    const Expr T = t.expr();
-    const Expr r = R.expr();
+    const Expr& T = t.expr();
+    const Expr& r = R.expr();
     Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {symbol_x / r})
                               : assemble(Kind::flat_and_rounded, {Exact(-T), t},
                                          {(symbol_x + T) / r, number_zero, (symbol_x - T) / r});
@@ -89,8 +89,8 @@ Profile Profile::flat_and_rounded(const Exact& t, const Exact& R) {
 Profile Profile::tilted_wedge(const Exact& phi, const Exact& alpha) {
     require(phi.sign() > 0, "the wedge angle phi = " + phi.text() + " is not positive",
             "give phi > 0 (the half-angle is pi/2 - phi)");
-    const Expr f = phi.expr();
-    const Expr al = alpha.expr();
+    const Expr& f = phi.expr();
+    const Expr& al = alpha.expr();
     require(Exact(f - al).sign() > 0 && Exact(f + al).sign() > 0,
             "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
             "give |alpha| < phi: beyond, one face of the wedge lifts off");
@@ -107,8 +107,8 @@ Profile Profile::tilted_flat_and_rounded(const Exact& alpha, const Exact& t, con
     require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
             "give t >= 0");
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
-    const Expr al = alpha.expr();
-    const Expr r = R.expr();
+    const Expr& al = alpha.expr();
+    const Expr& r = R.expr();
     const Expr two_t = Expr::number(2) * t.expr();
     std::vector<Exact> knots;
     std::vector<Expr> slopes;
@@ -150,9 +150,9 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
     std::vector<Exact> all;
     std::vector<Expr> both;
     for (std::size_t i = knots.size(); i-- > 0;) {
-        all.push_back(Exact(-knots[i].expr()));
+        all.emplace_back(-knots[i].expr());
     }
-    all.push_back(Exact(number_zero));
+    all.emplace_back(number_zero);
     all.insert(all.end(), knots.begin(), knots.end());
     for (std::size_t i = slopes.size(); i-- > 0;) {
         both.push_back(mirrored(slopes[i]));

@@ -76,7 +76,8 @@ void RealPower::operator()(Real& out, const Real& x) {
     if (!by_root_ || !(start > 1e-290 && start < 1e290)) {
         const long bits = mpfr_get_prec(raw(exponent_)) + 8;
         // The logarithm of a very large or small number needs more bits to have its absolute ones.
-        const long far = std::bit_width(static_cast<unsigned long>(std::abs(mpfr_get_exp(raw(x)))));
+        const auto exponent = static_cast<unsigned long>(std::abs(mpfr_get_exp(raw(x))));
+        const auto far = static_cast<long>(std::bit_width(exponent));
         Ball power = Ball(x, bits + far);
         power = exp(Ball(exponent_, bits + far) * log(power));
         arf_get_mpfr(raw(out), arb_midref(power.data()), MPFR_RNDN);

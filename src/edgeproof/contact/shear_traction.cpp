@@ -102,6 +102,7 @@ std::vector<EstimatedTraction> ShearTraction::similar_to(const std::vector<Real>
     const Real factor = spec_.Q.to<Real>() / force();
     const Real relative = pow(Real(10), -static_cast<int>(contact_.digits() + spare_digits));
     std::vector<EstimatedTraction> s;
+    s.reserve(c.size());
     for (const Real& x : c) {
         s.push_back({Real(factor * x), Real(abs(Real(factor * x)) * relative), working});
     }

@@ -21,13 +21,18 @@ std::vector<Exact> ladder(std::size_t count, const std::string& unit) {
     for (std::size_t k = 0; k < count; ++k) {
         const Real exponent = Real(8 * k) / Real(count - 1) - 8;
         const std::string text = to_decimal(Real(pow(Real(10), exponent)), digits_of_places);
-        u.push_back(Exact::parse(unit == "1" ? text : "(" + unit + ")*" + text));
+        std::string place = text;
+        if (unit != "1") {
+            place.insert(0, "(" + unit + ")*");
+        }
+        u.push_back(Exact::parse(place));
     }
     return u;
 }
 
 std::vector<Exact> listed(const std::vector<const char*>& texts) {
     std::vector<Exact> u;
+    u.reserve(texts.size());
     for (const char* text : texts) {
         u.push_back(Exact::parse(text));
     }

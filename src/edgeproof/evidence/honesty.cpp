@@ -95,11 +95,13 @@ std::vector<HonestyRow> honesty(const std::vector<HonestyPoint>& points,
         {"plain Boost, double", [&](const HonestyPoint& p) { return by_boost<double>(p, digits); }},
         {"plain Boost, MPFR", [&](const HonestyPoint& p) { return by_boost<Real>(p, digits); }},
     };
-    for (const auto& [name, values] : others) {
-        routes.emplace_back(name, [&values](const HonestyPoint& p) -> std::optional<Claimed> {
-            const auto found = values.find(p.id);
-            return found == values.end() ? std::nullopt : std::optional<Claimed>(found->second);
-        });
+    for (const auto& other : others) {
+        const auto& values = other.second;
+        routes.emplace_back(
+            other.first, [&values](const HonestyPoint& p) -> std::optional<Claimed> {
+                const auto found = values.find(p.id);
+                return found == values.end() ? std::nullopt : std::optional<Claimed>(found->second);
+            });
     }
     std::vector<HonestyRow> rows;
     std::vector<Ball> exact;

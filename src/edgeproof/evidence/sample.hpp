@@ -20,7 +20,7 @@ public:
     [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
     /// least ... most.
     [[nodiscard]] int between(int least, int most) {
-        return least + static_cast<int>(below(static_cast<std::size_t>(most - least + 1)));
+        return least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1));
     }
     /// A decimal of up to `digits` digits, from 1 up to 10 (but not 10), times 10^exponent.
     [[nodiscard]] std::string decimal(unsigned digits, int exponent);

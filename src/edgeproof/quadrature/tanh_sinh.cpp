@@ -122,11 +122,13 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
     return result;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type, not a value
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
     template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&,                           \
                                               const QuadratureOptions&);                           \
     template QuadratureResult<Series<T>> tanh_sinh_of(const IntegrandRef<T, Series<T>>&,           \
                                                       const QuadratureOptions&);
+// NOLINTEND(bugprone-macro-parentheses)
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
 

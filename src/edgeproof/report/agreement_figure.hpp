@@ -9,7 +9,7 @@ namespace edgeproof {
 
 /// Digits right of p and q against u, and the digits that half a unit in the last place of a
 /// double's inputs leaves. Columns: u, p, q (where there is any), inputs.
-[[nodiscard]] Plot agreement_plot(const Conformance& result);
+[[nodiscard]] Plot agreement_plot(const Conformance& c);
 
 /// The plot as .svg (gnuplot draws it) or as .csv. Throws InputError for another ending, without a
 /// point to draw, and for .svg where there is no gnuplot.

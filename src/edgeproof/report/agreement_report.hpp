@@ -22,9 +22,9 @@ struct Conformance {
 
 /// For people: failing cases (at most `errors`), faults, the table by regime with its worst cases,
 /// the conventions, and the outcome in the last line.
-[[nodiscard]] std::string conformance_text(const Conformance& result, std::size_t errors);
+[[nodiscard]] std::string conformance_text(const Conformance& c, std::size_t errors);
 
 /// JUnit XML: a test case an answer, and one for the faults.
-[[nodiscard]] std::string conformance_junit(const Conformance& result);
+[[nodiscard]] std::string conformance_junit(const Conformance& c);
 
 } // namespace edgeproof

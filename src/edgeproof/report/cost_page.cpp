@@ -146,7 +146,7 @@ std::string page(const CostReport& report, const std::string& figures) {
     }
     std::string machine;
     for (const auto& [name, value] : report.machine) {
-        machine += (machine.empty() ? "" : ", ") + name + " " + value;
+        machine.append(machine.empty() ? "" : ", ").append(name).append(" ").append(value);
     }
     return fill_template(cost_template::cost_html,
                          {{"title", "Edgeproof: what accuracy costs"},

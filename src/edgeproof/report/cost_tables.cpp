@@ -57,7 +57,7 @@ std::vector<std::string> reading_notes(const CostReport& report) {
         "the points, their middle half, the slowest point",
         "repeats: how far repeats of one point lie apart (middle half over median)"};
     if (failed) {
-        notes.push_back("*: some points have no value");
+        notes.emplace_back("*: some points have no value");
     }
     return notes;
 }

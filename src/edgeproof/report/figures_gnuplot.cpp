@@ -56,6 +56,7 @@ int run(const std::filesystem::path& program, const std::string& argument,
         }
     }
     std::vector<char*> environment;
+    environment.reserve(kept.size() + 1);
     for (std::string& entry : kept) {
         environment.push_back(entry.data());
     }

@@ -27,6 +27,7 @@ using Maker = Plot (*)(const PanelScene&);
 
 std::vector<std::function<Plot()>> panels(Maker make, std::vector<PanelScene> scenes) {
     std::vector<std::function<Plot()>> plots;
+    plots.reserve(scenes.size());
     for (PanelScene& scene : scenes) {
         plots.emplace_back([make, scene = std::move(scene)] { return make(scene); });
     }

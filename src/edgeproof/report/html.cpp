@@ -88,9 +88,17 @@ std::string doubtful(const AuditResult& result) {
     for (const ClaimResult& r : result.claims) {
         if (!holds(r.outcome.verdict) && r.outcome.verdict != Verdict::refuted) {
             const std::string id = escape_html(r.claim.id);
-            rows += "<tr><th scope=\"row\"><a href=\"#" + id + "\">" + id + "</a></th><td>" +
-                    verdict_mark(r.outcome.verdict) + "</td><td>" + lines_words(r.claim) +
-                    "</td><td>" + escape_html(r.outcome.note) + "</td></tr>\n";
+            rows.append("<tr><th scope=\"row\"><a href=\"#")
+                .append(id)
+                .append("\">")
+                .append(id)
+                .append("</a></th><td>")
+                .append(verdict_mark(r.outcome.verdict))
+                .append("</td><td>")
+                .append(lines_words(r.claim))
+                .append("</td><td>")
+                .append(escape_html(r.outcome.note))
+                .append("</td></tr>\n");
         }
     }
     if (rows.empty()) {

@@ -128,8 +128,9 @@ Table ReferenceRows::table(
         "binary64: the one nearest to the exact value, in 17 digits",
     };
     if (tolerances_) {
-        table.notes.push_back("extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
-                              "the tolerance; measure_n: the length of all that lies within it");
+        table.notes.emplace_back(
+            "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
+            "the tolerance; measure_n: the length of all that lies within it");
     }
     return table;
 }

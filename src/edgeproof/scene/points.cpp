@@ -71,8 +71,8 @@ std::vector<Exact> even_points(const Exact& from, const Exact& to, std::size_t c
             points.push_back(
                 Exact::of(from.rational() + (to.rational() - from.rational()) * k / steps));
         } else {
-            points.push_back(
-                Exact(from.expr() + (to.expr() - from.expr()) * Expr::number(Rational(k, steps))));
+            points.emplace_back(from.expr() +
+                                (to.expr() - from.expr()) * Expr::number(Rational(k, steps)));
         }
     }
     points.push_back(to);

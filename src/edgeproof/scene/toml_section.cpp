@@ -204,6 +204,7 @@ std::vector<std::string> TomlSection::keys() const {
     }
     std::sort(placed.begin(), placed.end());
     std::vector<std::string> list;
+    list.reserve(placed.size());
     for (auto& [at, key] : placed) {
         list.push_back(std::move(key));
     }

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::size_t count(std::string_view key, long least, long most) const;
     [[nodiscard]] bool flag(std::string_view key) const;
 
-    [[noreturn]] void reject(std::size_t line, const std::string& problem,
+    [[noreturn]] void reject(std::size_t at, const std::string& problem,
                              const std::string& instead) const;
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
                              const std::string& instead) const;

@@ -23,7 +23,7 @@ MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
     for (const Real& knot : condition.knots()) {
         marks.push_back(knot);
     }
-    marks.push_back(Real(1));
+    marks.emplace_back(1);
     std::vector<Real> fractions;
     const Real step = pow(Real(10), Real(-1) / places_per_decade);
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {

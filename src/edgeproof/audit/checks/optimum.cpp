@@ -74,6 +74,7 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
     std::vector<Real> at;
+    at.reserve(values.size());
     for (const Rational& v : values) {
         at.push_back(reach(v));
     }

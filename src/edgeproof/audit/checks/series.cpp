@@ -43,6 +43,7 @@ FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>&
     const auto enough = digits + static_cast<unsigned>(orders.size() * (options.points / 3 + 6));
     const Setting setting(scene, enough);
     std::vector<Real> c;
+    c.reserve(terms.size());
     for (const Expr& term : terms) {
         c.push_back(setting.evaluate(term).value);
     }

@@ -50,7 +50,7 @@ std::string relation_text(const Relation& r) {
 
 Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     const std::vector<SceneSpec> scenes = context.scenes(claim);
-    const auto range = claim.list("sizes");
+    const auto& range = claim.list("sizes");
     if (scenes.size() != 1 || range.size() != 2) {
         claim.reject(scenes.size() != 1 ? "over" : "sizes",
                      "a size is sought for one scene and between two sizes",

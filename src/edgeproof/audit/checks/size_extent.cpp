@@ -215,6 +215,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const auto found = sizes_of(read_quoted(claim));
     const std::vector<Quoted> figures = companions(claim, context);
     std::vector<std::shared_ptr<const Found>> of_figures;
+    of_figures.reserve(figures.size());
     for (const Quoted& q : figures) {
         of_figures.push_back(sizes_of(q));
     }

@@ -51,7 +51,7 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
 /// What the printed term has on the last rung, and what is left there, in balls.
 void add_last_rung(const Claim& claim, const Sample& sample, const Expr& rest, const Expr& term,
                    unsigned digits, Outcome& outcome) {
-    const std::string variable = claim.text("variable");
+    const std::string& variable = claim.text("variable");
     const Expr at =
         Exact::parse(claim.text("towards")).expr() -
         pow(Expr::number(Rational(10)), Expr::number(Rational(-rungs_to_the_breakdown)));
@@ -63,8 +63,8 @@ void add_last_rung(const Claim& claim, const Sample& sample, const Expr& rest, c
 /// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
 /// power that is to come next, must grow there.
 Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
-    const std::string small = claim.text("small");
-    const std::string variable = claim.text("variable");
+    const std::string& small = claim.text("small");
+    const std::string& variable = claim.text("variable");
     const auto order = static_cast<unsigned>(claim.integer("order"));
     const Expr rest = (claim.formula("of") - claim.formula("approximation")) /
                       pow(Expr::symbol(small), Expr::number(Rational(order)));

@@ -29,15 +29,14 @@ std::string mpirun(int ranks, const std::string& arguments) {
            std::to_string(ranks) + " '" + program().string() + "' " + arguments;
 }
 
-/// Kills one rank with SIGKILL after that time. What mpirun said.
-std::string run_and_kill(const Folder& folder, int ranks, int rank, const char* seconds) {
-    return shell_text(folder,
-                      "{ " + mpirun(ranks, "table r.toml --out t.csv") + "; } & here=$PWD; sleep " +
-                          seconds +
-                          "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
-                          " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
-                          "OMPI_COMM_WORLD_RANK=" +
-                          std::to_string(rank) + "; then kill -KILL ${p#/proc/}; fi; done; wait");
+/// Kills one rank with SIGKILL after that wait (a shell's). What mpirun said.
+std::string run_and_kill(const Folder& folder, int ranks, int rank, const std::string& wait) {
+    return shell_text(
+        folder, "{ " + mpirun(ranks, "table r.toml --out t.csv") + "; } & here=$PWD; " + wait +
+                    "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
+                    " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
+                    "OMPI_COMM_WORLD_RANK=" +
+                    std::to_string(rank) + "; then kill -KILL ${p#/proc/}; fi; done; wait");
 }
 
 } // namespace
@@ -65,7 +64,8 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
     }
     const Folder folder;
     folder.write("r.toml", tilted_recipe(200, 30));
-    const std::string said = run_and_kill(folder, 3, 2, "1.2");
+    const std::string said = run_and_kill(
+        folder, 3, 2, "until [ -e t.csv.part ] || [ -e t.csv ]; do sleep 0.01; done; sleep 0.1");
     if (std::filesystem::exists(folder.path() / "t.csv")) {
         MESSAGE("done before it could be killed");
         return;
@@ -87,7 +87,7 @@ TEST_CASE("table under mpirun: any rank killed, many times" * doctest::test_suit
     const char* const after[] = {"0.8", "1.0", "1.3", "1.7", "2.2"};
     for (int rank = 0; rank < 4; ++rank) {
         for (const char* seconds : after) {
-            (void)run_and_kill(folder, 4, rank, seconds);
+            (void)run_and_kill(folder, 4, rank, std::string("sleep ") + seconds);
         }
         (void)shell_text(folder, mpirun(2, "table r.toml --out t.csv"));
         CAPTURE(rank);

@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/near_singularity.hpp"
+#include "edgeproof/quadrature/root_ends.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -94,20 +95,36 @@ void require_a_value(const Integrand& f, const Split& split, const NaivePrecisio
     }
 }
 
+/// Over one interval without a cut inside: by few nodes where its ends are roots, as those of most
+/// printed integrals are; else by tanh-sinh, which bears any.
+QuadratureResult<Real> between_cuts(const IntegrandRef<Real, Real>& f, const Real& length,
+                                    const Real& beyond_lo, const Real& beyond_hi,
+                                    const NaivePrecision& precision) {
+    if (auto found = integrate_root_ends(f, length, beyond_lo, beyond_hi)) {
+        return std::move(*found);
+    }
+    return integrate_near<Real>(
+        f, length, beyond_lo, beyond_hi,
+        {.last_level = precision.last_level, .gives_up = true, .foresees = true});
+}
+
 NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision precision) {
     std::vector<Real> lengths;
     for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
         lengths.push_back(split.marks[i + 1] - split.marks[i]);
     }
     const PrecisionScope scope(precision.nodes);
-    const auto result = integrate_pieces<Real>(
-        [&](std::size_t i, const Real& from_lo, const Real& from_hi) {
+    QuadratureResult<Real> result{Real(0), Real(0), 0, true};
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const auto at = [&](const Real& from_lo, const Real& from_hi) {
             return from_lo < from_hi
                        ? evaluated(f, precision, split.marks[i], from_lo, true, lengths[i])
                        : evaluated(f, precision, split.marks[i + 1], from_hi, false, lengths[i]);
-        },
-        lengths, split.beyond_lo, split.beyond_hi,
-        {.last_level = precision.last_level, .gives_up = true, .foresees = true});
+        };
+        result.add(between_cuts(
+            IntegrandRef<Real, Real>(at), lengths[i], i > 0 ? lengths[i - 1] : split.beyond_lo,
+            i + 1 < lengths.size() ? lengths[i + 1] : split.beyond_hi, precision));
+    }
     if (!result.converged) {
         require_a_value(f, split, precision);
     }
@@ -155,15 +172,14 @@ NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const 
     NaiveIntegral sum{};
     {
         const PrecisionScope nodes(precision.nodes);
-        const auto fold = integrate_near<Real>(
-            [&](const Real& r, const Real& rest) {
-                return r < rest ? Real(evaluated(f, precision, pole, r, true, h) +
-                                       evaluated(f, precision, pole, r, false, h))
-                                : Real(evaluated(f, precision, right, rest, false, h) +
-                                       evaluated(f, precision, left, rest, true, h));
-            },
-            h, Real(0), Real(0),
-            {.last_level = precision.last_level, .gives_up = true, .foresees = true});
+        const auto folded = [&](const Real& r, const Real& rest) {
+            return r < rest ? Real(evaluated(f, precision, pole, r, true, h) +
+                                   evaluated(f, precision, pole, r, false, h))
+                            : Real(evaluated(f, precision, right, rest, false, h) +
+                                   evaluated(f, precision, left, rest, true, h));
+        };
+        const auto fold =
+            between_cuts(IntegrandRef<Real, Real>(folded), h, Real(0), Real(0), precision);
         sum = {fold.value, fold.estimate, fold.converged};
     }
     cuts.push_back(pole);

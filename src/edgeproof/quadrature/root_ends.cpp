@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/quadrature/root_ends.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/gauss_legendre.hpp"
+#include "edgeproof/quadrature/level_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace edgeproof {
+namespace {
+
+using At = IntegrandRef<Real, Real>;
+
+constexpr double rung = 1.5;
+/// How many times more digits a rule of 1.5 times the nodes has to have, at the least, while it is
+/// found out whether the digits grow like the nodes.
+constexpr double growth_asked = 1.25;
+/// What is counted on of the growth that is foreseen for the last rule.
+constexpr double counted_on = 0.95;
+constexpr double ln_10 = 2.302585092994046;
+
+/// A Gauss-Legendre rule over 0 < v < 1, with what the maps take of a node.
+struct MappedNode {
+    Real sine;     ///< sin(pi v/2)
+    Real rest;     ///< 1 - sin(pi v/2)
+    Real sine_2;   ///< its square, and
+    Real cosine_2; ///< that of the cosine
+    Real weight;   ///< times (pi/2) cos(pi v/2): of an integral over the sine
+    Real weight_2; ///< times pi sin(pi v/2) cos(pi v/2): of one over its square
+};
+
+std::vector<MappedNode> mapped(std::size_t n) {
+    const auto rule =
+        gauss_legendre_rule(n, static_cast<long>(Real().backend().data()->_mpfr_prec));
+    const Real quarter = pi<Real>() / 4;
+    std::vector<MappedNode> nodes;
+    nodes.reserve(n);
+    // Sines of the smaller angle, so that both squares are exact to the last digit.
+    const auto add = [&](std::size_t k, bool upper) {
+        const Real angle = rule->from_end[k] * quarter; // half of pi (1 - v)/2, or of pi v/2
+        const Real small = sin(angle);
+        const Real near = 2 * small * cos(angle); // the sine of the smaller angle
+        const Real far = 1 - 2 * small * small;   // and its cosine
+        MappedNode node;
+        node.sine = upper ? far : near;
+        node.rest = upper ? Real(2 * small * small) : Real(1 - near);
+        node.sine_2 = node.sine * node.sine;
+        node.cosine_2 = upper ? Real(near * near) : Real(far * far);
+        const Real w = rule->weight[k] * quarter;
+        node.weight = w * (upper ? near : far);
+        node.weight_2 = 2 * w * near * far;
+        nodes.push_back(std::move(node));
+    };
+    for (std::size_t k = 0; k < rule->x.size(); ++k) {
+        add(k, true);
+        if (rule->x[k] != 0) {
+            add(k, false);
+        }
+    }
+    return nodes;
+}
+
+/// One for a thread, since the numbers are cheap beside the integrands that they serve.
+const std::vector<MappedNode>& mapped_nodes(std::size_t n) {
+    thread_local std::map<std::pair<std::size_t, unsigned>, std::vector<MappedNode>> known;
+    const auto key = std::make_pair(n, working_digits());
+    const auto it = known.find(key);
+    return it != known.end() ? it->second : known.emplace(key, mapped(n)).first->second;
+}
+
+/// The sum of a rule, and of the magnitudes of its terms.
+struct Sum {
+    Real value{0};
+    Real magnitude{0};
+    void add(const Real& term) {
+        if (!isfinite(term)) {
+            throw DomainError("an integrand is not finite inside its interval");
+        }
+        value += term;
+        magnitude += abs(term);
+    }
+};
+
+/// Roots at both ends, none near beyond: r = length sin^2.
+Sum between_ends(const At& f, const Real& length, std::size_t n) {
+    Sum sum;
+    for (const MappedNode& node : mapped_nodes(n)) {
+        sum.add(node.weight_2 * f(Real(length * node.sine_2), Real(length * node.cosine_2)));
+    }
+    sum.value *= length;
+    sum.magnitude *= length;
+    return sum;
+}
+
+/// A root `beyond` the end that r is counted from: r = beyond sinh^2 w takes away both, and
+/// w = w_end sin the one at the other end. f is called with r and the rest of the length.
+template <class F>
+Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_t n) {
+    const Real w_end = asinh(sqrt(Real(length / beyond)));
+    Sum sum;
+    for (const MappedNode& node : mapped_nodes(n)) {
+        const Real w = w_end * node.sine;
+        const Real to_go = w_end * node.rest;
+        const Real s = sinh(w);
+        const Real s_2 = s * s;
+        const Real r = beyond * s_2;
+        const Real rest =
+            to_go < w ? Real(beyond * sinh(to_go) * sinh(Real(w_end + w))) : Real(length - r);
+        const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w
+        sum.add(node.weight * both * f(r, rest));
+    }
+    sum.value *= beyond * w_end;
+    sum.magnitude *= beyond * w_end;
+    return sum;
+}
+
+/// The rule of n nodes over what is one interval of a map, or each half where both ends have one.
+class Mapped {
+public:
+    Mapped(const At& f, const Real& length, const Real& beyond_lo, const Real& beyond_hi)
+        : f_(f), length_(length), beyond_lo_(beyond_lo), beyond_hi_(beyond_hi) {
+        const Real close = length / 8;
+        near_lo_ = beyond_lo > 0 && beyond_lo < close;
+        near_hi_ = beyond_hi > 0 && beyond_hi < close;
+    }
+    [[nodiscard]] Sum operator()(std::size_t n) const {
+        if (near_lo_ && near_hi_) {
+            const Real half = length_ / 2;
+            Sum sum = beside_a_root(
+                [&](const Real& r, const Real& rest) { return f_(r, Real(half + rest)); }, half,
+                beyond_lo_, n);
+            const Sum right = beside_a_root(
+                [&](const Real& r, const Real& rest) { return f_(Real(half + rest), r); }, half,
+                beyond_hi_, n);
+            sum.value += right.value;
+            sum.magnitude += right.magnitude;
+            return sum;
+        }
+        if (near_lo_) {
+            return beside_a_root(f_, length_, beyond_lo_, n);
+        }
+        if (near_hi_) {
+            return beside_a_root([&](const Real& r, const Real& rest) { return f_(rest, r); },
+                                 length_, beyond_hi_, n);
+        }
+        return between_ends(f_, length_, n);
+    }
+    [[nodiscard]] std::size_t evaluations(std::size_t n) const {
+        return near_lo_ && near_hi_ ? 2 * n : n;
+    }
+
+private:
+    const At& f_;
+    const Real& length_;
+    const Real& beyond_lo_;
+    const Real& beyond_hi_;
+    bool near_lo_ = false;
+    bool near_hi_ = false;
+};
+
+} // namespace
+
+std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Real, Real>& f,
+                                                          const Real& length, const Real& beyond_lo,
+                                                          const Real& beyond_hi) {
+    const double target = working_digits() - 2.0;
+    const Mapped rule(f, length, beyond_lo, beyond_hi);
+    std::size_t evaluations = 0;
+    std::optional<Sum> last;
+    double last_n = 0;
+    // The digits of `last`, which the next sum shares with it.
+    const auto next = [&](double n) {
+        const auto nodes = static_cast<std::size_t>(n);
+        Sum sum = rule(nodes);
+        evaluations += rule.evaluations(nodes);
+        double digits = 0;
+        if (last) {
+            const double ln = ln_size(Real(sum.value - last->value)) - ln_size(sum.magnitude);
+            digits = std::min(-ln / ln_10, 1e6);
+        }
+        last = std::move(sum);
+        last_n = n;
+        return digits;
+    };
+    const auto settled = [&](double shared, double before) -> bool {
+        return shared * (1 + (last_n / before - 1) * counted_on) >= target;
+    };
+    const auto result = [&](double shared, double before) {
+        const double digits = std::min(target, shared * (1 + (last_n / before - 1) * counted_on));
+        return QuadratureResult<Real>{last->value, from_ln_size(-digits * ln_10), evaluations,
+                                      true};
+    };
+    // Three small rules tell whether the digits grow like the nodes.
+    double n = std::max(10.0, target / 8);
+    (void)next(n);
+    const double first = next(n * rung);
+    const double second = next(n * rung * rung);
+    n *= rung * rung;
+    if (settled(second, n / rung)) {
+        return result(second, n / rung);
+    }
+    if (second < 3 || second < growth_asked * first) {
+        return std::nullopt;
+    }
+    // Then the one that is to have all the digits, and the one a rung below.
+    const double per_node = second / (n / rung);
+    for (double wanted = target / per_node; n < 6 * target; wanted = n * rung) {
+        double m = n * rung;
+        while (m * rung < wanted) {
+            m *= rung;
+        }
+        const double middle = next(m);
+        if (settled(middle, n)) {
+            return result(middle, n);
+        }
+        if (middle < 0.8 * per_node * n) {
+            return std::nullopt;
+        }
+        n = m * rung;
+        const double shared = next(n);
+        if (settled(shared, m)) {
+            return result(shared, m);
+        }
+        if (shared < 0.7 * per_node * m) {
+            return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace edgeproof

@@ -41,7 +41,7 @@ std::vector<MappedNode> mapped(std::size_t n) {
     nodes.reserve(n);
     // Sines of the smaller angle, so that both squares are exact to the last digit.
     const auto add = [&](std::size_t k, bool upper) {
-        const Real angle = rule->from_end[k] * quarter; // half of pi (1 - v)/2, or of pi v/2
+        const Real angle = rule->from_end[k] * quarter / 2; // half of pi (1 - v)/2, or of pi v/2
         const Real small = sin(angle);
         const Real near = 2 * small * cos(angle); // the sine of the smaller angle
         const Real far = 1 - 2 * small * small;   // and its cosine

@@ -93,6 +93,13 @@ TEST_CASE("root ends: what is no root at an end, or not smooth between, is left 
     CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(3 * r < 1 ? 1 : 0); }));
     CHECK_FALSE(settles([](const Real& r, const Real&) { return abs(Real(r - Real(1) / 3)); }));
     CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(r + 1e-30 * log(r)); }));
+    for (int exponent = -48; exponent < 0; exponent += 3) {
+        CAPTURE(exponent);
+        const Real factor = pow(Real(10), exponent);
+        CHECK_FALSE(settles([&](const Real& r, const Real&) {
+            return Real(1 / (2 + r) + factor * r * log(r)); // the factor hides it from small rules
+        }));
+    }
     CHECK(settles([](const Real& r, const Real&) { return Real(1 / (1 + r)); }));
     CHECK_THROWS_AS((void)settles([](const Real& r, const Real&) { return log(Real(-r)); }),
                     DomainError);

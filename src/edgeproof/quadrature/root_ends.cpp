@@ -186,11 +186,16 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
         last_n = n;
         return digits;
     };
-    const auto settled = [&](double shared, double before) -> bool {
-        return shared * (1 + (last_n / before - 1) * counted_on) >= target;
+    // What is foreseen of the last rule is never more than the growth over one rung: a singularity
+    // with a small factor shows only once the digits have come down to it.
+    const auto foreseen = [&](double shared, double before) {
+        return shared * (1 + (std::min(last_n / before, rung) - 1) * counted_on);
+    };
+    const auto settled = [&](double shared, double before) {
+        return foreseen(shared, before) >= target;
     };
     const auto result = [&](double shared, double before) {
-        const double digits = std::min(target, shared * (1 + (last_n / before - 1) * counted_on));
+        const double digits = std::min(target, foreseen(shared, before));
         return QuadratureResult<Real>{last->value, from_ln_size(-digits * ln_10), evaluations,
                                       true};
     };

@@ -19,8 +19,14 @@ constexpr double rung = 1.5;
 /// How many times more digits a rule of 1.5 times the nodes has to have, at the least, while it is
 /// found out whether the digits grow like the nodes.
 constexpr double growth_asked = 1.25;
-/// What is counted on of the growth that is foreseen for the last rule.
-constexpr double counted_on = 0.95;
+/// The last rule has so many times the nodes of the one that it is compared with, and nothing is
+/// foreseen beyond: a singularity with a small factor shows only where the digits have come down to
+/// it, and may lie below those that two rules share.
+constexpr double last_rung = 1.2;
+constexpr double counted_on = 0.9;
+constexpr double most_per_digit = 6; ///< nodes for a digit, where it is given up
+/// Given up as well where a rule has less than this of the digits that its nodes should have.
+constexpr double still_growing = 0.75;
 constexpr double ln_10 = 2.302585092994046;
 
 /// A Gauss-Legendre rule over 0 < v < 1, with what the maps take of a node.
@@ -186,52 +192,30 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
         last_n = n;
         return digits;
     };
-    // What is foreseen of the last rule is never more than the growth over one rung: a singularity
-    // with a small factor shows only once the digits have come down to it.
-    const auto foreseen = [&](double shared, double before) {
-        return shared * (1 + (std::min(last_n / before, rung) - 1) * counted_on);
-    };
-    const auto settled = [&](double shared, double before) {
-        return foreseen(shared, before) >= target;
-    };
-    const auto result = [&](double shared, double before) {
-        const double digits = std::min(target, foreseen(shared, before));
-        return QuadratureResult<Real>{last->value, from_ln_size(-digits * ln_10), evaluations,
-                                      true};
+    const auto result = [&](double digits) {
+        return QuadratureResult<Real>{last->value, from_ln_size(-std::min(digits, target) * ln_10),
+                                      evaluations, true};
     };
     // Three small rules tell whether the digits grow like the nodes.
     double n = std::max(10.0, target / 8);
     (void)next(n);
     const double first = next(n * rung);
     const double second = next(n * rung * rung);
-    n *= rung * rung;
-    if (settled(second, n / rung)) {
-        return result(second, n / rung);
+    if (second >= target) {
+        return result(second);
     }
     if (second < 3 || second < growth_asked * first) {
         return std::nullopt;
     }
-    // Then the one that is to have all the digits, and the one a rung below.
-    const double per_node = second / (n / rung);
-    for (double wanted = target / per_node; n < 6 * target; wanted = n * rung) {
-        double m = n * rung;
-        while (m * rung < wanted) {
-            m *= rung;
-        }
-        const double middle = next(m);
-        if (settled(middle, n)) {
-            return result(middle, n);
-        }
-        if (middle < 0.8 * per_node * n) {
-            return std::nullopt;
-        }
-        n = m * rung;
-        const double shared = next(n);
-        if (settled(shared, m)) {
-            return result(shared, m);
-        }
-        if (shared < 0.7 * per_node * m) {
-            return std::nullopt;
+    // Then one that is to have nearly all, and one that has them all.
+    const double per_node = second / (n * rung);
+    n *= rung * rung;
+    double shared = next(std::max(n * last_rung, target / per_node / last_rung));
+    while (last_n < most_per_digit * target && shared > still_growing * per_node * n) {
+        n = last_n;
+        shared = next(n * last_rung);
+        if (shared * (1 + (last_rung - 1) * counted_on) >= target) {
+            return result(shared * (1 + (last_rung - 1) * counted_on));
         }
     }
     return std::nullopt;

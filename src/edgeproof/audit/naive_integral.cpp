@@ -100,8 +100,10 @@ void require_a_value(const Integrand& f, const Split& split, const NaivePrecisio
 QuadratureResult<Real> between_cuts(const IntegrandRef<Real, Real>& f, const Real& length,
                                     const Real& beyond_lo, const Real& beyond_hi,
                                     const NaivePrecision& precision) {
-    if (auto found = integrate_root_ends(f, length, beyond_lo, beyond_hi)) {
-        return std::move(*found);
+    if (precision.roots) {
+        if (auto found = integrate_root_ends(f, length, beyond_lo, beyond_hi)) {
+            return std::move(*found);
+        }
     }
     return integrate_near<Real>(
         f, length, beyond_lo, beyond_hi,

@@ -17,6 +17,9 @@ struct NaivePrecision {
     unsigned nodes = 0;
     Real scale = 0;      ///< 0: the larger end point, and the length
     int last_level = 14; ///< of the quadrature, where it gives up
+    /// Whether the integrand may be one of roots at its ends and cuts, smooth between, for which
+    /// few nodes do. False only saves the time to find out.
+    bool roots = true;
     [[nodiscard]] unsigned integrand() const { return 3 * nodes + 60; }
     /// Digits to evaluate the integrand at, `decades` below the scale.
     [[nodiscard]] unsigned at(long decades) const {

@@ -45,12 +45,16 @@ public:
         collect_cuts(
             node.arg(0), name, lo, hi, [&](const Expr& e, const Real& s) { return along(e)(s); },
             cuts);
+        NaivePrecision precision = state_.precision;
+        precision.roots =
+            !called_functions(node.arg(0)).contains("p"); // which has logarithms at the knots
         const NaiveIntegral result =
             node.kind() == Expr::Kind::pv
                 ? principal_value_naively(along(node.arg(0)), lo, hi,
                                           evaluate<Real>(node.arg(4), scope), std::move(cuts),
-                                          state_.precision)
-                : integrate_naively(along(node.arg(0)), lo, hi, std::move(cuts), state_.precision);
+                                          std::move(precision))
+                : integrate_naively(along(node.arg(0)), lo, hi, std::move(cuts),
+                                    std::move(precision));
         const FormulaValue value{result.value, result.estimate, result.converged, 0};
         if (outermost && cache_ != nullptr) {
             cache_->emplace(node, value);

@@ -207,10 +207,15 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     if (second < 3 || second < growth_asked * first) {
         return std::nullopt;
     }
-    // Then one that is to have nearly all, and one that has them all.
+    // Then one that is to have nearly all, and one that has them all; always one of the same sizes,
+    // so that few tables of nodes are made.
     const double per_node = second / (n * rung);
     n *= rung * rung;
-    double shared = next(std::max(n * last_rung, target / per_node / last_rung));
+    double m = n * last_rung;
+    while (m * last_rung < target / per_node) {
+        m *= last_rung;
+    }
+    double shared = next(m);
     while (last_n < most_per_digit * target && shared > still_growing * per_node * n) {
         n = last_n;
         shared = next(n * last_rung);

@@ -191,13 +191,15 @@ Real NormalContact::left_edge_derivative(unsigned k) const {
     return d;
 }
 
-NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned working) const {
+NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned working,
+                                        Route route) const {
     const Solved& s = at(working);
     const PrecisionScope scope(working);
     // x - knot is what cancels; a distance from an edge never does.
     const Real length = s.extent.length();
     Look found{base_working_, std::nullopt};
     Real gap = length;
+    std::size_t nearest = 0;
     const auto& knots = s.law.slope().knots();
     for (std::size_t i = 0; i < knots.size(); ++i) {
         const Real from_edge =
@@ -205,20 +207,35 @@ NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned worki
         const Real d = abs(from_edge - u);
         if (d < gap) {
             gap = d;
+            nearest = i;
             // Within the roundoff of this look, x may be the knot itself.
             if (d <= length * pow(Real(10), 8 - static_cast<int>(working))) {
                 found.on_knot = i;
             }
         }
     }
-    if (!found.on_knot) {
-        const unsigned lost = decades_below(gap, length);
-        if (lost > 3) {
-            // In steps, so that neighbouring points share one solved contact.
-            found.working += (2 * lost + 15) / 16 * 16;
-        }
+    if (found.on_knot) {
+        return found;
+    }
+    const unsigned lost = decades_below(gap, length);
+    unsigned more = 2 * lost;
+    if (route == Route::closed_form) {
+        // There the gap d is in d ln d, which wants no digits of a small one, or at a corner in
+        // ln d, or in a power of d.
+        more = profile_.piecewise_linear() && !profile_.has_corner(nearest) ? 0 : lost;
+    }
+    if (lost > 3) {
+        // In steps, so that neighbouring points share one solved contact.
+        found.working += (more + 15) / 16 * 16;
     }
     return found;
+}
+
+Route NormalContact::chosen(Route route) const {
+    if (route != Route::automatic) {
+        return route;
+    }
+    return BallContact::has_closed_form(profile_) ? Route::closed_form : Route::singular_integral;
 }
 
 Estimated NormalContact::pressure(Edge edge, const Exact& u, Route route) const {
@@ -226,16 +243,18 @@ Estimated NormalContact::pressure(Edge edge, const Exact& u, Route route) const 
         const PrecisionScope scope(working);
         return u.to<Real>();
     };
-    Look found = look(read(base_working_), edge, base_working_);
+    route = chosen(route);
+    Look found = look(read(base_working_), edge, base_working_, route);
     if (found.on_knot) {
         const unsigned closer = base_working_ + knot_decades;
-        found = look(read(closer), edge, closer);
+        found = look(read(closer), edge, closer, route);
     }
     return pressure_at(edge, read(found.working), route, found);
 }
 
 Estimated NormalContact::pressure(Edge edge, const Real& u, Route route) const {
-    return pressure_at(edge, u, route, look(u, edge, base_working_));
+    route = chosen(route);
+    return pressure_at(edge, u, route, look(u, edge, base_working_, route));
 }
 
 RoutedPressure<Real> NormalContact::hypergeometric(Solved& solved, Edge edge, const Real& u,
@@ -264,10 +283,6 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         }
         const Real& knot = s.law.slope().knots()[*found.on_knot];
         point = {Real(s.extent.a - knot), Real(s.extent.b + knot), knot};
-    }
-    if (route == Route::automatic) {
-        route =
-            BallContact::has_closed_form(profile_) ? Route::closed_form : Route::singular_integral;
     }
     RoutedPressure<Real> p{};
     const unsigned target = digits_ + guard_digits / 2;

@@ -93,7 +93,8 @@ private:
     [[nodiscard]] RoutedPressure<Real> hypergeometric(Solved& solved, Edge edge, const Real& u,
                                                       unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
-    [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working) const;
+    [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working, Route route) const;
+    [[nodiscard]] Route chosen(Route route) const;
     [[nodiscard]] Estimated pressure_at(Edge edge, const Real& u, Route route,
                                         const Look& found) const;
     Profile profile_;

@@ -95,9 +95,12 @@ private:
 
 Factored factored(const ex& polynomial, const Roots& roots, bool collect);
 
-/// Sum over P1, P2, ... of factored coefficients.
-Expr collected(const ex& sum, const Roots& roots) {
-    std::vector<std::pair<bool, Expr>> terms;
+/// A term of a sum: whether it is taken away, and its magnitude.
+using Term = std::pair<bool, Expr>;
+
+/// The sum over P1, P2, ... of factored coefficients.
+std::vector<Term> collected(const ex& sum, const Roots& roots) {
+    std::vector<Term> terms;
     ex rest = sum.expand();
     for (const ex& P : force_derivatives()) {
         const ex c = rest.coeff(P, 1);
@@ -113,9 +116,13 @@ Expr collected(const ex& sum, const Roots& roots) {
         const Factored f = factored(rest, roots, false);
         terms.emplace_back(f.minus, f.magnitude());
     }
-    Expr e = terms[0].first ? -terms[0].second : terms[0].second;
+    return terms;
+}
+
+Expr sum_of(const std::vector<Term>& terms, bool turned) {
+    Expr e = terms[0].first != turned ? -terms[0].second : terms[0].second;
     for (std::size_t i = 1; i < terms.size(); ++i) {
-        e = terms[i].first ? e - terms[i].second : e + terms[i].second;
+        e = terms[i].first != turned ? e - terms[i].second : e + terms[i].second;
     }
     return e;
 }
@@ -126,11 +133,9 @@ std::pair<Expr, bool> sum_text(const ex& sum, const Roots& roots, bool collect) 
     const std::vector<ex> derivatives = force_derivatives();
     const bool linear = collect && std::any_of(derivatives.begin(), derivatives.end(),
                                                [&](const ex& P) { return sum.degree(P) == 1; });
-    const auto text_of = [&](const ex& e) {
-        return linear ? collected(e, roots) : to_expr(roots.restored(e));
-    };
-    const Expr e = text_of(sum);
-    const Expr turned = text_of((-sum).expand());
+    const std::vector<Term> terms = linear ? collected(sum, roots) : std::vector<Term>{};
+    const Expr e = linear ? sum_of(terms, false) : to_expr(roots.restored(sum));
+    const Expr turned = linear ? sum_of(terms, true) : to_expr(roots.restored((-sum).expand()));
     const std::string s = to_text(e);
     const std::string t = to_text(turned);
     if (t.size() < s.size() || (t.size() == s.size() && t < s)) {

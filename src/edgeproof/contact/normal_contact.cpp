@@ -47,7 +47,8 @@ std::string route_name(Route route) {
 /// The contact in numbers at one working precision. The mirrored law serves the left branch.
 struct NormalContact::Solved {
     Solved(const Profile& profile, const Exact& modulus, const Load& load, unsigned target)
-        : target_digits(target), law(profile, modulus.to<Real>(), target), extent{} {
+        : target_digits(target), roundoff(pow(Real(10), -static_cast<int>(target))),
+          law(profile, modulus.to<Real>(), target), extent{} {
         const Real value = load.value.to<Real>();
         extent = law.extent(load.kind == Load::Kind::right_edge ? value
                                                                 : law.right_edge_for_force(value));
@@ -80,6 +81,7 @@ struct NormalContact::Solved {
     }
 
     unsigned target_digits;
+    Real roundoff; ///< of all that is computed with it, relative
     ContactLaw<Real> law;
     Extent<Real> extent;
     std::unique_ptr<ContactLaw<Real>> mirror;
@@ -209,7 +211,7 @@ NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned worki
             gap = d;
             nearest = i;
             // Within the roundoff of this look, x may be the knot itself.
-            if (d <= length * pow(Real(10), 8 - static_cast<int>(working))) {
+            if (d == 0 || decades_below(d, length) + 7 >= working) {
                 found.on_knot = i;
             }
         }
@@ -314,8 +316,7 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         work_->evaluations += p.evaluations;
     }
     // Roundoff of the whole computation, with the guard that the gaps have eaten given back.
-    const Real roundoff = pow(Real(10), -static_cast<int>(target));
-    return {p.value, p.estimate > roundoff ? p.estimate : roundoff, route, p.evaluations, working};
+    return {p.value, std::max(p.estimate, s.roundoff), route, p.evaluations, working};
 }
 
 std::vector<Real> NormalContact::expansion(Edge edge, std::size_t terms) const {

@@ -69,9 +69,10 @@ int explain(const ExplainOptions& o) {
                    {"route", route_name(plan.route)},
                    {"bounds", (plan.proved ? "proved: " : "estimated: ") + plan.proved_why},
                    {"precision",
-                    plan.proved ? fmt::format("balls of {} bits at first, more where {} digits are "
-                                              "not settled by them",
-                                              plan.bits, plan.digits.count)
+                    plan.proved ? fmt::format("balls of {} bits at first ({} for the contact and "
+                                              "pressures), more where {} digits are not settled "
+                                              "by them",
+                                              plan.bits, plan.narrow_bits, plan.digits.count)
                                 : fmt::format("{} digits at first for {}, more where edges, knots "
                                               "and points lie close",
                                               plan.working_digits, plan.digits.count)},

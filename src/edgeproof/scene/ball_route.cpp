@@ -27,7 +27,8 @@ public:
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
-        length_ = settle([](BallLevel& level) { return level.length(); }, plan.digits);
+        length_ =
+            settle([](BallLevel& level) { return level.length(); }, plan.digits, plan.narrow_bits);
         if (scene.load.kind == Load::Kind::right_edge) {
             given_a_ = rational_of(scene.load.value);
         }
@@ -41,11 +42,11 @@ public:
         ContactValues values;
         const bool given = scene_.load.kind == Load::Kind::right_edge;
         const char* by_load = given ? "given" : "from P";
-        values.a = vouched([](BallLevel& level) { return level.a(); }, by_load,
-                           [&](ValueRoute& other) { return other.contact().a; });
-        values.b = vouched([](BallLevel& level) { return level.b(); },
-                           scene_.symmetric() ? by_load : "consistency",
-                           [&](ValueRoute& other) { return other.contact().b; });
+        values.a = narrow([](BallLevel& level) { return level.a(); }, by_load,
+                          [&](ValueRoute& other) { return other.contact().a; });
+        values.b = narrow([](BallLevel& level) { return level.b(); },
+                          scene_.symmetric() ? by_load : "consistency",
+                          [&](ValueRoute& other) { return other.contact().b; });
         if (given) {
             values.a.exactly = rational_of(scene_.load.value);
             if (scene_.symmetric()) {
@@ -55,7 +56,7 @@ public:
         if (scene_.punch) {
             values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; }, "tilt",
                                    [&](ValueRoute& other) { return *other.contact().alpha; });
-            const BallLevel* first = at_level(plan_.bits);
+            const BallLevel* first = at_level(plan_.narrow_bits);
             if (first != nullptr && first->tilt().exactly_zero) {
                 values.alpha->exactly = Rational(0);
             }
@@ -97,9 +98,9 @@ public:
             return *other;
         };
         if (p) {
-            values.p = vouched([&](BallLevel& level) { return level.p(edge, u); },
-                               closed() ? "closed-form" : "singular-integral",
-                               [&](ValueRoute& route) { return *instead(route).p; });
+            values.p = narrow([&](BallLevel& level) { return level.p(edge, u); },
+                              closed() ? "closed-form" : "singular-integral",
+                              [&](ValueRoute& route) { return *instead(route).p; });
         }
         if (q) {
             values.q = vouched([&](BallLevel& level) { return level.q(edge, u); },
@@ -224,10 +225,11 @@ private:
     [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
     /// f at more and more bits, until its digits are settled, or it cannot be told from zero, or
     /// the bits are used up. Nothing where it has no finite value.
-    template <class F> [[nodiscard]] std::optional<Ball> settle(const F& f, const Digits& digits) {
+    template <class F>
+    [[nodiscard]] std::optional<Ball> settle(const F& f, const Digits& digits, long first = 0) {
         std::optional<Ball> best;
         const long last = closed() ? last_bits_ : last_curved_bits_;
-        for (long bits = plan_.bits; bits <= last; bits *= 2) {
+        for (long bits = first != 0 ? first : plan_.bits; bits <= last; bits = after(bits)) {
             BallLevel* level = at_level(bits);
             if (level == nullptr) {
                 continue;
@@ -245,9 +247,21 @@ private:
         }
         return best;
     }
+    /// The bits of the next attempt.
+    [[nodiscard]] long after(long bits) const {
+        return bits < plan_.bits ? plan_.bits : 2 * bits;
+    }
     template <class F, class Instead>
     [[nodiscard]] Vouched vouched(const F& f, const char* route, const Instead& instead) {
         return vouched(f, plan_.digits, route, instead);
+    }
+    /// Of what cancels little, so that fewer bits will do at first.
+    template <class F, class Instead>
+    [[nodiscard]] Vouched narrow(const F& f, const char* route, const Instead& instead) {
+        if (auto x = settle(f, plan_.digits, plan_.narrow_bits)) {
+            return {std::move(*x), true, route};
+        }
+        return instead(others());
     }
     template <class F, class Instead>
     [[nodiscard]] Vouched vouched(const F& f, const Digits& digits, const char* route,
@@ -278,7 +292,7 @@ private:
     [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from) {
         const bool known = given_a_ && (edge == Edge::right || scene_.symmetric());
         const Rational* distance = known ? u.expr().rational() : nullptr;
-        BallLevel* first = distance != nullptr ? at_level(plan_.bits) : nullptr;
+        BallLevel* first = distance != nullptr ? at_level(plan_.narrow_bits) : nullptr;
         Vouched x{{}, true, "given", {}};
         if (first != nullptr) {
             x.value = edge == Edge::right ? first->a() - from : from - first->b();
@@ -292,7 +306,7 @@ private:
                     const Ball at = ball_of(u, level.bits());
                     return edge == Edge::right ? level.a() - at : at - level.b();
                 },
-                plan_.digits);
+                plan_.digits, plan_.narrow_bits);
         }
         return x;
     }
@@ -317,7 +331,7 @@ private:
         if (known != levels_.end()) {
             return known->second.get();
         }
-        work_.raised += levels_.empty() ? 0 : 1;
+        work_.raised += bits > plan_.bits ? 1 : 0;
         auto& slot = levels_[bits];
         try {
             slot = std::make_unique<BallLevel>(scene_, plan_, bits);

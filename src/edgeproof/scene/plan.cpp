@@ -45,6 +45,14 @@ void check(const Scene& scene) {
     }
 }
 
+/// No less than `bits`, and with the guard of the elementary functions whole words: a bit more
+/// costs a word more.
+long whole_words(long bits) {
+    constexpr long word = 64;
+    constexpr long guard = 24;
+    return (bits + guard + word - 1) / word * word - guard;
+}
+
 class Planner {
 public:
     explicit Planner(const Scene& scene) : scene_(scene), ask_(scene.ask) {}
@@ -72,6 +80,9 @@ public:
                       : closed                       ? Route::closed_form
                                                      : Route::singular_integral;
         plan_.bits = bits_for(ask_.digits.count) + 96;
+        plan_.narrow_bits = closed ? std::min(whole_words(bits_for(ask_.digits.count) + 40),
+                                              plan_.bits)
+                                   : plan_.bits; // an integral costs more than its bits save
         proof();
         contact();
         pressure();

@@ -26,6 +26,7 @@ struct Plan {
     bool proved = false;          ///< values are enclosures; else they come with estimated errors
     std::string proved_why;       ///< or why not
     long bits = 256;              ///< of the balls, at first
+    long narrow_bits = 232;       ///< of what cancels little: the edges, places, pressures
     unsigned working_digits = 70; ///< of the routes in Real, at first; both are raised on the way
     Route route = Route::closed_form;
     std::vector<Edge> edges; ///< as asked

@@ -309,6 +309,9 @@ private:
         const auto power = static_cast<ulong>(f.power());
         const auto root_of_distance = [&](const Ball& x) {
             Ball v(0, around_.bits);
+            if (arb_is_zero(x.data()) != 0) {
+                return Box(v); // of which Arb takes no root
+            }
             arb_root_ui(v.data(), x.data(), power, around_.bits);
             return Box(v);
         };

@@ -20,9 +20,6 @@ namespace edgeproof {
 namespace {
 
 constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
-/// Enough to tell what differs; all digits would cost more than they are worth in an integral that
-/// is written for the eye.
-constexpr unsigned integral_digits = 20;
 
 /// k of "P3" for the stem "P".
 std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
@@ -46,8 +43,8 @@ bool holds_function(const Expr& e) {
 } // namespace
 
 struct EnclosedSample::State {
-    State(const Sample& of, long at_bits)
-        : sample(of), bits(at_bits), profile(of.scene.make_profile()),
+    State(const Sample& of, long at_bits, unsigned aim)
+        : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()),
           contact(profile, of.scene.parameter("Es"), Load::right_edge(of.scene.parameter("a")),
                   at_bits) {
         for (const auto& [name, value] : of.scene.parameters) {
@@ -163,6 +160,7 @@ struct EnclosedSample::State {
 
     Sample sample;
     long bits;
+    unsigned integral_digits;
     Profile profile;
     BallContact contact;
     std::optional<Ball> u;
@@ -290,8 +288,8 @@ Ball EnclosedSample::State::integral(
     return enclosed_integral(node, around, integral_digits);
 }
 
-EnclosedSample::EnclosedSample(const Sample& sample, long bits)
-    : state_(std::make_unique<State>(sample, bits)) {}
+EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
+    : state_(std::make_unique<State>(sample, bits, integral_digits)) {}
 EnclosedSample::~EnclosedSample() = default;
 EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
 

@@ -12,6 +12,32 @@
 namespace edgeproof {
 namespace {
 
+bool is_zero_by_symbols(const Expr& e) {
+    try {
+        const auto held = ginac::hold();
+        const GiNaC::ex x = ginac::from_expr(e);
+        return x.is_zero() || x.expand().is_zero() || x.normal().is_zero();
+    } catch (const Error&) {
+        return false; // no way over
+    } catch (const std::exception&) {
+        return false; // GiNaC's own, as for a division by zero
+    }
+}
+
+/// The y of an f(y) in e that e is equal to, all of it.
+std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const Expr& whole) {
+    if (e.kind() == Expr::Kind::call && e.name() == f &&
+        (e == whole || is_zero_by_symbols(whole - e))) {
+        return e.arg(0);
+    }
+    for (const Expr& part : e.args()) {
+        if (auto y = argument_if_all(part, f, whole)) {
+            return y;
+        }
+    }
+    return std::nullopt;
+}
+
 /// e with what is known of b and its inverse put in; nothing where a root, a binder or a built-in
 /// function stands: rules that hold for some signs only shall not come in.
 std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
@@ -40,9 +66,8 @@ std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
         if (symmetric) {
             return args[0];
         }
-        const std::string inverse = e.name() == "bof" ? "binv" : "bof";
-        if (args[0].kind() == Kind::call && args[0].name() == inverse) {
-            return args[0].arg(0);
+        if (auto y = argument_if_all(args[0], e.name() == "bof" ? "binv" : "bof", args[0])) {
+            return y;
         }
     }
     return Expr::with_args(e, std::move(args));
@@ -52,18 +77,7 @@ std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
 
 bool surely_zero(const Expr& e, bool symmetric) {
     const auto rational = as_rational_function(e, symmetric);
-    if (!rational) {
-        return false;
-    }
-    try {
-        const auto held = ginac::hold();
-        const GiNaC::ex x = ginac::from_expr(*rational);
-        return x.is_zero() || x.expand().is_zero() || x.normal().is_zero();
-    } catch (const Error&) {
-        return false; // no way over
-    } catch (const std::exception&) {
-        return false; // GiNaC's own, as for a division by zero
-    }
+    return rational && is_zero_by_symbols(*rational);
 }
 
 } // namespace edgeproof

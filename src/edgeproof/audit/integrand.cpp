@@ -155,12 +155,23 @@ private:
             const TiltedPath::Point over = meaning_.path->at(Box::hull(start_, at));
             variable_now_.end = in_variable(end.s);
             edge_now_.end = end.b;
-            variable_now_.slope = over.ds * (1 / rate_);
-            edge_now_.slope = over.db;
-            if (direction_ < 0) {
-                variable_now_.slope = -variable_now_.slope;
-                edge_now_.slope = -edge_now_.slope;
-            }
+            find_slope(variable_now_, over.ds * (1 / rate_));
+            find_slope(edge_now_, over.db);
+        }
+    }
+
+    /// From values at the point and at the centre, and from what the derivative is between them:
+    /// the one is narrow where the box is, the other where it is near the centre.
+    void find_slope(Valued& x, const Box& derivative) {
+        x.slope = direction_ > 0 ? derivative : -derivative;
+        const Box quotient = (x.w - x.end) / vn_;
+        if (!derivative.is_finite()) {
+            x.slope = quotient;
+        } else if (quotient.is_finite()) {
+            arb_ptr re = acb_realref(x.slope.get());
+            arb_ptr im = acb_imagref(x.slope.get());
+            arb_intersection(re, re, acb_realref(quotient.get()), bits_);
+            arb_intersection(im, im, acb_imagref(quotient.get()), bits_);
         }
     }
 

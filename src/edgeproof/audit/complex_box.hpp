@@ -8,7 +8,8 @@
 namespace edgeproof {
 
 /// A rectangle of the complex plane, a ball for each part, in which a number is known to lie (Arb's
-/// acb). It carries its working precision as a Ball does.
+/// acb). It carries its working precision as a Ball does, and a result takes the larger of its
+/// operands'.
 class Box {
 public:
     explicit Box(long bits = 64) : bits_(bits) { acb_init(z_); }
@@ -64,31 +65,31 @@ public:
         return x;
     }
     friend Box operator+(Box x, const Box& y) {
-        acb_add(x.z_, x.z_, y.z_, x.bits_);
+        acb_add(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }
     friend Box operator-(Box x, const Box& y) {
-        acb_sub(x.z_, x.z_, y.z_, x.bits_);
+        acb_sub(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }
     friend Box operator*(Box x, const Box& y) {
-        acb_mul(x.z_, x.z_, y.z_, x.bits_);
+        acb_mul(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }
     friend Box operator/(Box x, const Box& y) {
-        acb_div(x.z_, x.z_, y.z_, x.bits_);
+        acb_div(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }
     friend Box operator+(Box x, const Ball& y) {
-        acb_add_arb(x.z_, x.z_, y.data(), x.bits_);
+        acb_add_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
         return x;
     }
     friend Box operator-(Box x, const Ball& y) {
-        acb_sub_arb(x.z_, x.z_, y.data(), x.bits_);
+        acb_sub_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
         return x;
     }
     friend Box operator*(Box x, const Ball& y) {
-        acb_mul_arb(x.z_, x.z_, y.data(), x.bits_);
+        acb_mul_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
         return x;
     }
     friend Box operator+(Box x, long k) {
@@ -98,6 +99,7 @@ public:
     friend Box operator-(const Ball& x, const Box& y) { return -(y - x); }
 
 private:
+    long widen(long bits) { return bits_ = bits_ < bits ? bits : bits_; }
     acb_t z_;
     long bits_;
 };

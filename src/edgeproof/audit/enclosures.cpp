@@ -16,8 +16,8 @@ constexpr std::size_t tries = 24; // samples at which a refutation is looked for
 constexpr std::size_t tries_of_integrals = 4;
 constexpr std::size_t worst_of_integrals = 4;
 constexpr std::size_t others_of_integrals = 4;
-constexpr unsigned first_aim = 20; // digits of integrals
-constexpr unsigned most_aim = 60;
+constexpr unsigned spare_digits = 2;   // that integrals aim at
+constexpr unsigned enough_digits = 20; // where parts of an integral cancel
 
 /// What is held against what.
 struct Formulas {
@@ -79,7 +79,7 @@ Pair pair_at(const Spot& spot, const Formulas& formulas, unsigned digits) {
     const long needed = bits_for(digits);
     const auto good = [&](const Ball& x) { return x.relative_accuracy_bits() >= needed; };
     for (long bits = 2 * needed; bits <= 8 * needed; bits *= 2) {
-        if (!enclose(spot, formulas, bits, first_aim, pair) ||
+        if (!enclose(spot, formulas, bits, digits, pair) ||
             (pair.printed && good(*pair.printed) && good(*pair.exact))) {
             break;
         }
@@ -88,11 +88,11 @@ Pair pair_at(const Spot& spot, const Formulas& formulas, unsigned digits) {
 }
 
 /// Integrals come out as wide as they are told to: twice the bits for what is not enclosed, and
-/// once more digits where parts of them cancel.
+/// once more digits where too many cancel.
 Pair pair_of_integrals(const Spot& spot, const Formulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = bits_for(digits);
-    const unsigned aim = std::min(first_aim, digits);
+    const unsigned aim = digits + spare_digits;
     for (long bits = 2 * needed; bits <= 4 * needed && !pair.printed; bits *= 2) {
         if (!enclose(spot, formulas, bits, aim, pair)) {
             return pair;
@@ -102,10 +102,9 @@ Pair pair_of_integrals(const Spot& spot, const Formulas& formulas, unsigned digi
         return pair;
     }
     const auto proved = proved_digits(pair);
-    const double missing = proved ? aim - *proved : 0;
-    constexpr double not_worth_it = 2;
-    if (missing > not_worth_it && aim + missing < most_aim) {
-        enclose(spot, formulas, 2 * needed, aim + static_cast<unsigned>(missing) + 1, pair);
+    if (proved && *proved < std::min(enough_digits, digits - digits / 4)) {
+        const auto missing = static_cast<unsigned>(std::clamp(aim - *proved, 0., 1. * digits));
+        enclose(spot, formulas, 4 * needed, aim + missing, pair);
     }
     return pair;
 }

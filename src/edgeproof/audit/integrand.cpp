@@ -17,6 +17,7 @@ constexpr long most_rooted = 64; // n of e +- v^n
 
 /// v^k w, and, where it is asked for, w = end + v^n slope of what has k = 0.
 struct Valued {
+    explicit Valued(long bits) : w(bits), end(bits), slope(bits) {}
     long k = 0;
     Box w;
     Box end;
@@ -45,12 +46,12 @@ class Integrand::Program {
 public:
     Program(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits)
         : variable_(std::move(variable)), meaning_(std::move(meaning)), bits_(bits),
-          steps_(f, variable_, meaning_), valued_(steps_.all().size()),
+          steps_(f, variable_, meaning_), valued_(steps_.all().size(), Valued(bits)),
           zero_(steps_.all().size(), false), sloped_(steps_.all().size(), false) {
         for (std::size_t i = 0; i < all().size(); ++i) {
             if (all()[i].op == Op::constant) {
                 const Ball value = meaning_.constant(all()[i].written);
-                valued_[i] = {0, Box(value), Box(value), Box(bits_)};
+                valued_[i].w = valued_[i].end = Box(value);
             }
         }
         if (meaning_.path != nullptr) {
@@ -283,13 +284,13 @@ private:
     long power_ = 1;
     Ball offset_;
     Ball rate_;
-    Box v_;
-    Box vn_;
+    Box v_{bits_};
+    Box vn_{bits_};
     bool analytic_ = false;
-    Valued variable_now_;
-    Valued edge_now_;
-    Box force_rate_;
-    Box by_angle_;
+    Valued variable_now_{bits_};
+    Valued edge_now_{bits_};
+    Box force_rate_{bits_};
+    Box by_angle_{bits_};
 };
 
 void Integrand::Program::take(std::size_t i) {

@@ -18,14 +18,16 @@ const Expr edge_b = Expr::symbol("b"); // NOLINT
 
 constexpr long most_whole = 200; // exponent of a power law that is written out
 
-std::string indexed(const char* name, std::size_t i) { return name + std::to_string(i) + "_"; }
+std::string indexed(const char* name, std::size_t i) {
+    return std::string(name) + " " + std::to_string(i);
+}
 
 } // namespace
 
 ContactFormulas::ContactFormulas(const Profile& profile, const BallContact& contact,
                                  const Ball& modulus)
     : profile_(profile), contact_(contact), modulus_(modulus) {
-    named("Es_", modulus);
+    named("modulus of the contact", modulus);
     switch (profile.kind()) {
     case Profile::Kind::power_law: {
         const Rational* m = parameter("m").rational();
@@ -34,13 +36,13 @@ ContactFormulas::ContactFormulas(const Profile& profile, const BallContact& cont
                         "an integral");
         }
         exponent_ = *m;
-        named("rate_", contact.force_rate() / pow(contact.a(), *m));
-        named("lead_", contact.force_rate() / Ball::pi(contact.bits()));
+        named("factor of the force rate", contact.force_rate() / pow(contact.a(), *m));
+        named("factor of the pressure", contact.force_rate() / Ball::pi(contact.bits()));
         break;
     }
     case Profile::Kind::tilted_wedge:
-        named("rate_", contact.force_rate());
-        named("gamma_", contact.b() / contact.a());
+        named("factor of the force rate", contact.force_rate());
+        named("ratio of the edges", contact.b() / contact.a());
         break;
     case Profile::Kind::flat_and_rounded:
         break;
@@ -90,16 +92,16 @@ Expr ContactFormulas::slope(const Expr& x, const Ball& near, bool absolute) cons
 std::optional<Expr> ContactFormulas::force_rate(const Expr& s, const Ball& near) const {
     switch (profile_.kind()) {
     case Profile::Kind::power_law:
-        return Expr::symbol("rate_") * pow(s, Expr::number(*exponent_));
+        return Expr::symbol("factor of the force rate") * pow(s, Expr::number(*exponent_));
     case Profile::Kind::tilted_wedge:
-        return Expr::symbol("rate_");
+        return Expr::symbol("factor of the force rate");
     case Profile::Kind::flat_and_rounded: {
         const Expr t = parameter("t");
         if (!beyond(near, t)) {
             return integer(0);
         }
         // pi/2 - asin(t/s), in a form that keeps its digits and its root at s = t.
-        return Expr::symbol("Es_") * s / parameter("R") * integer(2) *
+        return Expr::symbol("modulus of the contact") * s / parameter("R") * integer(2) *
                call_of("atan", {root_of((s - t) / (s + t))});
     }
     default:
@@ -107,7 +109,8 @@ std::optional<Expr> ContactFormulas::force_rate(const Expr& s, const Ball& near)
             return std::nullopt;
         }
         // All of the contact on the right arc.
-        return Expr::symbol("Es_") * Expr::pi() * s / (integer(2) * parameter("R"));
+        return Expr::symbol("modulus of the contact") * Expr::pi() * s /
+               (integer(2) * parameter("R"));
     }
 }
 
@@ -116,7 +119,7 @@ std::optional<Expr> ContactFormulas::left_edge(const Expr& s, const Ball& near) 
         return s;
     }
     if (profile_.kind() == Profile::Kind::tilted_wedge) {
-        return Expr::symbol("gamma_") * s;
+        return Expr::symbol("ratio of the edges") * s;
     }
     if (beyond(near, parameter("alpha") * parameter("R"))) {
         return std::nullopt;
@@ -175,8 +178,8 @@ void ContactFormulas::read_pressure() {
         named(indexed("inset", i), root(mark.right));
         named(indexed("outset", i), root(mark.left));
     }
-    named("arc_", arc);
-    named("lead_", modulus_ / (Ball::pi(bits) * 2));
+    named("arc of the contact", arc);
+    named("factor of the pressure", modulus_ / (Ball::pi(bits) * 2));
 }
 
 std::optional<Expr> ContactFormulas::pressure_above(const Expr& x) const {
@@ -190,14 +193,13 @@ std::optional<Expr> ContactFormulas::pressure_above(const Expr& x) const {
         const long m = exponent_->convert_to<long>();
         const Expr z = x / edge_a;
         const Expr w = right * left / edge_a;
-        Expr sum = m % 2 == 1 ? w
-                              : call_of("log", {integer(1) + w}) - call_of("log_above", {z});
+        Expr sum = m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - call_of("log_above", {z});
         for (long k = m % 2 + 2; k <= m; k += 2) {
             sum = (w + integer(k - 1) * (pow(z, integer(2)) * sum)) / integer(k);
         }
-        return Expr::symbol("lead_") * sum;
+        return Expr::symbol("factor of the pressure") * sum;
     }
-    Expr sum = Expr::symbol("arc_") * (right * left);
+    Expr sum = Expr::symbol("arc of the contact") * (right * left);
     for (std::size_t i = 0; i < profile_.knots().size(); ++i) {
         if (!constants_.contains(indexed("knot", i))) {
             continue;
@@ -210,7 +212,7 @@ std::optional<Expr> ContactFormulas::pressure_above(const Expr& x) const {
             call_of("log_above", {x - at_knot("knot")});
         sum = sum + (at_knot("jump") + at_knot("drop") * (at_knot("knot") - x)) * green;
     }
-    return Expr::symbol("lead_") * sum;
+    return Expr::symbol("factor of the pressure") * sum;
 }
 
 /// w = sqrt(1 - z^2), z = |x|/a.
@@ -233,16 +235,16 @@ Expr ContactFormulas::power_law_pressure(const Expr& x, const Ball& near) const 
     const Ball size = abs(near) / contact_.a() * 10;
     Expr integral;
     if (certainly_less(size, Ball(7, size.bits()))) {
-        const Expr even = w / m *
-                          call_of("gauss", {first, integer(1), integer(1) - m * half,
-                                            pow(z, integer(2))});
+        const Expr even =
+            w / m *
+            call_of("gauss", {first, integer(1), integer(1) - m * half, pow(z, integer(2))});
         integral = even + root_of(Expr::pi()) * half * call_of("gamma", {-(m * half)}) /
                               call_of("gamma", {first}) * pow(z, m);
     } else {
         const Expr y = (edge_a - x) * (x + edge_a) / pow(edge_a, integer(2));
         integral = w * call_of("gauss", {first, integer(1), Expr::number(Rational(3, 2)), y});
     }
-    return Expr::symbol("lead_") * integral;
+    return Expr::symbol("factor of the pressure") * integral;
 }
 
 std::vector<std::size_t> ContactFormulas::changing_knots(bool absolute) const {

@@ -13,7 +13,8 @@
 namespace edgeproof {
 
 /// The functions of a contact inside an integral, as formulas that Integrand knows, in names of
-/// their own (`constants`) beside a, b, Q and sig0. For the paper's profiles; Error for others.
+/// their own, such as no text has (`constants`), beside a, b, Q and sig0. For the paper's profiles;
+/// Error for others.
 class ContactFormulas {
 public:
     /// Refers to both.

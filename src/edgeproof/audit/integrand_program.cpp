@@ -78,7 +78,7 @@ std::size_t IntegrandSteps::add(const Expr& e) {
         const std::size_t y = add(e.arg(1));
         // A flat's slope takes what it is a factor of away, its singularities and all.
         const bool times = op == Step::Op::mul;
-        if (is_zero(x) && (times || op == Step::Op::div)) {
+        if (is_zero(x) && (times || (op == Step::Op::div && !is_zero(y)))) {
             return x;
         }
         return times && is_zero(y) ? y : step(op, e, {x, y});

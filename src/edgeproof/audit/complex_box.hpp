@@ -93,8 +93,8 @@ public:
         return x;
     }
     friend Box operator+(Box x, long k) {
-        acb_add_si(x.z_, x.z_, k, x.bits_);
-        return x;
+        const Ball whole(k, x.bits_);
+        return std::move(x) + whole;
     }
     friend Box operator-(const Ball& x, const Box& y) { return -(y - x); }
 

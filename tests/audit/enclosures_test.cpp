@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosures.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -64,13 +63,6 @@ std::string fault_of(const std::string& text, const Sample& sample) {
     return ball.ball->relative_accuracy_bits() < bits_for(digits) ? text + " is wide" : "";
 }
 
-Ball integral(const std::string& f, const Rational& lo, const Rational& hi) {
-    const NameEnclosure none = [](std::string_view name) -> Ball {
-        throw Error(std::string(name) + " has no value");
-    };
-    return enclosed_integral(enclosed_formula(f), "s", none, Ball(lo, 200), Ball(hi, 200), 30);
-}
-
 const Evidence& enclosures_of(const ClaimResult& r) {
     const EvidenceItem* item = r.outcome.evidence.find("enclosures");
     REQUIRE(item != nullptr);
@@ -129,22 +121,6 @@ TEST_CASE("a sample's names and functions in balls hold the values found in Real
     }
 }
 
-TEST_CASE("integrals of formulas are enclosed, roots at their ends too") {
-    const Ball pi = Ball::pi(200);
-    CHECK(contains(integral("s^2*exp(s)", 0, 1), exp(Ball(1, 400)) - 2));
-    CHECK(overlaps(integral("sqrt(1 - s^2)", 0, 1), pi / 4));
-    CHECK(integral("sqrt(1 - s^2)", 0, 1).relative_accuracy_bits() > 40);
-    // asin(1/s) branches at the lower end; by parts: 2 pi/6 + acosh(2) - pi/2
-    CHECK(overlaps(integral("asin(1/s)", 1, 2), acosh(Ball(2, 200)) - pi / 6));
-    CHECK(integral("asin(1/s)", 1, 2).relative_accuracy_bits() > 40);
-    // Without a bound on the integrand there is none on the integral.
-    CHECK_FALSE(integral("1/sqrt(1 - s^2)", 0, 1).is_finite());
-    CHECK_FALSE(integral("1/(s - 1/2)", 0, 1).is_finite());
-    CHECK_THROWS_AS(static_cast<void>(integral("p(s)", 0, 1)), Error);
-    // Real over one half of the interval, imaginary over the other.
-    CHECK_FALSE(integral("sqrt(1 - s)", 0, 2).is_finite());
-}
-
 TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint balls") {
     const ClaimResult right = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)"));
     CHECK(right.outcome.verdict == Verdict::confirmed);
@@ -170,6 +146,33 @@ TEST_CASE("a refutation that the enclosures do not bear out is none") {
     CHECK(without.verdict == Verdict::refuted);
     CHECK(std::get<Evidence>(without.evidence.find("enclosures")->value()).find("none")->text() ==
           "no closed form");
+}
+
+TEST_CASE("a confirmation that the enclosures contradict is none") {
+    // Within what is asked of the digits, and yet certainly another number.
+    const ClaimResult near = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-32)"));
+    CHECK(near.outcome.verdict == Verdict::undecided);
+    CHECK(near.outcome.note == "the estimates have it agree, the enclosures do not");
+    CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));
+}
+
+TEST_CASE("where the value is zero, digits are proved relative to the claim's scale") {
+    const std::string zero = "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = "
+                             "\"integral(g1(s)/sqrt(a^2-s^2), s, -a, a)\"\n";
+    const Evidence& scaled = enclosures_of(result_of(zero + "scale = \"C*a\"\n"));
+    CHECK(scaled.find("digits_proved")->text() == "34.0");
+    CHECK(scaled.find("samples")->text() == "2");
+}
+
+TEST_CASE("integrals of the contact are proved to the digits of the run, never rounded up") {
+    const ClaimResult force = result_of(
+        value_claim("Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(force.outcome.verdict == Verdict::confirmed);
+    CHECK(std::stod(enclosures_of(force).find("digits_proved")->text()) > 30);
+    const ClaimResult wrong =
+        result_of(value_claim("Es/2*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(rests_on_enclosures(wrong));
 }
 
 TEST_CASE("a ball's text holds all of the ball") {

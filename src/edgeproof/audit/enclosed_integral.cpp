@@ -1,209 +1,389 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosed_integral.hpp"
 
-#include "edgeproof/precision/acb_include.hpp"
+#include "edgeproof/audit/exact_zero.hpp"
+#include "edgeproof/audit/integrand.hpp"
+#include "edgeproof/audit/integrand_parts.hpp"
+#include "edgeproof/audit/line_integral.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <string>
+#include <unordered_map>
 
 namespace edgeproof {
 namespace {
 
-using Kind = Expr::Kind;
+using Centre = Integrand::Centre;
 
-constexpr long most_evaluations = 20000;
+/// One end of a piece.
+struct PieceEnd {
+    Expr written;
+    Ball at;
+    bool of_contacts = false; ///< where P1of and bof change their formula
+    Ball angle = {};          ///< on a path
+};
 
-/// A complex box, its centre and radii Arb's.
-class Box {
+/// A place without a formula; no text has such a name.
+Expr unnamed_place() { return Expr::symbol("a place inside"); }
+
+class EnclosedIntegral {
 public:
-    Box() { acb_init(z_); }
-    explicit Box(const Ball& x) : Box() { acb_set_arb(z_, x.data()); }
-    explicit Box(const acb_t z) : Box() { acb_set(z_, z); }
-    Box(const Box& o) : Box(o.z_) {}
-    Box(Box&& o) noexcept : Box() { acb_swap(z_, o.z_); }
-    Box& operator=(const Box&) = delete;
-    Box& operator=(Box&&) = delete;
-    ~Box() { acb_clear(z_); }
-    [[nodiscard]] acb_ptr get() { return z_; }
-    [[nodiscard]] acb_srcptr get() const { return z_; }
-
-private:
-    acb_t z_;
-};
-
-/// A formula on a box of the variable.
-struct OnBox {
-    std::string_view variable;
-    const NameEnclosure& names;
-    const Box& at;
-    bool analytic; ///< not finite where the formula may not be holomorphic on the whole box
-    long bits;
-
-    [[nodiscard]] Box operator()(const Expr& e) const {
-        if (const Rational* q = e.rational()) {
-            return Box(Ball(*q, bits));
+    EnclosedIntegral(const Expr& node, const IntegralSurroundings& around, unsigned digits)
+        : f_(node.arg(0)), variable_(node.arg(1).name()), around_(around), digits_(digits),
+          lo_(resolved(node.arg(2))), hi_(resolved(node.arg(3))) {
+        if (node.kind() == Expr::Kind::pv) {
+            pole_ = node.arg(4);
         }
-        Box y;
-        switch (e.kind()) {
-        case Kind::pi:
-            return Box(Ball::pi(bits));
-        case Kind::symbol:
-            return e.name() == variable ? at : Box(names(e.name()));
-        case Kind::neg:
-            acb_neg(y.get(), (*this)(e.arg(0)).get());
-            return y;
-        case Kind::add:
-            acb_add(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits);
-            return y;
-        case Kind::sub:
-            acb_sub(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits);
-            return y;
-        case Kind::mul:
-            acb_mul(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits);
-            return y;
-        case Kind::div:
-            acb_div(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits);
-            return y;
-        case Kind::pow:
-            return power(e);
-        case Kind::call:
-            return call(e);
-        default:
-            throw Error("'" + e.name() + "' has no enclosure inside an integral");
+    }
+
+    [[nodiscard]] Ball value() {
+        PieceEnd lo{lo_, number(lo_)};
+        PieceEnd hi{hi_, number(hi_)};
+        if (certainly_less(hi.at, lo.at)) {
+            std::swap(lo, hi);
+            return -real_part(between(lo, hi));
         }
+        if (!certainly_less(lo.at, hi.at)) {
+            throw BudgetError("the ends of an integral that are not told apart");
+        }
+        return real_part(between(lo, hi));
     }
 
 private:
-    [[nodiscard]] Box power(const Expr& e) const {
-        Box y;
-        const Box base = (*this)(e.arg(0));
-        const Rational* q = e.arg(1).rational();
-        if (q != nullptr && denominator(*q) == 1 && abs(*q) < 1000) {
-            acb_pow_si(y.get(), base.get(), q->convert_to<long>(), bits);
-        } else {
-            acb_pow_analytic(y.get(), base.get(), (*this)(e.arg(1)).get(), analytic ? 1 : 0, bits);
+    static Ball real_part(const Box& sum) {
+        Ball value = sum.real();
+        if (!sum.may_be_real()) {
+            arb_indeterminate(value.data()); // a root of what is negative somewhere
         }
-        return y;
+        return value;
     }
-    [[nodiscard]] Box call(const Expr& e) const {
-        if (e.args().size() != 1) {
-            throw Error("'" + e.name() + "' has no enclosure inside an integral");
-        }
-        const Box x = (*this)(e.arg(0));
-        Box y;
-        const int whole = analytic ? 1 : 0;
-        switch (e.builtin()) {
-        case Builtin::sqrt:
-            acb_sqrt_analytic(y.get(), x.get(), whole, bits);
-            break;
-        case Builtin::log:
-            acb_log_analytic(y.get(), x.get(), whole, bits);
-            break;
-        case Builtin::exp:
-            acb_exp(y.get(), x.get(), bits);
-            break;
-        case Builtin::sin:
-            acb_sin(y.get(), x.get(), bits);
-            break;
-        case Builtin::cos:
-            acb_cos(y.get(), x.get(), bits);
-            break;
-        case Builtin::asin:
-            (analytic && !within_one(x) ? acb_indeterminate(y.get())
-                                        : acb_asin(y.get(), x.get(), bits));
-            break;
-        case Builtin::acos:
-            (analytic && !within_one(x) ? acb_indeterminate(y.get())
-                                        : acb_acos(y.get(), x.get(), bits));
-            break;
-        default:
-            throw Error("'" + e.name() + "' has no enclosure inside an integral");
-        }
-        return y;
-    }
-    /// Certainly off the cuts of asin and acos, which begin at -1 and 1 and run outwards.
-    static bool within_one(const Box& x) {
-        if (arb_contains_zero(acb_imagref(x.get())) == 0) {
-            return true;
-        }
-        const Ball one(1, 64);
-        arb_t size;
-        arb_init(size);
-        arb_abs(size, acb_realref(x.get()));
-        const bool within = arb_lt(size, one.data()) != 0;
-        arb_clear(size);
-        return within;
-    }
-};
 
-struct IntegrandCall {
-    const Expr& integrand;
-    std::string_view variable;
-    const NameEnclosure& names;
-    std::exception_ptr thrown;
-};
+    /// max and min of what the balls tell apart.
+    [[nodiscard]] Expr resolved(const Expr& e) {
+        const bool greater = e.builtin() == Builtin::max;
+        if ((!greater && e.builtin() != Builtin::min) || e.args().size() != 2) {
+            return e;
+        }
+        const Ball x = number(e.arg(0));
+        const Ball y = number(e.arg(1));
+        if (overlaps(x, y)) {
+            return e;
+        }
+        return resolved(certainly_less(x, y) == greater ? e.arg(1) : e.arg(0));
+    }
 
-int integrand_on(acb_ptr out, const acb_t at, void* parameter, slong order, slong bits) {
-    auto& work = *static_cast<IntegrandCall*>(parameter);
-    // No exception may pass through Arb, which goes on asking after the first.
-    if (work.thrown) {
-        acb_indeterminate(out);
-        return 0;
+    [[nodiscard]] Ball number(const Expr& e) {
+        if (const auto it = numbers_.find(e); it != numbers_.end()) {
+            return it->second;
+        }
+        Ball value = around_.value(e);
+        numbers_.emplace(e, value);
+        return value;
     }
-    try {
-        const Box box(at);
-        const Box value = OnBox{work.variable, work.names, box, order != 0, bits}(work.integrand);
-        acb_set(out, value.get());
-    } catch (...) {
-        work.thrown = std::current_exception();
-        acb_indeterminate(out);
+
+    [[nodiscard]] const ContactFormulas& contact(const Expr& call) const {
+        if (around_.contact == nullptr) {
+            throw Error("'" + call.name() + "' has no enclosure inside an integral");
+        }
+        return *around_.contact;
     }
-    return 0;
-}
+
+    [[nodiscard]] Box between(const PieceEnd& lo, const PieceEnd& hi) {
+        lowest_ = lo;
+        highest_ = hi;
+        if (pole_ &&
+            !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
+            throw BudgetError("a pole that is not seen to be inside the interval");
+        }
+        if (around_.contact != nullptr && holds_pressure(f_, variable_)) {
+            if (const auto above = over_the_contact()) {
+                return *above;
+            }
+        }
+        std::vector<PieceEnd> ends{lo};
+        for (PieceEnd& cut : cuts()) {
+            ends.push_back(std::move(cut));
+        }
+        ends.push_back(hi);
+        Box sum(around_.bits);
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            sum = sum + piece(ends[i], ends[i + 1]);
+            if (!sum.is_finite()) {
+                break;
+            }
+        }
+        return sum;
+    }
+
+    /// A linear function of the variable, at a place.
+    [[nodiscard]] Ball linear_at(const Expr& argument, const Ball& place) {
+        const auto line = as_linear(argument, variable_);
+        if (!line) {
+            throw Error("an argument that is not linear has no enclosure inside an integral");
+        }
+        return number(line->at_origin) + number(line->rate) * place;
+    }
+
+    /// Inside, ascending.
+    [[nodiscard]] std::vector<PieceEnd> cuts() {
+        std::vector<PieceEnd> inside;
+        if (around_.contact == nullptr) {
+            return inside;
+        }
+        const auto same = [&](const PieceEnd& x, const Expr& e, const Ball& at) {
+            if (!overlaps(x.at, at)) {
+                return false;
+            }
+            if (x.written == e || surely_zero(x.written - e, around_.symmetric)) {
+                return true;
+            }
+            throw BudgetError("places where an integrand changes that are not told apart");
+        };
+        for (const IntegrandCut& cut : integrand_cuts(f_, variable_, *around_.contact)) {
+            const Ball at = number(cut.at);
+            if (same(lowest_, cut.at, at) || same(highest_, cut.at, at)) {
+                continue;
+            }
+            const auto known = std::find_if(inside.begin(), inside.end(),
+                                            [&](const PieceEnd& x) { return same(x, cut.at, at); });
+            if (known != inside.end()) {
+                known->of_contacts = known->of_contacts || cut.of_contacts;
+            } else if (certainly_less(lowest_.at, at) && certainly_less(at, highest_.at)) {
+                inside.push_back({cut.at, at, cut.of_contacts});
+            }
+        }
+        std::sort(inside.begin(), inside.end(),
+                  [](const PieceEnd& x, const PieceEnd& y) { return certainly_less(x.at, y.at); });
+        return inside;
+    }
+
+    /// Functions of the contact as they are about `place`.
+    [[nodiscard]] IntegrandMeaning meaning(const Ball& place, bool above) {
+        IntegrandMeaning m;
+        m.constant = [this](const Expr& e) { return number(e); };
+        m.rational = around_.rational;
+        m.surely_zero = [this](const Expr& e) { return surely_zero(e, around_.symmetric); };
+        m.written_out = [this, place, above](const Expr& e) {
+            const bool size = is_size_of_slope(e);
+            const Expr& f = size ? e.arg(0) : e;
+            const ContactFormulas& formulas = contact(f);
+            std::optional<Expr> out;
+            if (f.name() == "g1") {
+                out = formulas.slope(f.arg(0), linear_at(f.arg(0), place), size);
+            } else if (f.name() == "P1of") {
+                out = formulas.force_rate(f.arg(0), linear_at(f.arg(0), place));
+            } else if (f.name() == "bof") {
+                out = formulas.left_edge(f.arg(0), linear_at(f.arg(0), place));
+            } else if (f.name() == "q") {
+                out = ContactFormulas::traction(f.arg(0));
+            } else if (f.name() == "p" && above) {
+                out = formulas.pressure_above(f.arg(0));
+            } else if (f.name() == "p") {
+                out = formulas.power_law_pressure(f.arg(0), linear_at(f.arg(0), place));
+            }
+            if (!out) {
+                throw Error("'" + f.name() + "' has no enclosure inside an integral");
+            }
+            return *out;
+        };
+        return m;
+    }
+
+    [[nodiscard]] Box piece(PieceEnd from, PieceEnd to) {
+        const Ball place = (from.at + to.at) / 2;
+        IntegrandMeaning m = meaning(place, false);
+        std::optional<TiltedPath> path;
+        const auto argument = contact_argument(f_, variable_);
+        if (argument && around_.contact != nullptr) {
+            path = around_.contact->path(linear_at(*argument, place));
+            if (path) {
+                m.path = &*path;
+                m.path_argument = argument;
+                const bool upwards =
+                    certainly_positive(number(as_linear(*argument, variable_)->rate));
+                from.angle = angle_of(from, *argument, *path, upwards);
+                to.angle = angle_of(to, *argument, *path, !upwards);
+            }
+        }
+        Integrand f(f_, variable_, std::move(m), around_.bits);
+        if (f.vanishes()) {
+            return Box(around_.bits);
+        }
+        if (!pole_) {
+            return by_ends(f, from, to, path.has_value());
+        }
+        const Ball pole = number(*pole_);
+        if (certainly_less(pole, from.at) || certainly_less(to.at, pole)) {
+            return by_ends(f, from, to, path.has_value());
+        }
+        if (path || !certainly_less(from.at, pole) || !certainly_less(pole, to.at)) {
+            throw BudgetError("a pole that is not told from where the integrand changes");
+        }
+        return over_pole(f, from, pole, to);
+    }
+
+    /// `first`: where the path's angle is least.
+    [[nodiscard]] Ball angle_of(const PieceEnd& end, const Expr& argument, const TiltedPath& path,
+                                bool first) {
+        if (end.of_contacts) {
+            return first ? Ball(0, around_.bits) : path.end_of_flat();
+        }
+        const Expr s = substitute(argument, variable_, end.written);
+        return path.angle_of(number(s), number(Expr::call("bof", {s})));
+    }
+
+    static const Ball& position(const PieceEnd& end, bool by_angle) {
+        return by_angle ? end.angle : end.at;
+    }
+
+    /// From where it is counted to v; half the piece, or all of it.
+    [[nodiscard]] Box from_centre(Integrand& f, const Ball& near, const Ball& far) const {
+        const auto power = static_cast<ulong>(f.power());
+        const auto root_of_distance = [&](const Ball& x) {
+            Ball v(0, around_.bits);
+            if (arb_is_zero(x.data()) != 0) {
+                return Box(v); // of which Arb takes no root
+            }
+            arb_root_ui(v.data(), x.data(), power, around_.bits);
+            return Box(v);
+        };
+        return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
+    }
+
+    /// The end to count from: of the piece, or of the whole integral where that is near enough for
+    /// what is singular there to matter.
+    [[nodiscard]] std::optional<PieceEnd> singular_end(Integrand& f, const PieceEnd& end,
+                                                       const PieceEnd& outermost, int direction,
+                                                       const Ball& length, bool by_angle) const {
+        f.centre(end.written, end.at, direction, end.angle, Centre::rooted);
+        if (f.power() > 1) {
+            return end;
+        }
+        if (by_angle || !certainly_less(abs(end.at - outermost.at) * 10, length)) {
+            return std::nullopt;
+        }
+        f.centre(outermost.written, outermost.at, direction, outermost.angle, Centre::rooted);
+        return f.power() > 1 ? std::optional(outermost) : std::nullopt;
+    }
+
+    [[nodiscard]] Box by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to,
+                              bool by_angle) const {
+        const Ball start = position(from, by_angle);
+        const Ball stop = position(to, by_angle);
+        const Ball length = abs(stop - start);
+        const auto right = singular_end(f, to, highest_, -1, length, by_angle);
+        const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
+        const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
+        Box sum(around_.bits);
+        if (left) {
+            const Ball& at = position(*left, by_angle);
+            sum = from_centre(f, distance(at, start), distance(at, middle));
+        }
+        if (right) {
+            f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
+            const Ball& at = position(*right, by_angle);
+            sum = sum + from_centre(f, distance(at, stop), distance(at, middle));
+        }
+        if (!left && !right) {
+            f.centre(from.written, from.at, 1, from.angle, Centre::regular);
+            sum = from_centre(f, Ball(0, around_.bits), length);
+        }
+        return sum;
+    }
+
+    /// Zero from a place to itself, however wide the ball.
+    [[nodiscard]] Ball distance(const Ball& x, const Ball& y) const {
+        return arb_equal(x.data(), y.data()) != 0 ? Ball(0, around_.bits) : abs(y - x);
+    }
+
+    [[nodiscard]] Box over_pole(Integrand& f, const PieceEnd& from, const Ball& pole,
+                                const PieceEnd& to) const {
+        f.centre(*pole_, pole, 1, {}, Centre::pole);
+        Ball r(min(pole - from.at, to.at - pole).midpoint(), around_.bits);
+        for (int k = 0; k < 16; ++k) {
+            r /= 2;
+            const Ball across = r * Ball::from_interval(Real(-1), Real(1), around_.bits);
+            const Integrand::Leading without = f.leading(Box(across, across));
+            if (without.power != -1 || !without.factor.is_finite()) {
+                continue;
+            }
+            const Ball zero(0, around_.bits);
+            const Box top(zero, r);
+            Box sum = line_integral(f, Box(-r), top, digits_) +
+                      line_integral(f, top, Box(r), digits_) +
+                      f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
+            const PieceEnd before{unnamed_place(), pole - r};
+            const PieceEnd behind{unnamed_place(), pole + r};
+            sum = sum + by_ends(f, from, before, false);
+            return sum + by_ends(f, behind, to, false);
+        }
+        throw Error("the pole of a principal value is not shown to be a simple one");
+    }
+
+    /// Above the contact, from its left end to its right one. Nothing where the integrand has no
+    /// such form.
+    [[nodiscard]] std::optional<Box> over_the_contact() {
+        Expr over = f_;
+        if (pole_) {
+            const Expr behind = Expr::symbol(variable_) - *pole_;
+            if (f_.kind() != Expr::Kind::div || !(f_.arg(1) == behind)) {
+                return std::nullopt;
+            }
+            over = f_.arg(0);
+        }
+        if (degree_in_pressure(over, variable_) != 1 ||
+            !around_.contact->pressure_above(Expr::symbol(variable_))) {
+            return std::nullopt;
+        }
+        const Expr a = Expr::symbol("a");
+        if (!surely_zero(highest_.written - a, around_.symmetric) ||
+            !surely_zero(lowest_.written + Expr::symbol("b"), around_.symmetric)) {
+            return std::nullopt;
+        }
+        const long bits = around_.bits;
+        Integrand f(f_, variable_, meaning((lowest_.at + highest_.at) / 2, true), bits);
+        const Ball half((highest_.at - lowest_.at).midpoint(), bits);
+        const Box top(Ball((lowest_.at + highest_.at).midpoint(), bits) / 2, half / 2);
+        Box sum(bits);
+        if (pole_) {
+            const Ball pole = number(*pole_);
+            f.centre(*pole_, pole, 1, {}, Centre::pole);
+            const Integrand::Leading without = f.leading(Box(bits));
+            if (without.power != -1) {
+                return std::nullopt;
+            }
+            sum = without.factor * Box(Ball(0, bits), Ball::pi(bits));
+        }
+        const auto from_end = [&](const PieceEnd& end, int direction) {
+            f.centre(end.written, end.at, direction, {}, Centre::rooted);
+            if (f.power() != 2) {
+                throw Error("a pressure without a root at the edge");
+            }
+            Box v = direction > 0 ? top - end.at : end.at - top;
+            acb_sqrt(v.get(), v.get(), bits);
+            return line_integral(f, Box(bits), v, digits_);
+        };
+        sum = sum + from_end(lowest_, 1);
+        sum = sum + from_end(highest_, -1);
+        return Box(sum.real());
+    }
+
+    Expr f_;
+    std::string variable_;
+    const IntegralSurroundings& around_;
+    unsigned digits_;
+    std::unordered_map<Expr, Ball, ExprHash> numbers_;
+    Expr lo_;
+    Expr hi_;
+    std::optional<Expr> pole_;
+    PieceEnd lowest_;
+    PieceEnd highest_;
+};
 
 } // namespace
 
-Ball enclosed_integral(const Expr& integrand, std::string_view variable, const NameEnclosure& names,
-                       const Ball& lo, const Ball& hi, unsigned digits) {
-    const long bits = std::max(lo.bits(), hi.bits());
-    const auto goal = static_cast<slong>(digits) * 10 / 3;
-    IntegrandCall work{integrand, variable, names, nullptr};
-    acb_calc_integrate_opt_t options;
-    acb_calc_integrate_opt_init(options);
-    options->eval_limit = most_evaluations;
-    options->depth_limit = 4 * bits;
-    mag_t tolerance;
-    mag_init(tolerance);
-    mag_set_ui_2exp_si(tolerance, 1, -goal);
-    Box from;
-    Box to;
-    arb_get_mid_arb(acb_realref(from.get()), lo.data());
-    arb_get_mid_arb(acb_realref(to.get()), hi.data());
-    Box sum;
-    acb_calc_integrate(sum.get(), integrand_on, &work, from.get(), to.get(), goal, tolerance,
-                       options, bits);
-    mag_clear(tolerance);
-    if (work.thrown) {
-        std::rethrow_exception(work.thrown);
-    }
-    Ball result(0, bits);
-    if (arb_contains_zero(acb_imagref(sum.get())) == 0) {
-        arb_indeterminate(
-            result.data()); // a root of what is negative somewhere: not of real numbers
-    } else {
-        arb_set(result.data(), acb_realref(sum.get()));
-    }
-    // What the radii of the limits leave: at most the largest value over them.
-    for (const Ball* limit : {&lo, &hi}) {
-        const Box at(*limit);
-        const Box value = OnBox{variable, names, at, false, bits}(integrand);
-        Ball rest(0, bits);
-        arb_set(rest.data(), acb_realref(value.get()));
-        result += rest * Ball(limit->radius(), bits) * Ball::from_interval(Real(-1), Real(1), bits);
-    }
-    return result;
+Ball enclosed_integral(const Expr& node, const IntegralSurroundings& around, unsigned digits) {
+    return EnclosedIntegral(node, around, digits).value();
 }
 
 } // namespace edgeproof

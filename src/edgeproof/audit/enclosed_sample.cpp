@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosed_sample.hpp"
 
+#include "edgeproof/audit/contact_formulas.hpp"
 #include "edgeproof/audit/enclosed_integral.hpp"
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_shear.hpp"
@@ -9,16 +10,16 @@
 #include "edgeproof/precision/text.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <functional>
+#include <iterator>
 #include <vector>
 
 namespace edgeproof {
 namespace {
 
 constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
-/// Enough to tell what differs; all digits would cost more than they are worth in an integral that
-/// is written for the eye.
-constexpr unsigned integral_digits = 20;
 
 /// k of "P3" for the stem "P".
 std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
@@ -31,11 +32,19 @@ std::optional<std::size_t> order_behind(std::string_view name, std::string_view 
     return error == std::errc() && stop == end && k < most_terms ? std::optional(k) : std::nullopt;
 }
 
+/// In which ContactFormulas are written.
+constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
+
+bool holds_function(const Expr& e) {
+    return (e.kind() == Expr::Kind::call && e.builtin() == Builtin::none) ||
+           std::any_of(e.args().begin(), e.args().end(), holds_function);
+}
+
 } // namespace
 
 struct EnclosedSample::State {
-    State(const Sample& of, long at_bits)
-        : sample(of), bits(at_bits), profile(of.scene.make_profile()),
+    State(const Sample& of, long at_bits, unsigned aim)
+        : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()),
           contact(profile, of.scene.parameter("Es"), Load::right_edge(of.scene.parameter("a")),
                   at_bits) {
         for (const auto& [name, value] : of.scene.parameters) {
@@ -71,15 +80,10 @@ struct EnclosedSample::State {
         if (node.kind() == Expr::Kind::sum) {
             return evaluate_sum<Ball>(node, scope);
         }
-        if (node.name() != "integral") {
-            throw Error("'" + node.name() + "' has no enclosure");
-        }
-        return enclosed_integral(
-            node.arg(0), node.arg(1).name(),
-            [&](std::string_view name) { return Ball(scope.symbol(name)); },
-            edgeproof::evaluate<Ball>(node.arg(2), scope),
-            edgeproof::evaluate<Ball>(node.arg(3), scope), integral_digits);
+        return integral(node, [&](std::string_view name) { return Ball(scope.symbol(name)); });
     }
+    [[nodiscard]] Ball integral(const Expr& node,
+                                const std::function<Ball(std::string_view)>& symbol_of) const;
 
     /// A constant of the scene as it stands in a formula, if that is what e is.
     [[nodiscard]] std::optional<Exact> constant(Expr e) const {
@@ -156,6 +160,7 @@ struct EnclosedSample::State {
 
     Sample sample;
     long bits;
+    unsigned integral_digits;
     Profile profile;
     BallContact contact;
     std::optional<Ball> u;
@@ -232,8 +237,61 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
     throw Error("'" + name + "' has no enclosure");
 }
 
-EnclosedSample::EnclosedSample(const Sample& sample, long bits)
-    : state_(std::make_unique<State>(sample, bits)) {}
+namespace {
+
+/// A State with other names, of no type that grows with every integral inside another.
+template <class State> struct Renamed {
+    const State& state;
+    const std::function<Ball(std::string_view)>& symbol_of;
+    [[nodiscard]] Ball number(const Rational& q) const { return state.number(q); }
+    [[nodiscard]] Ball pi() const { return state.pi(); }
+    [[nodiscard]] Ball symbol(std::string_view name) const { return symbol_of(name); }
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
+        return state.call(node, args);
+    }
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
+        return state.binder(node, scope);
+    }
+};
+
+} // namespace
+
+Ball EnclosedSample::State::integral(const Expr& node,
+                                     const std::function<Ball(std::string_view)>& symbol_of) const {
+    const bool renamed =
+        std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
+                    [&](const char* name) {
+                        return sample.variables.contains(name) || node.arg(1).name() == name;
+                    }) ||
+        sample.scene.parameters.contains("b");
+    std::optional<ContactFormulas> formulas;
+    if (!renamed && holds_function(node)) {
+        formulas.emplace(profile, contact, ball_of(sample.scene.parameter("Es"), bits));
+    }
+    const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
+        if (formulas) {
+            const auto it = formulas->constants().find(name);
+            if (it != formulas->constants().end()) {
+                return it->second;
+            }
+        }
+        return symbol_of(name);
+    };
+    const Renamed<State> scope{*this, with_formulas};
+    IntegralSurroundings around;
+    around.value = [&](const Expr& e) { return edgeproof::evaluate<Ball>(e, scope); };
+    around.rational = [&](const Expr& e) -> std::optional<Rational> {
+        const auto exact = constant(e);
+        return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
+    };
+    around.contact = formulas ? &*formulas : nullptr;
+    around.symmetric = profile.symmetric() && !renamed;
+    around.bits = bits;
+    return enclosed_integral(node, around, integral_digits);
+}
+
+EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
+    : state_(std::make_unique<State>(sample, bits, integral_digits)) {}
 EnclosedSample::~EnclosedSample() = default;
 EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
 

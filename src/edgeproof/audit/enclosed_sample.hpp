@@ -11,14 +11,15 @@
 namespace edgeproof {
 
 /// A sample of a claim in ball arithmetic: what a Setting gives in Real, here proved. It shares no
-/// numerical code with it (BallContact, ball_shear.hpp). Symbols and functions are those of
-/// Setting, but for principal values; an integral is enclosed where its integrand has no function
-/// of the contact in it (enclosed_integral.hpp).
+/// numerical code with it (BallContact, ball_shear.hpp, enclosed_integral.hpp). Symbols and
+/// functions are those of Setting.
 class EnclosedSample {
 public:
     /// Throws BudgetError or DomainError where so many bits do not enclose the contact, and for
     /// profiles without a closed form.
-    EnclosedSample(const Sample& sample, long bits);
+    /// `integral_digits`: what integrals aim at; all that the bits have room for would cost more
+    /// than it is worth.
+    EnclosedSample(const Sample& sample, long bits, unsigned integral_digits = 20);
     ~EnclosedSample();
     EnclosedSample(EnclosedSample&&) noexcept;
 

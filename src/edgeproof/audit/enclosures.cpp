@@ -5,59 +5,113 @@
 #include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace edgeproof {
 namespace {
 
 constexpr std::size_t tries = 24; // samples at which a refutation is looked for in balls
+/// The same where there are integrals, and how many samples these are enclosed at.
+constexpr std::size_t tries_of_integrals = 4;
+constexpr std::size_t worst_of_integrals = 4;
+constexpr std::size_t others_of_integrals = 4;
+constexpr unsigned spare_digits = 2;   // that integrals aim at
+constexpr unsigned enough_digits = 20; // where parts of an integral cancel
+
+/// What is held against what.
+struct Formulas {
+    const Expr& printed;
+    const Expr& exact;
+    const std::optional<Expr>& scale;
+    [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
+};
 
 struct Pair {
     std::optional<Ball> printed;
     std::optional<Ball> exact;
+    std::optional<Ball> scale; ///< of a difference, where it is not the exact value
     std::string problem;
 };
 
-/// Both formulas from one enclosed sample, at more and more bits.
-Pair pair_at(const Spot& spot, const Expr& printed, const Expr& exact, unsigned digits) {
+/// Digits to which two numbers in the balls certainly agree, relative to the scale, or the second.
+std::optional<double> proved_digits(const Pair& pair) {
+    const Ball& size = pair.scale ? *pair.scale : *pair.exact;
+    if (contains_zero(size)) {
+        return std::nullopt;
+    }
+    const Ball off = abs((*pair.printed - *pair.exact) / size);
+    const Real most = off.upper();
+    return most == 0 ? 1e6 : Real(-log10(most)).convert_to<double>();
+}
+
+/// Both formulas, and the scale, from one enclosed sample; false where there is no use in more
+/// bits.
+bool enclose(const Spot& spot, const Formulas& formulas, long bits, unsigned aim, Pair& pair) {
+    try {
+        const EnclosedSample sample(spot.sample, bits, aim);
+        Ball x = sample.evaluate(formulas.printed);
+        Ball y = sample.evaluate(formulas.exact);
+        std::optional<Ball> size;
+        if (formulas.scale) {
+            size = sample.evaluate(*formulas.scale);
+        }
+        if (!x.is_finite() || !y.is_finite() || (size && !size->is_finite())) {
+            pair.problem = "the balls do not exclude a point where it is undefined";
+            return true;
+        }
+        pair.printed = std::move(x);
+        pair.exact = std::move(y);
+        pair.scale = std::move(size);
+        return true;
+    } catch (const BudgetError& error) {
+        pair.problem = error.what();
+        return true;
+    } catch (const Error& error) {
+        pair.problem = error.what();
+        return false;
+    }
+}
+
+/// At more and more bits.
+Pair pair_at(const Spot& spot, const Formulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = bits_for(digits);
-    const auto good = [&](const Ball& x) {
-        return x.is_finite() && x.relative_accuracy_bits() >= needed;
-    };
+    const auto good = [&](const Ball& x) { return x.relative_accuracy_bits() >= needed; };
     for (long bits = 2 * needed; bits <= 8 * needed; bits *= 2) {
-        try {
-            const EnclosedSample sample(spot.sample, bits);
-            Ball x = sample.evaluate(printed);
-            Ball y = sample.evaluate(exact);
-            if (!x.is_finite() || !y.is_finite()) {
-                pair.problem = "the balls do not exclude a point where it is undefined";
-                continue;
-            }
-            const bool enough = good(x) && good(y);
-            pair.printed = std::move(x);
-            pair.exact = std::move(y);
-            if (enough) {
-                break;
-            }
-        } catch (const BudgetError& error) {
-            pair.problem = error.what();
-        } catch (const Error& error) {
-            pair.problem = error.what();
+        if (!enclose(spot, formulas, bits, digits, pair) ||
+            (pair.printed && good(*pair.printed) && good(*pair.exact))) {
             break;
         }
     }
     return pair;
 }
 
-/// Digits to which two numbers in the balls certainly agree, relative to the second.
-std::optional<double> proved_digits(const Ball& x, const Ball& y) {
-    if (contains_zero(y)) {
-        return std::nullopt;
+/// Integrals come out as wide as they are told to: twice the bits for what is not enclosed, and
+/// once more digits where too many cancel.
+Pair pair_of_integrals(const Spot& spot, const Formulas& formulas, unsigned digits) {
+    Pair pair;
+    const long needed = bits_for(digits);
+    const unsigned aim = digits + spare_digits;
+    for (long bits = 2 * needed; bits <= 4 * needed && !pair.printed; bits *= 2) {
+        if (!enclose(spot, formulas, bits, aim, pair)) {
+            return pair;
+        }
     }
-    const Ball off = abs((x - y) / y);
-    const Real most = off.upper();
-    return most == 0 ? 1e6 : Real(-log10(most)).convert_to<double>();
+    if (!pair.printed || disjoint(*pair.printed, *pair.exact)) {
+        return pair;
+    }
+    const auto proved = proved_digits(pair);
+    if (proved && *proved < std::min(enough_digits, digits - digits / 4)) {
+        const auto missing = static_cast<unsigned>(std::clamp(aim - *proved, 0., 1. * digits));
+        enclose(spot, formulas, 4 * needed, aim + missing, pair);
+    }
+    return pair;
+}
+
+Pair pair_for(const Spot& spot, const Formulas& formulas, unsigned digits) {
+    return formulas.have_integrals() ? pair_of_integrals(spot, formulas, digits)
+                                     : pair_at(spot, formulas, digits);
 }
 
 Evidence both(const Pair& pair, const std::string& at, unsigned digits) {
@@ -79,19 +133,20 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
     return order;
 }
 
-void add_refutation(const Agreement& agreement, const Spots& spots, const Expr& printed,
-                    const Expr& exact, unsigned digits, Outcome& outcome) {
+void add_refutation(const Agreement& agreement, const Spots& spots, const Formulas& formulas,
+                    unsigned digits, Outcome& outcome) {
     std::string problem = "the printed formula has no value at any sample";
     std::size_t tried = 0;
+    const bool integrals = formulas.have_integrals();
     std::optional<Evidence> overlapping;
     for (const std::size_t i : by_digits(agreement)) {
         if (!agreement.spots[i].problem.empty()) {
             continue;
         }
-        if (tried++ == tries) {
+        if (tried++ == (integrals ? tries_of_integrals : tries)) {
             break;
         }
-        const Pair pair = pair_at(spots.all()[i], printed, exact, digits);
+        const Pair pair = pair_for(spots.all()[i], formulas, digits);
         if (!pair.printed || !pair.exact) {
             problem = pair.problem;
             continue;
@@ -100,6 +155,12 @@ void add_refutation(const Agreement& agreement, const Spots& spots, const Expr& 
         if (disjoint(*pair.printed, *pair.exact)) {
             outcome.evidence.add("enclosures", std::move(e));
             return;
+        }
+        // An integral's balls may be wider than the difference, and then they say nothing.
+        const auto proved = proved_digits(pair);
+        if (integrals && proved && *proved < agreement.spots[i].digits + 1) {
+            problem = "the balls are wider than what the two differ by";
+            continue;
         }
         overlapping = std::move(e);
     }
@@ -115,14 +176,31 @@ void add_refutation(const Agreement& agreement, const Spots& spots, const Expr& 
     outcome.evidence.add("enclosures", Evidence().add("none", problem));
 }
 
-void add_confirmation(const Agreement& agreement, const Spots& spots, const Expr& printed,
-                      const Expr& exact, unsigned digits, Outcome& outcome) {
+/// The samples at which a confirmation is enclosed: all, or of integrals those that agree least and
+/// some of the others.
+std::vector<std::size_t> chosen(const Agreement& agreement, const Formulas& formulas) {
+    std::vector<std::size_t> order = by_digits(agreement);
+    if (!formulas.have_integrals() || order.size() <= worst_of_integrals + others_of_integrals) {
+        std::sort(order.begin(), order.end());
+        return order;
+    }
+    std::vector<std::size_t> some(order.begin(), order.begin() + worst_of_integrals);
+    for (std::size_t k = 1; k <= others_of_integrals; ++k) {
+        const std::size_t rest = order.size() - worst_of_integrals;
+        some.push_back(order[worst_of_integrals + k * rest / others_of_integrals - 1]);
+    }
+    std::sort(some.begin(), some.end());
+    return some;
+}
+
+void add_confirmation(const Agreement& agreement, const Spots& spots, const Formulas& formulas,
+                      unsigned digits, Outcome& outcome) {
     std::size_t count = 0;
     double least = 1e6;
     std::optional<Evidence> worst;
     std::string problem = "the exact value is zero";
-    for (std::size_t i = 0; i < agreement.spots.size(); ++i) {
-        const Pair pair = pair_at(spots.all()[i], printed, exact, digits);
+    for (const std::size_t i : chosen(agreement, formulas)) {
+        const Pair pair = pair_for(spots.all()[i], formulas, digits);
         if (!pair.printed || !pair.exact) {
             problem = pair.problem;
             if (count == 0) {
@@ -130,7 +208,13 @@ void add_confirmation(const Agreement& agreement, const Spots& spots, const Expr
             }
             continue;
         }
-        if (const auto proved = proved_digits(*pair.printed, *pair.exact)) {
+        if (disjoint(*pair.printed, *pair.exact)) {
+            outcome.verdict = Verdict::undecided;
+            outcome.note = "the estimates have it agree, the enclosures do not";
+            outcome.evidence.add("enclosures", both(pair, spots.all()[i].text, digits));
+            return;
+        }
+        if (const auto proved = proved_digits(pair)) {
             ++count;
             if (!worst || *proved < least) {
                 least = *proved;
@@ -142,7 +226,9 @@ void add_confirmation(const Agreement& agreement, const Spots& spots, const Expr
         outcome.evidence.add("enclosures", Evidence().add("none", problem));
         return;
     }
-    worst->add("digits_proved", digits_text(std::min(least, 1.0 * digits))).add("samples", count);
+    // Not rounded up, as it would be by the nearest tenth.
+    const double tenths = std::floor(std::min(least, 1.0 * digits) * 10) / 10;
+    worst->add("digits_proved", digits_text(tenths)).add("samples", count);
     outcome.evidence.add("enclosures", std::move(*worst));
 }
 
@@ -165,11 +251,13 @@ bool rests_on_enclosures(const ClaimResult& result) {
 }
 
 void add_enclosures(const Agreement& agreement, const Spots& spots, const Expr& printed,
-                    const Expr& exact, unsigned digits, Outcome& outcome) {
+                    const Expr& exact, const std::optional<Expr>& scale, unsigned digits,
+                    Outcome& outcome) {
+    const Formulas formulas{printed, exact, scale};
     if (outcome.verdict == Verdict::refuted) {
-        add_refutation(agreement, spots, printed, exact, digits, outcome);
+        add_refutation(agreement, spots, formulas, digits, outcome);
     } else if (holds(outcome.verdict)) {
-        add_confirmation(agreement, spots, printed, exact, digits, outcome);
+        add_confirmation(agreement, spots, formulas, digits, outcome);
     }
 }
 

@@ -8,11 +8,13 @@ namespace edgeproof {
 
 /// What balls say of a verdict that was found in Real, put into its evidence as `enclosures`.
 /// Refuted: the two balls at a sample where they have no number in common, the verdict's proof.
-/// Confirmed: the least number of digits to which the balls prove agreement, and at how many
-/// samples; both balls of the worst. Where there is no enclosure (an integral in the formula, a
-/// profile without a closed form) it says so, and why.
+/// Confirmed: the least number of digits to which the balls prove agreement, relative to `scale`
+/// where there is one, and at how many samples (of integrals, those that agree least and some of
+/// the others); both balls of the worst. Balls that have no number in common make it undecided.
+/// Where there is no enclosure (a profile without a closed form) it says so, and why.
 void add_enclosures(const Agreement& agreement, const Spots& spots, const Expr& printed,
-                    const Expr& exact, unsigned digits, Outcome& outcome);
+                    const Expr& exact, const std::optional<Expr>& scale, unsigned digits,
+                    Outcome& outcome);
 
 /// The same for two numbers that a check found to differ: the evidence of two balls. A verdict of
 /// refuted becomes undecided if they do overlap.

@@ -5,9 +5,11 @@
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <flint/acb.h>
 #include <flint/acb_calc.h>
+#include <flint/acb_hypgeom.h>
 #include <flint/acb_poly.h>
 #else
 #include <acb.h>
 #include <acb_calc.h>
+#include <acb_hypgeom.h>
 #include <acb_poly.h>
 #endif

@@ -65,7 +65,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     outcome.verdict =
         spots.all().empty() ? Verdict::undecided : verdict_by_samples(agreement, context);
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
-    add_enclosures(agreement, spots, printed, exact, context.digits(), outcome);
+    add_enclosures(agreement, spots, printed, exact, std::nullopt, context.digits(), outcome);
     const Verdict by_samples = outcome.verdict;
     if (proved) {
         outcome.verdict = by_samples == Verdict::confirmed ? Verdict::proved : Verdict::undecided;

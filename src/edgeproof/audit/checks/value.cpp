@@ -23,13 +23,15 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     outcome.verdict = verdict_by_samples(agreement, context);
     outcome.evidence.add("of", claim.text("of"));
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
-    add_enclosures(agreement, spots, printed, exact, context.digits(), outcome);
+    add_enclosures(agreement, spots, printed, exact, scale, context.digits(), outcome);
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(spots.all().size()) + " samples";
         return outcome;
     }
     if (outcome.verdict == Verdict::undecided) {
-        outcome.note = "the values are not good enough to decide";
+        if (outcome.note.empty()) {
+            outcome.note = "the values are not good enough to decide";
+        }
         return outcome;
     }
     QuickSamples quick(claim, context, exact);

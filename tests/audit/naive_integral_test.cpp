@@ -40,7 +40,7 @@ TEST_CASE("an integrand as it stands: singular ends of every power that has an i
 TEST_CASE(
     "an integrand that grows like one over the distance, or faster, is said to have no value") {
     const PrecisionScope scope(3 * naive_digits);
-    const auto thrown = [&](const Integrand& f) {
+    const auto thrown = [&](const NaiveIntegrand& f) {
         CHECK_THROWS_AS((void)integrate_naively(f, Real(-1), Real(1), {}, precision), DomainError);
     };
     thrown([](const Real& s) { return Real(1 / (1 - s * s)); });
@@ -53,7 +53,7 @@ TEST_CASE("a kink inside settles at no level, and is given up, not called diverg
     const PrecisionScope scope(3 * naive_digits);
     const Real third = Real(1) / 3;
     std::size_t calls = 0;
-    const Integrand kinked = [&](const Real& s) {
+    const NaiveIntegrand kinked = [&](const Real& s) {
         ++calls;
         return Real(s < third ? 1 : 0);
     };

@@ -12,6 +12,8 @@
 namespace edgeproof {
 namespace {
 
+using Kind = Expr::Kind;
+
 bool is_zero_by_symbols(const Expr& e) {
     try {
         const auto held = ginac::hold();
@@ -41,7 +43,6 @@ std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const E
 /// e with what is known of b and its inverse put in; nothing where a root, a binder or a built-in
 /// function stands: rules that hold for some signs only shall not come in.
 std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
-    using Kind = Expr::Kind;
     if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
         return Expr::symbol("a");
     }

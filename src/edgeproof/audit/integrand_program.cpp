@@ -8,6 +8,8 @@
 namespace edgeproof {
 namespace {
 
+using Kind = Expr::Kind;
+
 using Step = IntegrandStep;
 
 [[noreturn]] void refuse(const Expr& e) {
@@ -71,7 +73,6 @@ std::size_t IntegrandSteps::add(const Expr& e) {
     if (const auto it = known_.find(e); it != known_.end()) {
         return it->second;
     }
-    using Kind = Expr::Kind;
     std::size_t index = 0;
     const auto binary = [&](Step::Op op) {
         const std::size_t x = add(e.arg(0));

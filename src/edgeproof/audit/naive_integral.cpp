@@ -49,7 +49,7 @@ long decades_below(const Real& x, const Real& y) {
 /// f at the working precision of the caller, evaluated at what its distance from an end takes.
 /// Nearer to an end, or a cut, than the precision of the nodes f may have no value (a logarithm at
 /// a corner): what is integrable adds nothing there that is kept.
-Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& base,
+Real evaluated(const NaiveIntegrand& f, const NaivePrecision& precision, const Real& base,
                const Real& distance, bool upwards, const Real& length) {
     Real value;
     try {
@@ -67,7 +67,7 @@ Real evaluated(const Integrand& f, const NaivePrecision& precision, const Real& 
 
 /// Whether |f| grows towards an end at least like one over the distance, which no integral bears:
 /// by its slope on the scale of logarithms, over two stretches of many decades. An estimate.
-bool grows_beyond_bounds(const Integrand& f, const NaivePrecision& precision, const Real& end,
+bool grows_beyond_bounds(const NaiveIntegrand& f, const NaivePrecision& precision, const Real& end,
                          bool upwards, const Real& length) {
     std::vector<double> logarithms;
     const int stretch = static_cast<int>(precision.nodes / 4);
@@ -84,7 +84,7 @@ bool grows_beyond_bounds(const Integrand& f, const NaivePrecision& precision, co
            logarithms[2] - logarithms[1] > nearly_one * stretch;
 }
 
-void require_a_value(const Integrand& f, const Split& split, const NaivePrecision& precision) {
+void require_a_value(const NaiveIntegrand& f, const Split& split, const NaivePrecision& precision) {
     for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
         const Real length = split.marks[i + 1] - split.marks[i];
         if (grows_beyond_bounds(f, precision, split.marks[i], true, length) ||
@@ -110,7 +110,7 @@ QuadratureResult<Real> between_cuts(const IntegrandRef<Real, Real>& f, const Rea
         {.last_level = precision.last_level, .gives_up = true, .foresees = true});
 }
 
-NaiveIntegral pieces(const Integrand& f, const Split& split, NaivePrecision precision) {
+NaiveIntegral pieces(const NaiveIntegrand& f, const Split& split, NaivePrecision precision) {
     std::vector<Real> lengths;
     for (std::size_t i = 0; i + 1 < split.marks.size(); ++i) {
         lengths.push_back(split.marks[i + 1] - split.marks[i]);
@@ -140,7 +140,7 @@ NaivePrecision with_scale(NaivePrecision precision, const Real& lo, const Real& 
 
 } // namespace
 
-NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& hi,
+NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo, const Real& hi,
                                 std::vector<Real> cuts, NaivePrecision precision) {
     const PrecisionScope scope(precision.integrand());
     if (lo == hi) {
@@ -154,7 +154,7 @@ NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& 
     return pieces(f, split_at(lo, hi, std::move(cuts)), with_scale(precision, lo, hi));
 }
 
-NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo, const Real& hi,
+NaiveIntegral principal_value_naively(const NaiveIntegrand& f, const Real& lo, const Real& hi,
                                       const Real& pole, std::vector<Real> cuts,
                                       NaivePrecision precision) {
     const PrecisionScope scope(precision.integrand());

@@ -36,17 +36,18 @@ struct NaiveIntegral {
 };
 
 /// f at one point; called at the precision that the point takes.
-using Integrand = std::function<Real(const Real&)>;
+using NaiveIntegrand = std::function<Real(const Real&)>;
 
 /// The integral of f from lo to hi (also for hi < lo). `cuts` are places where f is not analytic,
 /// inside (the interval is split there) or outside (an end near to one is taken care of).
 /// Throws DomainError for one that does not settle and grows at an end as no integral bears.
-[[nodiscard]] NaiveIntegral integrate_naively(const Integrand& f, const Real& lo, const Real& hi,
-                                              std::vector<Real> cuts, NaivePrecision precision);
+[[nodiscard]] NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo,
+                                              const Real& hi, std::vector<Real> cuts,
+                                              NaivePrecision precision);
 
 /// The Cauchy principal value at lo < pole < hi: f(pole + r) + f(pole - r) near it.
 /// Throws DomainError for a pole that is not inside.
-[[nodiscard]] NaiveIntegral principal_value_naively(const Integrand& f, const Real& lo,
+[[nodiscard]] NaiveIntegral principal_value_naively(const NaiveIntegrand& f, const Real& lo,
                                                     const Real& hi, const Real& pole,
                                                     std::vector<Real> cuts,
                                                     NaivePrecision precision);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_extent.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
+
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"
 #include "tests/contact/scenes.hpp"

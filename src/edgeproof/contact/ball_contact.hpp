@@ -3,6 +3,7 @@
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/contact/proved_pressure.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/ball_series.hpp"
 
@@ -19,7 +20,7 @@ namespace edgeproof {
 /// The edges are enclosed by the interval form of Newton's method, which proves that the edge
 /// inside the ball exists and is the only one. Radii grow with the condition of the problem;
 /// callers ask for more bits (escalate.hpp) until they are narrow enough.
-class BallContact {
+class BallContact : public ProvedPressure {
 public:
     /// Throws DomainError for a profile without a closed form, or when `bits` are too few to
     /// separate the edges from the knots (ask for more).
@@ -30,9 +31,9 @@ public:
 
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
 
-    [[nodiscard]] long bits() const noexcept { return bits_; }
-    [[nodiscard]] const Ball& a() const noexcept { return a_; }
-    [[nodiscard]] const Ball& b() const noexcept { return b_; }
+    [[nodiscard]] long bits() const override { return bits_; }
+    [[nodiscard]] const Ball& a() const override { return a_; }
+    [[nodiscard]] const Ball& b() const override { return b_; }
     [[nodiscard]] Ball force() const;
     [[nodiscard]] Ball moment() const;
     [[nodiscard]] Ball force_rate() const;      ///< dP/da
@@ -43,26 +44,27 @@ public:
     /// b(a), b'(a), b''(a), ...
     [[nodiscard]] std::vector<Ball> left_edge_derivatives(std::size_t count) const;
     /// p at the distance u from an edge. Not finite when the ball of x meets a corner.
-    [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const;
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     /// Where the edge is given as well, the distances from the knots are exact.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
     /// A ball whose lower end no pressure over u is below, finite where the ball of x meets a
     /// corner.
-    [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const;
+    [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
     /// p(u + z) in powers of z: coefficients that hold for every u of a ball, so that the last one
     /// bounds Taylor's remainder over it. Not finite when the ball of x meets a knot.
-    [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u, std::size_t order) const;
+    [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
+                                             std::size_t order) const override;
     /// The distances of the corners, where p is infinite.
-    [[nodiscard]] std::vector<Ball> corners(Edge edge) const;
+    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     /// p/sqrt(u) has a power series at least up to this distance from the edge: to the next knot,
     /// or (a power law) to where its majorant still converges.
-    [[nodiscard]] Ball reach(Edge edge) const;
+    [[nodiscard]] Ball reach(Edge edge) const override;
     /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach.
-    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const;
+    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     /// c_0 ... c_{terms-1} at an edge, each enclosed. A given edge that lies on a knot exactly is
     /// expanded from inside the contact. One that may lie on a knot, as far as the bits tell, has
     /// no enclosed expansion: the coefficients are not finite.
-    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const;
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     /// The same contact seen in a mirror, edges and all.
     [[nodiscard]] BallContact mirrored() const;
     /// The contact of the same profile whose right edge is a number in the ball. Throws BudgetError

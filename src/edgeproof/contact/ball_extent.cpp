@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_extent.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
 

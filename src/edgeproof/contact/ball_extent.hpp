@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/proved_pressure.hpp"
 
 #include <functional>
 #include <memory>
@@ -22,11 +22,11 @@ struct EnclosedExtents {
 /// The search. Next to the edge the omitted terms are bounded by a majorant of the expansion; from
 /// there on p and its Taylor remainder are enclosed over intervals, halved until f = p_local/p - 1
 /// is certainly within the tolerance, certainly beyond it, or certainly monotone, when the signs at
-/// the interval's ends tell how often the tolerance is crossed. For profiles with a closed form.
+/// the interval's ends tell how often the tolerance is crossed.
 class BallExtentSearch {
 public:
     /// A contact at a number of bits; throws BudgetError where they are too few.
-    using Contact = std::function<const BallContact&(long bits)>;
+    using Contact = std::function<const ProvedPressure&(long bits)>;
 
     /// Throws InputError as within_tolerance does. `contact` outlives the object.
     BallExtentSearch(Contact contact, Edge edge, std::size_t n, const Exact& tolerance,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_relative_error.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
+
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ Rational middle(const Rational& lo, const Rational& hi) {
     return near > lo && near < hi ? near : Rational((lo + hi) / 2);
 }
 
-RelativeError::RelativeError(const BallContact& contact, Edge edge, std::size_t n,
+RelativeError::RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n,
                              const Exact& tolerance)
     : contact_(contact), edge_(edge), c_(contact.expansion(edge, n)), bits_(contact.bits()),
       tolerance_(enclosed_constant(tolerance, bits_)) {

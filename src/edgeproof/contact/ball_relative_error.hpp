@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/proved_pressure.hpp"
+#include "edgeproof/formula/exact.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -20,7 +21,7 @@ enum class Side { below, within, above, unknown };
 class RelativeError {
 public:
     /// Throws BudgetError where the contact's bits do not enclose the expansion.
-    RelativeError(const BallContact& contact, Edge edge, std::size_t n, const Exact& tolerance);
+    RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n, const Exact& tolerance);
 
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
@@ -48,7 +49,7 @@ private:
     /// By p over the whole interval, be it infinite (a corner) or zero (the far edge) in it.
     [[nodiscard]] Side side_of_whole(const Ball& u) const;
 
-    const BallContact& contact_;
+    const ProvedPressure& contact_;
     Edge edge_;
     std::vector<Ball> c_;
     long bits_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
-#include "edgeproof/precision/ball.hpp"
+#include "edgeproof/contact/pressure_disk.hpp"
+#include "edgeproof/contact/proved_pressure.hpp"
 
 #include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeproof {
@@ -13,47 +16,82 @@ namespace edgeproof {
 /// by Arb's rigorous integration (F. Johansson, "Numerical integration in arbitrary-precision ball
 /// arithmetic", 2018), the singularities substituted away: s = c + d cos theta.
 ///
-/// A left edge that is not given is enclosed between two trial edges: the integral of g' over theta
-/// (eqn:Consistency) falls as the left edge moves out, since g' does not decrease, so that opposite
-/// signs at both prove that the edge lies between them. Where to try comes from the routes in Real,
-/// which decide nothing.
-class IntegratedContact {
+/// Edges that are not given are enclosed between two trial edges. The integral of g' over theta
+/// (eqn:Consistency) falls as the left edge moves out, since g' does not decrease, and the force
+/// grows with the right edge of a contact that is in balance (eqn:SIEPressure by parts: every
+/// bit of dg' adds to P, and to b): opposite signs at both ends prove that the edge lies between
+/// them, and no other does. Where to try comes from the routes in Real, which decide nothing.
+class IntegratedContact : public ProvedPressure {
 public:
-    /// Every piece of g' is made of what complex_taylor.hpp knows, and the load is one that is
-    /// handled here: the right edge, or the force on a symmetric contact.
-    [[nodiscard]] static bool handles(const Profile& profile, const Load& load);
+    /// Every piece of g' is made of what complex_taylor.hpp knows.
+    [[nodiscard]] static bool handles(const Profile& profile);
 
     /// Throws BudgetError where so many bits do not enclose the edges.
     IntegratedContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
                       long bits);
 
-    [[nodiscard]] const Ball& a() const noexcept { return a_; }
-    [[nodiscard]] const Ball& b() const noexcept { return b_; }
+    [[nodiscard]] long bits() const override { return bits_; }
+    [[nodiscard]] const Ball& a() const override { return a_; }
+    [[nodiscard]] const Ball& b() const override { return b_; }
     [[nodiscard]] Ball force() const { return force_of(a_, b_); }
     [[nodiscard]] Ball moment() const;
     /// p at the distance u from an edge. Not finite on a knot, unless exact numbers tell that u is
     /// there and g' does not jump.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const;
-    /// c_0 ... c_{terms-1} at an edge. Not finite where the edge may be on a knot.
-    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const;
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+
+    /// Of a wide ball: by a disk that holds it (pressure_disk.hpp), or with a bend in it by bounds
+    /// of g'' beside the bend. Disks are made as they are asked for, and kept.
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
+    [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
+    [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
+                                             std::size_t order) const override;
+    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
+    [[nodiscard]] Ball reach(Edge edge) const override;
+    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
 
 private:
-    struct Span;
-    [[nodiscard]] std::vector<Span> spans(const Ball& a, const Ball& b) const;
+    [[nodiscard]] std::vector<ThetaSpan> spans(const Ball& a, const Ball& b) const;
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
-    [[nodiscard]] std::vector<Ball> slope_series(std::size_t piece, const Ball& x,
-                                                 std::size_t terms) const;
+    [[nodiscard]] std::vector<Ball> series_of_slope(std::size_t piece, const Ball& x,
+                                                    std::size_t terms) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
+    void find_knots_on_edges();
     void enclose_edges(const Exact& contact_modulus);
+    [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
+    /// x at the distance u from an edge.
+    [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
+    /// The knot has g' of another formula on its other side, and may be inside the contact.
+    [[nodiscard]] bool inside(std::size_t knot) const;
+    /// The piece that holds all of x; nothing where it may meet a knot inside.
+    [[nodiscard]] std::optional<std::size_t> piece_of(const Ball& x) const;
+    /// The k-th derivative over k! of I (pressure_disk.hpp) at x.
+    [[nodiscard]] Ball coefficient(std::size_t k, std::size_t piece, const Ball& x,
+                                   const std::vector<Ball>& taylor, bool from_right_edge) const;
+    struct Disk {
+        Ball u; ///< of its centre
+        PressureDisk disk;
+    };
+    /// One that holds u and gives `order` coefficients over it; null: none does.
+    [[nodiscard]] const Disk* disk_for(Edge edge, const Ball& u, std::size_t order) const;
+    [[nodiscard]] const Disk* disk_at(Edge edge, const Ball& u, std::size_t terms) const;
+    [[nodiscard]] const Disk* disk_at_edge(Edge edge) const;
+    /// I over a ball that meets a knot; `least`: a number below it, where it is infinite.
+    [[nodiscard]] Ball over_knot(const Ball& x, bool least) const;
+    [[nodiscard]] Ball with_root(const Ball& u, const Ball& I) const;
+    [[nodiscard]] const SlopeOverTheta& over_theta() const;
 
     Profile profile_;
     Load load_;
     long bits_;
     Ball modulus_;
     std::vector<Ball> knots_;
+    std::vector<std::optional<Edge>> on_edge_; ///< knots that are known to be an edge exactly
     Ball a_;
     Ball b_;
+    mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
+    mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
 };
 
 } // namespace edgeproof

@@ -157,7 +157,7 @@ bool any(const Scene&) { return true; }
 bool piecewise_linear(const Scene& scene) { return scene.profile->piecewise_linear(); }
 bool closed(const Scene& scene) { return BallContact::has_closed_form(*scene.profile); }
 bool curved(const Scene& scene) {
-    return !closed(scene) && IntegratedContact::handles(*scene.profile, scene.load);
+    return !closed(scene) && IntegratedContact::handles(*scene.profile);
 }
 
 /// Where g' is curved, what Barber-Mossakovskii integrates is itself an integral: minutes a point.

@@ -37,7 +37,9 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
     [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
-    [[nodiscard]] const BallContact& closed_form() const { return *closed_; }
+    [[nodiscard]] const ProvedPressure& proved_pressure() const {
+        return closed_ ? static_cast<const ProvedPressure&>(*closed_) : *curved_;
+    }
     /// Where it was solved for.
     [[nodiscard]] const EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }

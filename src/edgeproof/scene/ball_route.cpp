@@ -156,19 +156,14 @@ public:
     }
 
     ExtentValues extent(Edge edge, std::size_t n) override {
-        if (closed()) {
-            if (auto found = enclosed_extent(edge, n)) {
-                ++work_.counts.extents;
-                return std::move(*found);
-            }
-        }
         ++work_.counts.extents;
+        if (auto found = enclosed_extent(edge, n)) {
+            return std::move(*found);
+        }
         ExtentValues sampled = others().extent(edge, n);
-        if (closed()) {
-            for (Vouched* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
-                               &sampled.measure_fraction}) {
-                v->route = "scan, undecided in balls";
-            }
+        for (Vouched* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
+                           &sampled.measure_fraction}) {
+            v->route = "scan, undecided in balls";
         }
         return sampled;
     }
@@ -177,17 +172,18 @@ private:
     /// Nothing where the budget does not decide.
     [[nodiscard]] std::optional<ExtentValues> enclosed_extent(Edge edge, std::size_t n) {
         BallExtentSearch search(
-            [&](long bits) -> const BallContact& {
+            [&](long bits) -> const ProvedPressure& {
                 BallLevel* level = at_level(bits);
                 if (level == nullptr) {
                     throw BudgetError("so few bits do not enclose the edges");
                 }
-                return level->closed_form();
+                return level->proved_pressure();
             },
             edge, n, *scene_.ask.tolerance, scene_.ask.part);
         const auto settled = [&](const Ball& x) { return settles(x, plan_.digits); };
         std::optional<EnclosedExtents> best;
-        for (long bits = plan_.bits; bits <= last_bits_; bits *= 2) {
+        const long last = closed() ? last_bits_ : last_curved_bits_;
+        for (long bits = plan_.bits; bits <= last; bits *= 2) {
             try {
                 best = search.at(bits);
             } catch (const BudgetError&) {

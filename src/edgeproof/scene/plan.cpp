@@ -110,15 +110,15 @@ private:
     void proof() {
         const bool closed = plan_.route == Route::closed_form;
         const bool integrated = scene_.profile && ask_.route == Route::automatic && !closed &&
-                                IntegratedContact::handles(*scene_.profile, scene_.load);
+                                IntegratedContact::handles(*scene_.profile);
         plan_.proved = closed || integrated;
         plan_.proved_why =
             closed ? "closed forms in ball arithmetic: every value is enclosed"
             : integrated
-                ? "rigorous integration in ball arithmetic: every value but extents is enclosed"
+                ? "rigorous integration in ball arithmetic: every value is enclosed"
             : ask_.route != Route::automatic
                 ? "the route " + route_name(plan_.route) + " is asked for"
-                : "g' or the load is beyond the rigorous integration";
+                : "a function in g' is beyond the rigorous integration";
     }
     void contact() {
         const bool tilt = scene_.punch.has_value();

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/checks/quoted_figure.hpp"
 #include "edgeproof/audit/enclosed_sample.hpp"
 #include "edgeproof/audit/spots.hpp"
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_extent.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/text.hpp"

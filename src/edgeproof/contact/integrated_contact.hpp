@@ -58,6 +58,14 @@ private:
                                                     std::size_t terms) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     void find_knots_on_edges();
+    /// Where to try; proves nothing.
+    struct Guess {
+        Ball a;
+        Ball b;
+        Ball force_rate; ///< P'(a)
+        Ball b_rate;     ///< b'(a)
+    };
+    [[nodiscard]] Guess guess(const Exact& contact_modulus) const;
     void enclose_edges(const Exact& contact_modulus);
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// x at the distance u from an edge.

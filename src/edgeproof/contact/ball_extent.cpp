@@ -47,9 +47,10 @@ private:
     [[nodiscard]] RelativeError error(long bits) const {
         return {contact_(bits), edge_, n_, tolerance_};
     }
-    void count() {
-        if (++evaluations > most_evaluations) {
-            throw BudgetError("undecided after " + std::to_string(most_evaluations) +
+    void count(const RelativeError& f) {
+        evaluations += f.cost();
+        if (evaluations > most_evaluations) {
+            throw BudgetError("undecided after " + std::to_string(most_evaluations / f.cost()) +
                               " enclosures of the error");
         }
     }
@@ -146,7 +147,7 @@ bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Ratio
 
 void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, const Rational& hi,
                                     long finest, std::vector<ToldPiece>& pieces) {
-    count();
+    count(f);
     const RelativeError::Over over = f.over(lo, hi);
     if (over.side != Side::unknown) {
         pieces.push_back({lo, hi, over.side, over.side, {}});
@@ -173,7 +174,7 @@ Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& p
     Rational hi = piece.hi;
     Rational x = (lo + hi) / 2;
     for (int k = 0; k < 200; ++k) {
-        count();
+        count(f);
         const auto [value, rate] = f.tangent(x);
         const Ball gap = value - level;
         if (certainly_positive(gap) == rises && !contains_zero(gap)) {
@@ -198,7 +199,7 @@ Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& p
         x = exact_value(Ball(next, f.bits()).midpoint());
     }
     for (long k = f.bits() - kept_bits; k > 8; k -= 16) {
-        count();
+        count(f);
         const Rational slack = hi * power_of_two(-k);
         const Rational left = std::max(piece.lo, Rational(x - slack));
         const Rational right = std::min(piece.hi, Rational(x + slack));
@@ -258,11 +259,18 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
             const bool changes =
                 inner && (pieces[i - 1].to == Side::within) != (pieces[i + 1].from == Side::within);
             place = Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
-            if (same && within && f.corner_between(piece.lo, piece.hi)) {
+            const bool corner = same && f.corner_between(piece.lo, piece.hi);
+            if (corner && within) {
                 // Out and in again, on the two sides of the corner.
                 found.crossings.push_back(place);
                 leave(place);
                 within = false;
+            } else if (corner && pieces[i - 1].to == Side::above) {
+                // From above to f = -1 and back: in and out on either side.
+                found.crossings.insert(found.crossings.end(), 3, place);
+                found.measure += place - place;
+                entered = place;
+                within = true;
             } else if (!changes) {
                 throw BudgetError("undecided at " + std::to_string(bits) +
                                   " bits: the error may touch the tolerance at u = " +

@@ -38,7 +38,7 @@ public:
     /// Throws BudgetError, saying why, where so many bits, or `most_evaluations`, do not decide: an
     /// error that touches the tolerance, or a crossing on an end of the range.
     [[nodiscard]] EnclosedExtents at(long bits);
-    /// Of f over intervals and at points, so far.
+    /// Of f over intervals and at points, so far, each times its cost (proved_pressure.hpp).
     [[nodiscard]] std::size_t evaluations() const;
 
     static constexpr std::size_t most_evaluations = 60'000;

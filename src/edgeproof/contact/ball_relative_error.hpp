@@ -24,6 +24,7 @@ public:
     RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n, const Exact& tolerance);
 
     [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] std::size_t cost() const { return contact_.cost(); }
     [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
     [[nodiscard]] Ball length() const { return contact_.a() + contact_.b(); }
     [[nodiscard]] Side side(const Ball& f) const;

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
+    [[nodiscard]] std::size_t cost() const override { return 40; }
 
 private:
     [[nodiscard]] std::vector<ThetaSpan> spans(const Ball& a, const Ball& b) const;

@@ -9,7 +9,7 @@ namespace edgeproof {
 namespace {
 
 constexpr std::size_t least_terms = 32; ///< of a disk
-constexpr long narrow_bits = 64;        ///< a ball as narrow as this counts as a point
+constexpr long point_bits = 16;         ///< a ball that has lost no more counts as a point
 constexpr std::size_t most_disks = 4000;
 
 Ball not_finite(long bits) {
@@ -28,7 +28,9 @@ Ball midpoint_of(const Ball& x) {
     return m;
 }
 
-bool is_point(const Ball& u) { return u.is_exact() || u.relative_accuracy_bits() > narrow_bits; }
+bool is_point(const Ball& u) {
+    return u.is_exact() || u.relative_accuracy_bits() > u.bits() - point_bits;
+}
 
 } // namespace
 
@@ -111,7 +113,7 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
         const Ball z = u - d.u;
         return d.disk.found() && d.disk.terms() >= terms &&
                certainly_less(abs(z) * 2, d.disk.radius()) &&
-               (d.disk.good_to(z, bits_ / 2) || certainly_less(d.disk.radius(), breadth * 64));
+               (d.disk.good_to(z, disk_goal(bits_)) || certainly_less(d.disk.radius(), breadth * 64));
     };
     for (const auto& disk : disks_[edge]) {
         if (serves(*disk)) {

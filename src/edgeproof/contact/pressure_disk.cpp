@@ -300,7 +300,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         return;
     }
     bound_ = *bound;
-    const long goal = bits / 2;
+    const long goal = disk_goal(bits);
     std::vector<Ball> g = slope_series(slope, x, terms + static_cast<std::size_t>(goal) + 8, bits);
     ThetaGoal wanted;
     Ball tolerance = bound_.ball(cover_bits);

@@ -20,13 +20,17 @@ struct SlopeOverTheta {
     Magnitude most_change; ///< of g' from one edge to the other: g' does not decrease
 };
 
+/// Bits to which the coefficients of a disk are driven, of the working ones: enough beside a
+/// tolerance for which the search in ball_extent.hpp takes so many.
+[[nodiscard]] constexpr long disk_goal(long bits) { return bits < 96 ? 24 : bits / 2 - 24; }
+
 /// I(x + z) in powers of z: coefficients, and a disk on which it is holomorphic and bounded, whence
 /// Cauchy's bound for all those that are left out. It is holomorphic where the formula of the piece
 /// that holds x is and no other piece is met, beyond an edge too.
 class PressureDisk {
 public:
     /// About x, on the piece `holds`, whose nearest other piece inside the contact is at least as
-    /// far as `gap`. `bits`: of the working arithmetic; half of them are the goal.
+    /// far as `gap`. `bits`: of the working arithmetic.
     PressureDisk(const SlopeOverTheta& integral, std::size_t holds, const Ball& x, const Ball& gap,
                  std::size_t terms, long bits);
 

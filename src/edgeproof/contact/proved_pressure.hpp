@@ -37,6 +37,10 @@ public:
     /// c_0 ... c_{terms-1} at an edge, each enclosed; not finite where the edge may be on a knot.
     [[nodiscard]] virtual std::vector<Ball> expansion(Edge edge, std::size_t terms) const = 0;
 
+    /// What one enclosure over an interval takes, in those of a closed form, roughly: searches have
+    /// a budget of the latter.
+    [[nodiscard]] virtual std::size_t cost() const { return 1; }
+
 protected:
     ProvedPressure() = default;
     ProvedPressure(const ProvedPressure&) = default;

@@ -44,8 +44,10 @@ public:
     std::size_t evaluations = 0;
 
 private:
-    [[nodiscard]] RelativeError error(long bits) const {
-        return {contact_(bits), edge_, n_, tolerance_};
+    [[nodiscard]] RelativeError error(long bits) {
+        const ProvedPressure& contact = contact_(bits);
+        most_doublings_ = contact.cost() > 1 ? 2 : 5;
+        return {contact, edge_, n_, tolerance_};
     }
     void count(const RelativeError& f) {
         evaluations += f.cost();
@@ -66,6 +68,7 @@ private:
     std::size_t n_;
     Exact tolerance_;
     ExtentRange range_;
+    int most_doublings_ = 5;        ///< of the bits of the scan
     std::vector<ToldPiece> pieces_; ///< of the scan; adjacent ones that are not told are one
 };
 
@@ -118,7 +121,7 @@ void BallExtentSearch::Search::scan() {
             merge_unknown(pieces_);
             return;
         } catch (const BudgetError&) {
-            if (evaluations > most_evaluations || bits > 32 * (scan_bits + small)) {
+            if (evaluations > most_evaluations || bits > (scan_bits + small) << most_doublings_) {
                 throw;
             }
         }

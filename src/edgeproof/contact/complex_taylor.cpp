@@ -23,7 +23,8 @@ private:
 
 class Walk {
 public:
-    Walk(const acb_t at, long terms, long bits) : at_(at), terms_(terms), bits_(bits) {}
+    Walk(const acb_t at, long terms, long bits, bool real)
+        : at_(at), terms_(terms), bits_(bits), real_(real) {}
 
     void operator()(acb_poly_struct* r, const Expr& e) const {
         if (const Rational* q = e.rational()) {
@@ -116,7 +117,11 @@ private:
             return;
         }
         if (meets_cut(x)) {
-            nowhere(r);
+            if (real_ && exponent != nullptr) {
+                power_beside_zero(r, x, *exponent);
+            } else {
+                nowhere(r);
+            }
             return;
         }
         Poly y;
@@ -124,6 +129,32 @@ private:
         acb_poly_log_series(x, x, terms_, bits_);
         acb_poly_mullow(x, x, y, terms_, bits_);
         acb_poly_exp_series(r, x, terms_, bits_);
+    }
+    /// x^q from what |x| is at most: binomial(q, k) x^(q - k), as long as q > k.
+    void power_beside_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
+        acb_t z;
+        acb_init(z);
+        acb_poly_get_coeff_acb(z, x, 0);
+        Ball most(0, bits_);
+        arb_get_abs_ubound_arf(arb_midref(most.data()), acb_realref(z), bits_);
+        Poly outer;
+        Ball binomial(1, bits_);
+        for (long k = 0; k < terms_; ++k) {
+            acb_zero(z);
+            const Rational rest = q - k;
+            if (rest > 0) {
+                const Ball size = abs(binomial) * pow(most, rest);
+                arb_add_error(acb_realref(z), size.data());
+            } else {
+                acb_indeterminate(z);
+            }
+            acb_poly_set_coeff_acb(outer, k, z);
+            binomial *= Ball(Rational(rest / (k + 1)), bits_);
+        }
+        acb_zero(z);
+        acb_poly_set_coeff_acb(x, 0, z);
+        acb_poly_compose_series(r, outer, x, terms_, bits_);
+        acb_clear(z);
     }
     void call(acb_poly_struct* r, const Expr& e) const {
         Poly x;
@@ -156,7 +187,9 @@ private:
         }
         case Builtin::sqrt:
         case Builtin::log:
-            if (meets_cut(x)) {
+            if (meets_cut(x) && real_ && e.builtin() == Builtin::sqrt) {
+                power_beside_zero(r, x, Rational(1, 2));
+            } else if (meets_cut(x)) {
                 nowhere(r);
             } else if (e.builtin() == Builtin::sqrt) {
                 acb_poly_sqrt_series(r, x, terms_, bits_);
@@ -164,14 +197,98 @@ private:
                 acb_poly_log_series(r, x, terms_, bits_);
             }
             return;
+        case Builtin::asin:
+        case Builtin::acos:
+        case Builtin::atan:
+        case Builtin::asinh:
+        case Builtin::acosh:
+        case Builtin::atanh:
+            inverse(r, x, e.builtin());
+            return;
         default:
             nowhere(r);
         }
+    }
+    /// The functions whose derivative is +-1/(1 +- x^2), or its root: off their cuts, which lie
+    /// where what the root is taken of is in (-inf, 0].
+    void inverse(acb_poly_struct* r, acb_poly_struct* x, Builtin f) const {
+        const bool hyperbola = f == Builtin::asinh || f == Builtin::atan;
+        const bool rational = f == Builtin::atan || f == Builtin::atanh;
+        Poly square;
+        acb_poly_mullow(square, x, x, terms_, bits_);
+        if (!hyperbola) {
+            acb_poly_neg(square, square);
+        }
+        Poly one;
+        acb_poly_one(one);
+        acb_poly_add(square, square, one, bits_);
+        acb_t z;
+        acb_init(z);
+        acb_poly_get_coeff_acb(z, x, 0);
+        const bool outside = f == Builtin::acosh ? arb_contains_zero(acb_imagref(z)) != 0 &&
+                                                       !certainly_beyond_one(acb_realref(z))
+                                                 : meets_cut(square);
+        if (outside) {
+            acb_clear(z);
+            nowhere(r);
+            return;
+        }
+        switch (f) {
+        case Builtin::asin:
+            acb_asin(z, z, bits_);
+            break;
+        case Builtin::acos:
+            acb_acos(z, z, bits_);
+            break;
+        case Builtin::atan:
+            acb_atan(z, z, bits_);
+            break;
+        case Builtin::asinh:
+            acb_asinh(z, z, bits_);
+            break;
+        case Builtin::atanh:
+            acb_atanh(z, z, bits_);
+            break;
+        default:
+            acb_acosh(z, z, bits_);
+            break;
+        }
+        Poly rate;
+        acb_poly_derivative(rate, x, bits_);
+        if (f == Builtin::acosh) {
+            // 1/(sqrt(x - 1) sqrt(x + 1)): one root of the product has a cut elsewhere.
+            Poly less;
+            Poly more;
+            acb_poly_sub(less, x, one, bits_);
+            acb_poly_add(more, x, one, bits_);
+            acb_poly_sqrt_series(less, less, terms_, bits_);
+            acb_poly_sqrt_series(more, more, terms_, bits_);
+            acb_poly_mullow(square, less, more, terms_, bits_);
+        } else if (!rational) {
+            acb_poly_sqrt_series(square, square, terms_, bits_);
+        }
+        acb_poly_div_series(r, rate, square, terms_, bits_);
+        if (f == Builtin::acos) {
+            acb_poly_neg(r, r);
+        }
+        acb_poly_integral(r, r, bits_);
+        acb_poly_set_coeff_acb(r, 0, z);
+        acb_poly_truncate(r, terms_);
+        acb_clear(z);
+    }
+    static bool certainly_beyond_one(const arb_t x) {
+        arb_t y;
+        arb_init(y);
+        arb_sub_ui(y, x, 1, 64);
+        const bool beyond = arb_is_positive(y) != 0;
+        arb_clear(y);
+        return beyond;
     }
 
     const acb_struct* at_;
     long terms_;
     long bits_;
+    bool real_;
 };
 
 } // namespace
@@ -198,6 +315,12 @@ bool has_complex_taylor(const Expr& e) {
         case Builtin::tanh:
         case Builtin::sqrt:
         case Builtin::log:
+        case Builtin::asin:
+        case Builtin::acos:
+        case Builtin::atan:
+        case Builtin::asinh:
+        case Builtin::acosh:
+        case Builtin::atanh:
             break;
         default:
             return false;
@@ -211,7 +334,12 @@ bool has_complex_taylor(const Expr& e) {
 
 void complex_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits) {
     acb_poly_zero(series);
-    Walk(at, terms, bits)(series, e);
+    Walk(at, terms, bits, false)(series, e);
+}
+
+void real_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits) {
+    acb_poly_zero(series);
+    Walk(at, terms, bits, true)(series, e);
 }
 
 } // namespace edgeproof

@@ -13,4 +13,8 @@ namespace edgeproof {
 /// pole) the coefficients are not finite.
 void complex_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits);
 
+/// The same of the real points of a ball where e is defined, holomorphic or not: x^(3/2) is
+/// enclosed beside 0 as well, and its first derivative.
+void real_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits);
+
 } // namespace edgeproof

@@ -8,7 +8,7 @@ namespace {
 
 /// (g'(s) - T_k(s))/(s - x)^(k+1).
 void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeIntegrand& f,
-                     slong bits) {
+                     slong order, slong bits) {
     const auto terms = static_cast<slong>(f.taylor->size());
     acb_t r;
     acb_t power;
@@ -16,6 +16,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
     acb_init(power);
     acb_poly_t g;
     acb_poly_init(g);
+    const auto taylor = order == 0 ? real_taylor : complex_taylor;
     if (f.from_right_edge) {
         // s - a = -2 d sin^2(theta/2)
         acb_mul_2exp_si(r, theta, -1);
@@ -30,7 +31,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
         // A divided difference is a mean of the derivative over the hull of its points.
         acb_set_arb(power, f.x->data());
         acb_union(power, power, s, bits);
-        complex_taylor(g, *f.slope, power, terms + 1, bits);
+        taylor(g, *f.slope, power, terms + 1, bits);
         acb_poly_get_coeff_acb(out, g, terms);
     } else {
         acb_t sum;
@@ -39,7 +40,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
             acb_mul(sum, sum, r, bits);
             acb_add_arb(sum, sum, (*f.taylor)[static_cast<std::size_t>(k)].data(), bits);
         }
-        complex_taylor(g, *f.slope, s, 1, bits);
+        taylor(g, *f.slope, s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
         acb_sub(out, out, sum, bits);
         acb_pow_ui(power, r, static_cast<ulong>(terms), bits);
@@ -51,7 +52,8 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
     acb_clear(r);
 }
 
-int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong, slong bits) {
+/// order = 0: an enclosure of the values on a piece of the path, which is real, will do.
+int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong bits) {
     const auto& f = *static_cast<const SlopeIntegrand*>(parameter);
     acb_t cosine;
     acb_t s;
@@ -59,13 +61,14 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong, slong bits)
     acb_init(s);
     acb_poly_t g;
     acb_poly_init(g);
+    const auto taylor = order == 0 ? real_taylor : complex_taylor;
     acb_cos(cosine, theta, bits);
     acb_mul_arb(s, cosine, f.half_length.data(), bits);
     acb_add_arb(s, s, f.centre.data(), bits);
     if (f.taylor != nullptr) {
-        taylor_quotient(out, theta, s, f, bits);
+        taylor_quotient(out, theta, s, f, order, bits);
     } else if (f.x == nullptr) {
-        complex_taylor(g, *f.slope, s, 1, bits);
+        taylor(g, *f.slope, s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
         acb_mul_si(cosine, theta, f.harmonic, bits);
         acb_cos(cosine, cosine, bits);
@@ -80,11 +83,11 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong, slong bits)
             acb_init(hull);
             acb_set_arb(hull, f.x->data());
             acb_union(hull, hull, s, bits);
-            complex_taylor(g, *f.slope, hull, 2, bits);
+            taylor(g, *f.slope, hull, 2, bits);
             acb_poly_get_coeff_acb(out, g, 1);
             acb_clear(hull);
         } else {
-            complex_taylor(g, *f.slope, s, 1, bits);
+            taylor(g, *f.slope, s, 1, bits);
             acb_poly_get_coeff_acb(out, g, 0);
             acb_sub_arb(out, out, f.slope_at_x->data(), bits);
             acb_div(out, out, gap, bits);
@@ -141,7 +144,7 @@ std::vector<Ball> slope_series(const Expr& slope, const Ball& x, std::size_t ter
     acb_init(value);
     acb_poly_init(g);
     acb_set_arb(at, x.data());
-    complex_taylor(g, slope, at, static_cast<slong>(terms), bits);
+    real_taylor(g, slope, at, static_cast<slong>(terms), bits);
     std::vector<Ball> series;
     for (std::size_t k = 0; k < terms; ++k) {
         acb_poly_get_coeff_acb(value, g, static_cast<slong>(k));

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/ball_extent.hpp"
+#include "edgeproof/contact/integrated_contact.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <memory>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+constexpr long asked_bits = 262;
+
+struct Asked {
+    Profile profile;
+    Load load;
+    Edge edge;
+    std::size_t n;
+    const char* tolerance;
+    ExtentRange range = {};
+};
+
+template <class C> EnclosedExtents enclosed(const Asked& asked, long bits = asked_bits) {
+    std::map<long, std::unique_ptr<C>> made;
+    BallExtentSearch search(
+        [&](long b) -> const ProvedPressure& {
+            auto& slot = made[b];
+            if (!slot) {
+                slot = std::make_unique<C>(asked.profile, exact("7/3"), asked.load, b);
+            }
+            return *slot;
+        },
+        asked.edge, asked.n, exact(asked.tolerance), asked.range);
+    return search.at(bits);
+}
+
+/// What is wrong with an enclosure beside another one, to so many digits, or nothing.
+std::string fault(const Ball& x, const Ball& y) {
+    if (!overlaps(x, y)) {
+        return "apart";
+    }
+    // 10 units of the 40th digit.
+    return x.relative_accuracy_bits() > 130 ? "" : "wide: " + x.radius().str(3);
+}
+
+std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
+    if (x.crossings.size() != y.crossings.size() || x.leaves != y.leaves) {
+        return "other crossings";
+    }
+    for (std::size_t i = 0; i < x.crossings.size(); ++i) {
+        if (!overlaps(x.crossings[i], y.crossings[i])) {
+            return "crossing " + std::to_string(i) + " apart";
+        }
+    }
+    return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
+}
+
+/// Against the scan in Real, 18 digits of it.
+std::string fault_beside_scan(const Asked& asked) {
+    const EnclosedExtents x = enclosed<IntegratedContact>(asked);
+    const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
+    const Extents y =
+        within_tolerance(contact, asked.edge, asked.n, exact(asked.tolerance), asked.range);
+    const auto near = [](const Real& value) {
+        return Ball::around(value, Real(abs(value) * pow(Real(10), -18)), asked_bits);
+    };
+    if (x.crossings.size() != y.crossings.size() || x.leaves != y.leaves) {
+        return "other crossings";
+    }
+    return fault(x.first_exit, near(y.first_exit)) + fault(x.measure, near(y.measure));
+}
+
+Profile own_tilted_profile() {
+    const Symbols x{"x"};
+    return Profile::piecewise({exact("0"), exact("1/3")},
+                              {parse("-1/10 + sinh(x)", x), parse("x^2 + x/7", x),
+                               parse("1/9 + 1/21 + tanh(x - 1/3)", x)});
+}
+
+} // namespace
+
+// Integrals and Cauchy's bounds against logarithms and their derivatives.
+TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
+    const Load unit = Load::right_edge(exact("1"));
+    const std::vector<Asked> all = {
+        {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, Edge::right, 2, "1/20"},
+        {Profile::flat_and_rounded(exact("2/5"), exact("1")), Load::force(exact("1/5")), Edge::left,
+         1, "1/100"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), unit, Edge::left, 2, "1/100"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), Load::force(exact("1/10")),
+         Edge::right, 3, "1e-9"},
+        {Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")),
+         Load::right_edge(exact("3")), Edge::left, 2, "1/20"},
+        {Profile::flat_and_rounded(exact("4/5"), exact("1")),
+         unit,
+         Edge::right,
+         1,
+         "1/100",
+         {exact("1/1000"), exact("1/2")}}};
+    for (const Asked& asked : all) {
+        CAPTURE(asked.profile.kind_name());
+        CHECK(fault(enclosed<IntegratedContact>(asked), enclosed<BallContact>(asked)) == "");
+    }
+}
+
+// The same contact by a formula that is not seen to be a straight line, or a power: Hertz's, with
+// one term 1/sqrt(1 - s) - 1 too large at s = u/(2a); and Gauss's 2F1.
+TEST_CASE("a straight slope in disguise, and a power law as one's own formula") {
+    const Symbols x{"x"};
+    const Load load = Load::right_edge(exact("3/2"));
+    const Profile straight =
+        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    REQUIRE_FALSE(BallContact::has_closed_form(straight));
+    const EnclosedExtents hertz =
+        enclosed<IntegratedContact>({straight, load, Edge::right, 1, "1/100"});
+    const Ball k(Rational(101, 100), 600);
+    CHECK(fault(hertz.first_exit, (k * k - 1) / (k * k) * 3) == "");
+    CHECK(hertz.crossings.size() == 1);
+    for (const char* m : {"3", "3/2"}) {
+        CAPTURE(std::string(m));
+        const Profile own =
+            Profile::piecewise_symmetric({}, {parse(std::string("2*x^(") + m + ")", x)});
+        REQUIRE_FALSE(BallContact::has_closed_form(own));
+        const Profile power = Profile::power_law(exact("2"), exact(m));
+        CHECK(fault(enclosed<IntegratedContact>({own, load, Edge::right, 2, "1/50"}),
+                    enclosed<BallContact>({power, load, Edge::right, 2, "1/50"})) == "");
+    }
+}
+
+TEST_CASE("extents of curved slopes hold what the scan in Real finds") {
+    CHECK(fault_beside_scan(
+              {Profile::piecewise_symmetric({}, {parse("sqrt(1 + x) - 1", Symbols{"x"})}),
+               Load::right_edge(exact("4/5")), Edge::right, 2, "1/50"}) == "");
+}
+
+TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
+          doctest::test_suite("slow")) {
+    const Contact own = own_symmetric();
+    const Profile tilted = own_tilted_profile();
+    const Load a = Load::right_edge(exact("4/5"));
+    const std::vector<Asked> all = {{own.profile, own.load, Edge::right, 1, "1/100"},
+                                    {own.profile, own.load, Edge::right, 3, "1e-6"},
+                                    {tilted, a, Edge::right, 2, "1/20"},
+                                    {tilted, a, Edge::left, 1, "1/100"},
+                                    {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
+    for (const Asked& asked : all) {
+        CAPTURE(asked.n);
+        CHECK(fault_beside_scan(asked) == "");
+    }
+}
+
+TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b on a knot") {
+    const Symbols x{"x"};
+    const Profile straight =
+        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    // One term of Hertz is off by 1 at 3/4 of the contact.
+    CHECK_THROWS_AS((void)enclosed<IntegratedContact>({straight,
+                                                       Load::right_edge(exact("1")),
+                                                       Edge::right,
+                                                       1,
+                                                       "1",
+                                                       {exact("0"), exact("3/4")}}),
+                    BudgetError);
+    // b = 1 = a by symmetry, which the profile does not say of itself, with a bend at -1.
+    const Profile bent = Profile::piecewise(
+        {exact("-1"), exact("0")}, {parse("2*x + 1", x), parse("((1 + x)^2 - 1 - x^2)/2", x),
+                                    parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    const IntegratedContact on_knot(bent, exact("1"), Load::right_edge(exact("1")), 200);
+    CHECK(contains(on_knot.b(), Rational(1)));
+    CHECK_FALSE(on_knot.expansion(Edge::left, 1)[0].is_finite());
+    CHECK_THROWS_AS((void)enclosed<IntegratedContact>(
+                        {bent, Load::right_edge(exact("1")), Edge::left, 1, "1/100"}),
+                    BudgetError);
+}
+
+// Values over intervals, by disks and beside bends, against the integrals at points in them.
+TEST_CASE("a pressure over an interval holds those at its points, and so do its derivatives") {
+    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+                              200);
+    const auto ball = [](const char* u) { return Ball(exact(u).rational(), 200); };
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        for (const char* u : {"1e-6", "0.01", "0.2", "0.45", "0.5", "0.7"}) {
+            CAPTURE(std::string(u));
+            const Ball wide = Ball::hull(ball(u), ball(u) * Ball(Rational(1001, 1000), 200));
+            const BallSeries over = c.pressure_series(edge, wide, 8);
+            const BallSeries at = c.pressure_series(edge, ball(u), 2);
+            CHECK(overlaps(over[0], at[0]));
+            CHECK(overlaps(over[1], at[1]));
+            CHECK(over[0].relative_accuracy_bits() > 5);
+            CHECK(over[7].is_finite());
+            CHECK(overlaps(c.pressure(edge, wide), c.pressure(edge, ball(u))));
+        }
+    }
+    // The bend at 1/3 is at u = 7/15, the corner at u = 4/5.
+    const Ball bend = Ball(Rational(7, 15), 200);
+    const Ball beside = Ball::hull(bend - ball("1e-5"), bend + ball("1e-5"));
+    const Ball p = c.pressure(Edge::right, beside);
+    CHECK(contains(p, c.pressure(Edge::right, exact("7/15"))));
+    CHECK(p.relative_accuracy_bits() > 6);
+    const Ball corner = Ball::hull(ball("0.8") - ball("1e-9"), ball("0.8") + ball("1e-9"));
+    CHECK_FALSE(c.pressure(Edge::right, corner).is_finite());
+    const Ball least = c.least_pressure(Edge::right, corner);
+    CHECK(certainly_less(Ball(least.lower(), 200), c.pressure(Edge::right, exact("0.8 + 1e-9"))));
+    CHECK(certainly_less(c.pressure(Edge::right, exact("0.801")), Ball(least.lower(), 200)));
+}
+
+TEST_CASE("the majorant of a curved slope is above its coefficients") {
+    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+                              200);
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const Ball rho = c.reach(edge) / 2;
+        REQUIRE(certainly_positive(rho));
+        const Ball most = c.majorant(edge, rho);
+        Ball scale(1, 200);
+        for (const Ball& x : c.expansion(edge, 6)) {
+            CHECK(certainly_less(abs(x) * scale, most));
+            scale *= rho;
+        }
+        CHECK_FALSE(c.majorant(edge, rho * 3).is_finite());
+    }
+}

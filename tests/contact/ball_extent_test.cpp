@@ -125,6 +125,14 @@ TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left
     REQUIRE(e.crossings.size() >= 2);
     CHECK(contains(e.crossings[0], Rational(1)));
     CHECK(contains(e.crossings[1], Rational(1)));
+    // One term is above the tolerance on both sides of it: down to -1 and up again, four times.
+    const EnclosedExtents above =
+        enclosed(faint, Edge::right, 1, "1/100", {exact("0"), exact("3/4")});
+    REQUIRE(above.crossings.size() == 5);
+    CHECK(certainly_less(above.crossings[0], Ball(1, 400) / 20));
+    CHECK(contains(above.crossings[1], Rational(1)));
+    CHECK(contains(above.crossings[4], Rational(1)));
+    CHECK(overlaps(above.measure, above.first_exit));
     // Hertz, one term, the tolerance that its error reaches at 3/4 of the contact, the range's end.
     Contacts hertz(Profile::power_law(exact("1"), exact("1")), Load::right_edge(exact("1")));
     CHECK_THROWS_AS((void)enclosed(hertz, Edge::right, 1, "1", {exact("0"), exact("3/4")}),

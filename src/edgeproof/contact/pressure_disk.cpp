@@ -245,7 +245,11 @@ public:
         acb_sub_arb(gap_.z(), s, x_.data(), bits_);
         const Magnitude least = Magnitude::least(gap_.z());
         change_.slope_change(integral_.slopes[piece], s, slope_at_x_, cover_bits);
-        most[0] = Magnitude(change_.z()) / least;
+        Magnitude size(change_.z());
+        if (!size.is_finite() && arb_is_zero(acb_imagref(s)) != 0) {
+            size = integral_.most_change;
+        }
+        most[0] = size / least;
         return most[0].is_finite();
     }
     void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const override {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::string text_of(const std::string& profile, const std::string& load, const std::string& ask) {
+    return "[profile]\nkind = \"piecewise\"\n" + profile + "\n[load]\n" + load +
+           "\ncontact_modulus = \"7/3\"\n[ask]\nedges = [\"right\", \"left\"]\nterms = [1, 2]\n"
+           "digits = 40\nu = [\"1e-60\", \"1e-3\", \"0.1\"]\ntolerance = \"2%\"\n" +
+           ask + "\n";
+}
+
+const char* const tilted = "knots = [\"0\", \"1/3\"]\nslopes = [\"-1/10 + sinh(x)\", "
+                           "\"x^2 + x/7\", \"10/63 + tanh(x - 1/3)\"]";
+
+/// What is not proved, or is printed wider than 10 units of the last digit.
+std::string fault(const Vouched& v, const Digits& digits) {
+    const PrintedValue p = printed(v, digits);
+    if (!v.proved) {
+        return "estimated by " + v.route + " ";
+    }
+    if (v.exactly) {
+        return "";
+    }
+    const Ball unit = abs(v.value) * Ball(parse_decimal("1e-39"), 200);
+    return certainly_less(Ball(v.value.radius(), 200), unit) && p.complete ? ""
+                                                                           : "wide: " + p.bound;
+}
+
+std::string faults(const std::string& text) {
+    const Scene scene = parsed(text);
+    const SceneResult result = run_scene(scene);
+    const Digits& digits = scene.ask.digits;
+    std::string all = result.plan.proved ? "" : result.plan.proved_why;
+    all += fault(result.contact.a, digits) + fault(result.contact.b, digits);
+    for (const PointRow& row : result.points) {
+        all += fault(*row.values.p, digits);
+        for (const Approximation& a : row.values.p_local) {
+            all += fault(a.local, digits) + (a.relative_error.proved ? "" : "error estimated");
+        }
+    }
+    for (const EdgeValues& edge : result.coefficients) {
+        for (const Vouched& c : edge.c) {
+            all += fault(c, digits);
+        }
+    }
+    for (const ExtentValues& e : result.extents) {
+        for (const Vouched* v :
+             {&e.first_exit, &e.measure, &e.first_exit_fraction, &e.measure_fraction}) {
+            all += fault(*v, digits);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("curved slopes: pressures, coefficients and extents are proved, and narrow") {
+    const std::string all = "quantities = [\"pressure\", \"coefficients\", \"extent\"]";
+    CHECK(faults(text_of("symmetric = true\nslopes = [\"sinh(x)\"]", "P = \"1/3\"", all)) == "");
+    CHECK(faults(text_of("symmetric = true\nslopes = [\"asinh(x) + x^2\"]", "a = \"3/4\"",
+                         "quantities = [\"pressure\", \"coefficients\"]")) == "");
+    // An edge on a knot, given exactly; and a root there.
+    CHECK(faults(text_of("symmetric = true\nknots = [\"3/4\"]\nslopes = [\"x^(3/2)\", "
+                         "\"x^(3/2) + (x - 3/4)\"]",
+                         "a = \"3/4\"", "quantities = [\"pressure\", \"coefficients\"]")) == "");
+}
+
+TEST_CASE("a curved slope under P, not symmetric: all that follows from both edges is proved" *
+          doctest::test_suite("slow")) {
+    CHECK(faults(text_of(tilted, "P = \"1/3\"",
+                         "quantities = [\"pressure\", \"coefficients\", \"extent\"]")) == "");
+}
+
+TEST_CASE("a function that is not analytic is still estimated, and said to be") {
+    const std::string fault = faults(text_of("symmetric = true\nslopes = [\"hypot(1, x) - 1\"]",
+                                             "a = \"3/4\"", "quantities = [\"coefficients\"]"));
+    CHECK(fault.find("beyond the rigorous integration") != std::string::npos);
+    CHECK(fault.find("estimated by series") != std::string::npos);
+}

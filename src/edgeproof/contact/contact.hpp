@@ -10,7 +10,9 @@
 ///   ball_contact.hpp     the same contact in balls: enclosures that are proved
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
-///   integrated_contact.hpp  the same for curved g', by rigorous integration
+///   integrated_contact.hpp  the same for curved g', by rigorous integration; with
+///   pressure_disk.hpp    its Taylor series with Cauchy's bound of what is left out
+///   ball_extent.hpp      how far n terms stay within a tolerance, proved, for either
 ///   ball_shear.hpp       the same q in balls
 ///   forward.hpp          back from a traction to its resultant and its principal value
 ///   tilt_solver.hpp      the tilt that carries a given force and moment

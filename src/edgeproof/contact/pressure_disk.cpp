@@ -10,13 +10,13 @@
 namespace edgeproof {
 namespace {
 
-constexpr long cover_bits = 64;
+constexpr long box_bits = 64;
 constexpr int ladder = 24;     ///< radii that are tried
 constexpr long steepest = 256; ///< times the mean slope of g', in a disk
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral that is wide anyway
 
-Ball exact_lower(const Ball& x) { return {x.with_bits(32).lower(), cover_bits}; }
+Ball exact_lower(const Ball& x) { return {x.with_bits(32).lower(), box_bits}; }
 
 /// A complex box and a polynomial to evaluate over it.
 class Box {
@@ -51,7 +51,7 @@ Magnitude largest_change(const Expr& slope, const Ball& x, const Ball& g0, const
     Box s;
     Box change;
     Magnitude most;
-    const Ball step = r / (2 * across) * Ball(Rational(1025, 1024), cover_bits);
+    const Ball step = r / (2 * across) * Ball(Rational(1025, 1024), box_bits);
     for (int i = -across; i < across; ++i) {
         for (int j = 0; j < across; ++j) {
             const int near = i < 0 ? -i - 1 : i;
@@ -62,7 +62,7 @@ Magnitude largest_change(const Expr& slope, const Ball& x, const Ball& g0, const
             arb_set(acb_imagref(s.z()), Ball(step * (2 * j + 1)).data());
             arb_add_error(acb_realref(s.z()), step.data());
             arb_add_error(acb_imagref(s.z()), step.data());
-            change.slope_change(slope, s.z(), g0, cover_bits);
+            change.slope_change(slope, s.z(), g0, box_bits);
             const Magnitude here(change.z());
             most = here <= most ? most : here;
             if (!most.is_finite()) {
@@ -105,7 +105,7 @@ public:
         if (least.is_zero() || (piece == holds_ && least <= Magnitude(far_))) {
             return false;
         }
-        change_.slope_change(integral_.slopes[piece], s, g_[0], cover_bits);
+        change_.slope_change(integral_.slopes[piece], s, g_[0], box_bits);
         Magnitude size(change_.z());
         if (!size.is_finite()) {
             if (arb_is_zero(acb_imagref(s)) == 0) {
@@ -185,8 +185,8 @@ public:
     std::optional<Magnitude> operator()() {
         for (const ThetaSpan& span : integral_.spans) {
             // The radii of its ends included, which cells of two spans may share.
-            const Ball lo(span.from.with_bits(cover_bits).lower(), cover_bits);
-            const Ball hi(span.to.with_bits(cover_bits).upper(), cover_bits);
+            const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
+            const Ball hi(span.to.with_bits(box_bits).upper(), box_bits);
             if (!cell(span.piece, lo, hi, 0)) {
                 return {};
             }
@@ -204,11 +204,11 @@ private:
             sum_ = sum_ + length * quotient_;
             return true;
         }
-        const Ball from_disk = Ball(gap.with_bits(cover_bits).lower(), cover_bits) - reach_;
-        const Ball width(s.radius(), cover_bits);
+        const Ball from_disk = Ball(gap.with_bits(box_bits).lower(), box_bits) - reach_;
+        const Ball width(s.radius(), box_bits);
         if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
             acb_set_arb(s_, s.data());
-            change_.slope_change(integral_.slopes[piece], s_, g0_, cover_bits);
+            change_.slope_change(integral_.slopes[piece], s_, g0_, box_bits);
             Magnitude size(change_.z());
             if (!(size <= integral_.most_change)) {
                 size = integral_.most_change;
@@ -244,7 +244,7 @@ public:
     bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
         acb_sub_arb(gap_.z(), s, x_.data(), bits_);
         const Magnitude least = Magnitude::least(gap_.z());
-        change_.slope_change(integral_.slopes[piece], s, slope_at_x_, cover_bits);
+        change_.slope_change(integral_.slopes[piece], s, slope_at_x_, box_bits);
         Magnitude size(change_.z());
         if (!size.is_finite() && arb_is_zero(acb_imagref(s)) != 0) {
             size = integral_.most_change;
@@ -291,7 +291,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         }
         chosen = r;
         change = here;
-        if (change <= mean * Magnitude(r) * Magnitude(Ball(steepest, cover_bits))) {
+        if (change <= mean * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
             break;
         }
     }
@@ -307,10 +307,10 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
     const long goal = disk_goal(bits);
     std::vector<Ball> g = slope_series(slope, x, terms + static_cast<std::size_t>(goal) + 8, bits);
     ThetaGoal wanted;
-    Ball tolerance = bound_.ball(cover_bits);
+    Ball tolerance = bound_.ball(box_bits);
     arb_mul_2exp_si(tolerance.data(), tolerance.data(), -goal);
     wanted.tolerance = Magnitude(tolerance);
-    Magnitude scale(Ball(1, cover_bits));
+    Magnitude scale(Ball(1, box_bits));
     for (std::size_t k = 0; k < terms; ++k) {
         wanted.scale.push_back(scale);
         scale = scale * Magnitude(radius_);
@@ -343,7 +343,7 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
     const bool at_centre = q.is_zero();
     for (long k = 0; k < static_cast<long>(order); ++k) {
         // Each term is at most this much of the one before it.
-        const Ball less = 1 - q.ball(cover_bits) * (n + 1) / std::max(1L, n + 1 - k);
+        const Ball less = 1 - q.ball(box_bits) * (n + 1) / std::max(1L, n + 1 - k);
         if (at_centre && k < n) {
             continue;
         }
@@ -352,7 +352,7 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
             continue;
         }
         c[static_cast<std::size_t>(k)] += (rest / Magnitude::least(less)).ball(bits_);
-        rest = rest * Magnitude(Ball(n - k, cover_bits)) / Magnitude(Ball(k + 1, cover_bits)) / q /
+        rest = rest * Magnitude(Ball(n - k, box_bits)) / Magnitude(Ball(k + 1, box_bits)) / q /
                Magnitude::least(radius_);
     }
     return BallSeries(c);
@@ -360,9 +360,9 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
 
 bool PressureDisk::good_to(const Ball& z, long bits) const {
     Ball q = abs(z) / radius_;
-    arb_pow_ui(q.data(), q.data(), coefficients_.size(), cover_bits);
+    arb_pow_ui(q.data(), q.data(), coefficients_.size(), box_bits);
     arb_mul_2exp_si(q.data(), q.data(), bits + 1);
-    return certainly_less(q, Ball(1, cover_bits));
+    return certainly_less(q, Ball(1, box_bits));
 }
 
 Ball outer_integral(const SlopeOverTheta& integral, const std::vector<ThetaSpan>& outer,
@@ -370,10 +370,10 @@ Ball outer_integral(const SlopeOverTheta& integral, const std::vector<ThetaSpan>
     const Ball slope = slope_series(integral.slopes[holds], x, 1, bits)[0];
     const OuterIntegrand integrand(integral, x, slope, bits);
     ThetaGoal goal;
-    Ball tolerance = integral.most_change.ball(cover_bits) / integral.half_length;
+    Ball tolerance = integral.most_change.ball(box_bits) / integral.half_length;
     arb_mul_2exp_si(tolerance.data(), tolerance.data(), -outer_bits);
     goal.tolerance = Magnitude(tolerance);
-    goal.scale = {Magnitude(Ball(1, cover_bits))};
+    goal.scale = {Magnitude(Ball(1, box_bits))};
     goal.nodes = outer_bits / 4 + 4;
     goal.depth = 2 * static_cast<int>(bits);
     return integrate_cells(integrand, outer, integral.centre, integral.half_length, goal, bits)[0];

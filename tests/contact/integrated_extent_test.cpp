@@ -107,7 +107,7 @@ std::string fault_beside_power_law(const std::string& m) {
     if (BallContact::has_closed_form(own)) {
         return "no curved formula";
     }
-    const Profile power = Profile::power_law(exact("2"), exact(m));
+    const Profile power = Profile::power_law(exact("2"), exact(m.c_str()));
     const Load load = Load::right_edge(exact("3/2"));
     return fault(enclosed<IntegratedContact>({own, load, Edge::right, 2, "1/50"}),
                  enclosed<BallContact>({power, load, Edge::right, 2, "1/50"}));

@@ -19,7 +19,7 @@ const char* const tilted = "knots = [\"0\", \"1/3\"]\nslopes = [\"-1/10 + sinh(x
                            "\"x^2 + x/7\", \"10/63 + tanh(x - 1/3)\"]";
 
 /// What is not proved, or is printed wider than 10 units of the last digit.
-std::string fault(const Vouched& v, const Digits& digits) {
+std::string curved_fault(const Vouched& v, const Digits& digits) {
     const PrintedValue p = printed(v, digits);
     if (!v.proved) {
         return "estimated by " + v.route + " ";
@@ -37,22 +37,23 @@ std::string faults(const std::string& text) {
     const SceneResult result = run_scene(scene);
     const Digits& digits = scene.ask.digits;
     std::string all = result.plan.proved ? "" : result.plan.proved_why;
-    all += fault(result.contact.a, digits) + fault(result.contact.b, digits);
+    all += curved_fault(result.contact.a, digits) + curved_fault(result.contact.b, digits);
     for (const PointRow& row : result.points) {
-        all += fault(*row.values.p, digits);
+        all += curved_fault(*row.values.p, digits);
         for (const Approximation& a : row.values.p_local) {
-            all += fault(a.local, digits) + (a.relative_error.proved ? "" : "error estimated");
+            all +=
+                curved_fault(a.local, digits) + (a.relative_error.proved ? "" : "error estimated");
         }
     }
     for (const EdgeValues& edge : result.coefficients) {
         for (const Vouched& c : edge.c) {
-            all += fault(c, digits);
+            all += curved_fault(c, digits);
         }
     }
     for (const ExtentValues& e : result.extents) {
         for (const Vouched* v :
              {&e.first_exit, &e.measure, &e.first_exit_fraction, &e.measure_fraction}) {
-            all += fault(*v, digits);
+            all += curved_fault(*v, digits);
         }
     }
     return all;

@@ -6,13 +6,11 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
-
 using namespace edgeproof;
 
 namespace {
 
-Exact exact(const std::string& text) { return Exact::parse(text); }
+Exact exact(const char* text) { return Exact::parse(text); }
 
 /// |x - y| <= 10^-digits |y|.
 bool agree(const Real& x, const Real& y, unsigned digits) {

@@ -88,7 +88,7 @@ std::string fault_beside_pressures(const Asked& asked) {
         for (std::size_t k = c.size() - 1; k-- > 0;) {
             sum = sum * u + c[k];
         }
-        const Real p = contact.pressure(asked.edge, exact(u.str(40))).value;
+        const Real p = contact.pressure(asked.edge, Exact::parse(u.str(40))).value;
         return Real(abs(Real(sum * sqrt(u) / p - 1)) / tolerance);
     };
     const Real first = x.first_exit.midpoint();
@@ -107,7 +107,7 @@ std::string fault_beside_power_law(const std::string& m) {
     if (BallContact::has_closed_form(own)) {
         return "no curved formula";
     }
-    const Profile power = Profile::power_law(exact("2"), exact(m.c_str()));
+    const Profile power = Profile::power_law(exact("2"), Exact::parse(m));
     const Load load = Load::right_edge(exact("3/2"));
     return fault(enclosed<IntegratedContact>({own, load, Edge::right, 2, "1/50"}),
                  enclosed<BallContact>({power, load, Edge::right, 2, "1/50"}));

@@ -182,7 +182,8 @@ TEST_CASE("what is not known inside an integral is refused, by name") {
     const Sample sample = sample_of(sampled_profiles()[6], "2/7");
     const EnclosedSample enclosed_sample(sample, 300);
     for (const char* text : {"integral(p(s), s, 0, a)", "integral(p(s)^2, s, -b, a)",
-                             "integral(Pof(s), s, a/2, a)", "integral(abs(s), s, -b, a)"}) {
+                             "integral(Pof(s), s, a/2, a)", "integral(abs(s), s, -b, a)",
+                             "integral(P1of(s), s, -a/2, a)", "integral(bof(a - 3*s), s, 0, a)"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(static_cast<void>(enclosed_sample.evaluate(contact_formula(text))), Error);
     }

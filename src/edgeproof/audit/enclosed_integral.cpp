@@ -23,9 +23,6 @@ struct PieceEnd {
     Ball angle = {};          ///< on a path
 };
 
-/// A place without a formula; no text has such a name.
-Expr unnamed_place() { return Expr::symbol("a place inside"); }
-
 class EnclosedIntegral {
 public:
     EnclosedIntegral(const Expr& node, const IntegralSurroundings& around, unsigned digits)
@@ -124,6 +121,18 @@ private:
         return number(line->at_origin) + number(line->rate) * place;
     }
 
+    /// The same for a contact's right edge, which has to lie right of the origin from one end of
+    /// the integral to the other.
+    [[nodiscard]] Ball right_edge_at(const Expr& argument, const Ball& place) {
+        for (const Ball* end : {&lowest_.at, &highest_.at}) {
+            const Ball edge = linear_at(argument, *end);
+            if (!certainly_positive(edge) && arb_is_zero(edge.data()) == 0) {
+                throw Error("a contact's edge that may not be positive inside an integral");
+            }
+        }
+        return linear_at(argument, place);
+    }
+
     /// Inside, ascending.
     [[nodiscard]] std::vector<PieceEnd> cuts() {
         std::vector<PieceEnd> inside;
@@ -171,9 +180,9 @@ private:
             if (f.name() == "g1") {
                 out = formulas.slope(f.arg(0), linear_at(f.arg(0), place), size);
             } else if (f.name() == "P1of") {
-                out = formulas.force_rate(f.arg(0), linear_at(f.arg(0), place));
+                out = formulas.force_rate(f.arg(0), right_edge_at(f.arg(0), place));
             } else if (f.name() == "bof") {
-                out = formulas.left_edge(f.arg(0), linear_at(f.arg(0), place));
+                out = formulas.left_edge(f.arg(0), right_edge_at(f.arg(0), place));
             } else if (f.name() == "q") {
                 out = ContactFormulas::traction(f.arg(0));
             } else if (f.name() == "p" && above) {
@@ -238,13 +247,12 @@ private:
 
     /// From where it is counted to v; half the piece, or all of it.
     [[nodiscard]] Box from_centre(Integrand& f, const Ball& near, const Ball& far) const {
-        const auto power = static_cast<ulong>(f.power());
         const auto root_of_distance = [&](const Ball& x) {
             Ball v(0, around_.bits);
             if (arb_is_zero(x.data()) != 0) {
                 return Box(v); // of which Arb takes no root
             }
-            arb_root_ui(v.data(), x.data(), power, around_.bits);
+            arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), around_.bits);
             return Box(v);
         };
         return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
@@ -275,14 +283,16 @@ private:
         const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
         const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
         Box sum(around_.bits);
+        const auto add = [&](const PieceEnd& end, const Ball& near) {
+            const Ball& at = position(end, by_angle);
+            sum = sum + from_centre(f, distance(at, near), distance(at, middle));
+        };
         if (left) {
-            const Ball& at = position(*left, by_angle);
-            sum = from_centre(f, distance(at, start), distance(at, middle));
+            add(*left, start);
         }
         if (right) {
             f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
-            const Ball& at = position(*right, by_angle);
-            sum = sum + from_centre(f, distance(at, stop), distance(at, middle));
+            add(*right, stop);
         }
         if (!left && !right) {
             f.centre(from.written, from.at, 1, from.angle, Centre::regular);
@@ -312,8 +322,9 @@ private:
             Box sum = line_integral(f, Box(-r), top, digits_) +
                       line_integral(f, top, Box(r), digits_) +
                       f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
-            const PieceEnd before{unnamed_place(), pole - r};
-            const PieceEnd behind{unnamed_place(), pole + r};
+            const Expr unnamed = Expr::symbol("a place inside"); // as no text has it
+            const PieceEnd before{unnamed, pole - r};
+            const PieceEnd behind{unnamed, pole + r};
             sum = sum + by_ends(f, from, before, false);
             return sum + by_ends(f, behind, to, false);
         }
@@ -335,8 +346,7 @@ private:
             !around_.contact->pressure_above(Expr::symbol(variable_))) {
             return std::nullopt;
         }
-        const Expr a = Expr::symbol("a");
-        if (!surely_zero(highest_.written - a, around_.symmetric) ||
+        if (!surely_zero(highest_.written - Expr::symbol("a"), around_.symmetric) ||
             !surely_zero(lowest_.written + Expr::symbol("b"), around_.symmetric)) {
             return std::nullopt;
         }

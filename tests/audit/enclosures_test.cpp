@@ -159,7 +159,8 @@ TEST_CASE("a confirmation that the enclosures contradict is none") {
 TEST_CASE("where the value is zero, digits are proved relative to the claim's scale") {
     const std::string zero = "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = "
                              "\"integral(g1(s)/sqrt(a^2-s^2), s, -a, a)\"\n";
-    const Evidence& scaled = enclosures_of(result_of(zero + "scale = \"C*a\"\n"));
+    const ClaimResult result = result_of(zero + "scale = \"C*a\"\n");
+    const Evidence& scaled = enclosures_of(result);
     CHECK(scaled.find("digits_proved")->text() == "34.0");
     CHECK(scaled.find("samples")->text() == "2");
 }

@@ -113,7 +113,8 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
         const Ball z = u - d.u;
         return d.disk.found() && d.disk.terms() >= terms &&
                certainly_less(abs(z) * 2, d.disk.radius()) &&
-               (d.disk.good_to(z, disk_goal(bits_)) || certainly_less(d.disk.radius(), breadth * 64));
+               (d.disk.good_to(z, disk_goal(bits_)) ||
+                certainly_less(d.disk.radius(), breadth * 64));
     };
     for (const auto& disk : disks_[edge]) {
         if (serves(*disk)) {

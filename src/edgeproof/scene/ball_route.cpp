@@ -244,9 +244,7 @@ private:
         return best;
     }
     /// The bits of the next attempt.
-    [[nodiscard]] long after(long bits) const {
-        return bits < plan_.bits ? plan_.bits : 2 * bits;
-    }
+    [[nodiscard]] long after(long bits) const { return bits < plan_.bits ? plan_.bits : 2 * bits; }
     template <class F, class Instead>
     [[nodiscard]] Vouched vouched(const F& f, const char* route, const Instead& instead) {
         return vouched(f, plan_.digits, route, instead);

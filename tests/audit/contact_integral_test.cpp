@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_formula.hpp"
 #include "edgeproof/audit/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger.hpp"
 #include "edgeproof/audit/spots.hpp"
-#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 #include "tests/support/paths.hpp"
@@ -54,20 +54,6 @@ Sample sample_of(const SampledProfile& profile, const char* fraction) {
     }
     sample.fraction = Exact::parse(fraction);
     return sample;
-}
-
-Expr contact_formula(const std::string& text) {
-    Symbols symbols;
-    for (const std::string& name : setting_symbols()) {
-        symbols.add(name);
-    }
-    for (const char* name : {"Q", "sig0", "s"}) {
-        symbols.add(name);
-    }
-    for (const auto& [name, arity] : setting_functions()) {
-        symbols.add_function(name, arity);
-    }
-    return parse(text, symbols);
 }
 
 constexpr unsigned aimed_digits = 30;

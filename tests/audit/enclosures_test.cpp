@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_formula.hpp"
 #include "edgeproof/audit/enclosures.hpp"
-#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
 #include "small_ledger.hpp"
@@ -11,20 +11,6 @@ using namespace edgeproof;
 using namespace edgeproof::small_ledger;
 
 namespace {
-
-Expr enclosed_formula(const std::string& text) {
-    Symbols symbols;
-    for (const std::string& name : setting_symbols()) {
-        symbols.add(name);
-    }
-    for (const char* name : {"Q", "sig0", "s"}) {
-        symbols.add(name);
-    }
-    for (const auto& [name, arity] : setting_functions()) {
-        symbols.add_function(name, arity);
-    }
-    return parse(text, symbols);
-}
 
 Sample tilted_sample(Edge edge, const char* fraction) {
     Sample sample;
@@ -47,7 +33,7 @@ Sample tilted_sample(Edge edge, const char* fraction) {
 /// The route in Real must lie in the ball, but for its own error, and the ball must be narrow.
 std::string fault_of(const std::string& text, const Sample& sample) {
     const unsigned digits = 40;
-    const Expr e = enclosed_formula(text);
+    const Expr e = contact_formula(text);
     const Setting setting(sample.scene, digits);
     const Place place = setting.place(sample.edge, *sample.fraction);
     const Real value = setting.evaluate(e, &place).value;
@@ -180,4 +166,11 @@ TEST_CASE("a ball's text holds all of the ball") {
     const Ball ball = Ball::around(Real(2) / 3, Real("0.001"), 200);
     CHECK(ball_text(ball, 2) == "0.67 +- 0.0044");
     CHECK(ball_text(Ball(5, 100), 3) == "5.00 +- 0");
+}
+
+TEST_CASE("a ball's text shows no digit that the ball does not know") {
+    const Real thousandth = Real(1) / 1000;
+    CHECK(ball_text(Ball::around(Real(1) / 8, Real(2), 200), 50) == "0 +- 2.2");
+    const std::string wide = ball_text(Ball::around(Real(2) / 3, thousandth, 200), 50);
+    CHECK(wide.substr(0, 10) == "0.6667 +- ");
 }

@@ -326,7 +326,13 @@ Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {
 }
 
 std::string ball_text(const Ball& ball, unsigned digits) {
-    const std::string middle = to_decimal(ball.midpoint(), digits);
+    if (!ball.is_exact() && contains_zero(ball)) {
+        return "0 +- " + bound_text(abs(ball).upper());
+    }
+    // The first digit that the radius leaves in doubt, and the next; more would only look exact.
+    const long known = std::min(ball.relative_accuracy_bits(), bits_for(digits)) * 301 / 1000 + 2;
+    const std::string middle = to_decimal(
+        ball.midpoint(), static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
     // What rounding the middle for the text moves it by counts, too.
     const Ball off = abs(ball - Ball(parse_decimal(middle), ball.bits()));
     return middle + " +- " + bound_text(off.upper());

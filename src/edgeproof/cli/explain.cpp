@@ -52,6 +52,12 @@ std::string planned_text(const Effect& effect, const Counts& counts) {
                                                   : "0";
 }
 
+std::string narrow_text(const Plan& plan) {
+    return plan.narrow_bits < plan.bits
+               ? fmt::format(" ({} for the contact and pressures)", plan.narrow_bits)
+               : "";
+}
+
 int explain(const ExplainOptions& o) {
     const Scene scene = asked_scene(o);
     const Plan plan = make_plan(scene);
@@ -69,10 +75,9 @@ int explain(const ExplainOptions& o) {
                    {"route", route_name(plan.route)},
                    {"bounds", (plan.proved ? "proved: " : "estimated: ") + plan.proved_why},
                    {"precision",
-                    plan.proved ? fmt::format("balls of {} bits at first ({} for the contact and "
-                                              "pressures), more where {} digits are not settled "
-                                              "by them",
-                                              plan.bits, plan.narrow_bits, plan.digits.count)
+                    plan.proved ? fmt::format("balls of {} bits at first{}, more where {} digits "
+                                              "are not settled by them",
+                                              plan.bits, narrow_text(plan), plan.digits.count)
                                 : fmt::format("{} digits at first for {}, more where edges, knots "
                                               "and points lie close",
                                               plan.working_digits, plan.digits.count)},

@@ -84,3 +84,17 @@ TEST_CASE("a function that is not analytic is still estimated, and said to be") 
     CHECK(fault.find("beyond the rigorous integration") != std::string::npos);
     CHECK(fault.find("estimated by series") != std::string::npos);
 }
+
+TEST_CASE(
+    "nothing is proved of a slope that is not proved to rise, and one that falls is refused") {
+    const std::string ask = "quantities = [\"pressure\", \"coefficients\"]";
+    const std::string open = faults(
+        text_of("symmetric = true\nslopes = [\"x^3 - 9*x^2/10 + 27*x/100\"]", "a = \"3/4\"", ask));
+    CHECK(open.find("estimated by") != std::string::npos);
+    // The same slope, written as what it is.
+    CHECK(faults(text_of("symmetric = true\nslopes = [\"(x - 3/10)^3 + 27/1000\"]", "a = \"3/4\"",
+                         ask)) == "");
+    CHECK_THROWS_WITH_AS(
+        faults(text_of("symmetric = true\nslopes = [\"x + sin(1000*x)/900\"]", "a = \"3/4\"", ask)),
+        doctest::Contains("scene.toml:1: g' decreases near x = -0.5625"), InputError);
+}

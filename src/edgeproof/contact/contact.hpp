@@ -11,6 +11,7 @@
 ///   edge_expansion.hpp   c_0, c_1, ... at both edges, over any field
 ///   shear_traction.hpp   ShearTraction: q of a contact under full stick (shear.hpp: in any field)
 ///   integrated_contact.hpp  the same for curved g', by rigorous integration; with
+///   rising_slope.hpp     whether g' is proved not to decrease there, which it rests on, and
 ///   pressure_disk.hpp    its Taylor series with Cauchy's bound of what is left out
 ///   ball_extent.hpp      how far n terms stay within a tolerance, proved, for either
 ///   ball_shear.hpp       the same q in balls
@@ -28,6 +29,7 @@
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/contact/profile.hpp"
+#include "edgeproof/contact/rising_slope.hpp"
 #include "edgeproof/contact/shear_traction.hpp"
 #include "edgeproof/contact/tilt_solver.hpp"
 #include "edgeproof/contact/work.hpp"

@@ -5,7 +5,6 @@
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/complex_taylor.hpp"
 #include "edgeproof/contact/slope_integral.hpp"
-#include "edgeproof/formula/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -13,21 +12,6 @@
 #include <utility>
 
 namespace edgeproof {
-namespace {
-
-Ball constant(const Exact& x, long bits) {
-    if (x.is_rational()) {
-        return Ball(x.rational(), bits);
-    }
-    const auto e = enclose(x.expr(), bits);
-    if (!e) {
-        throw BudgetError("'" + x.text() + "' cannot be enclosed");
-    }
-    return Ball::from_interval(e->lower, e->upper, bits);
-}
-
-} // namespace
-
 bool IntegratedContact::handles(const Profile& profile) {
     return std::all_of(profile.pieces().begin(), profile.pieces().end(),
                        [](const SlopePiece& piece) { return has_complex_taylor(piece.slope); });
@@ -35,13 +19,14 @@ bool IntegratedContact::handles(const Profile& profile) {
 
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Load& load, long bits)
-    : profile_(profile), load_(load), bits_(bits), modulus_(constant(contact_modulus, bits)) {
+    : profile_(profile), load_(load), bits_(bits),
+      modulus_(enclosed_constant(contact_modulus, bits)) {
     for (const Exact& knot : profile.knots()) {
-        knots_.push_back(constant(knot, bits));
+        knots_.push_back(enclosed_constant(knot, bits));
     }
     on_edge_.assign(knots_.size(), std::nullopt);
     if (load.kind == Load::Kind::right_edge) {
-        a_ = constant(load.value, bits);
+        a_ = enclosed_constant(load.value, bits);
         find_knots_on_edges();
     }
     if (load.kind == Load::Kind::right_edge && profile.symmetric()) {
@@ -116,7 +101,7 @@ std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) con
         mirror.profile_ = profile_.reflected();
         mirror.knots_.clear();
         for (const Exact& knot : mirror.profile_.knots()) {
-            mirror.knots_.push_back(constant(knot, bits_));
+            mirror.knots_.push_back(enclosed_constant(knot, bits_));
         }
         std::reverse(mirror.on_edge_.begin(), mirror.on_edge_.end());
         for (auto& edge_of_knot : mirror.on_edge_) {
@@ -188,7 +173,7 @@ std::vector<Ball> IntegratedContact::series_of_slope(std::size_t piece, const Ba
 }
 
 Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
-    const Ball from_edge = constant(u, bits_);
+    const Ball from_edge = enclosed_constant(u, bits_);
     const Ball other = a_ + b_ - from_edge;
     if (certainly_negative(from_edge) || certainly_negative(other)) {
         throw DomainError("a point lies outside the contact");

@@ -16,11 +16,13 @@ namespace edgeproof {
 /// by Arb's rigorous integration (F. Johansson, "Numerical integration in arbitrary-precision ball
 /// arithmetic", 2018), the singularities substituted away: s = c + d cos theta.
 ///
-/// Edges that are not given are enclosed between two trial edges. The integral of g' over theta
-/// (eqn:Consistency) falls as the left edge moves out, since g' does not decrease, and the force
-/// grows with the right edge of a contact that is in balance (eqn:SIEPressure by parts: every
-/// bit of dg' adds to P, and to b): opposite signs at both ends prove that the edge lies between
-/// them, and no other does. Where to try comes from the routes in Real, which decide nothing.
+/// All of it is of a contact in which g' does not decrease: whether that is proved,
+/// rising_slope.hpp tells. Edges that are not given are enclosed between two trial edges. The
+/// integral of g' over theta (eqn:Consistency) falls as the left edge moves out, since g' does not
+/// decrease, and the force grows with the right edge of a contact that is in balance
+/// (eqn:SIEPressure by parts: every bit of dg' adds to P, and to b): opposite signs at both ends
+/// prove that the edge lies between them, and no other does. Where to try comes from the routes in
+/// Real, which decide nothing.
 class IntegratedContact : public ProvedPressure {
 public:
     /// Every piece of g' is made of what complex_taylor.hpp knows.

@@ -8,6 +8,7 @@
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
 ///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
 ///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
+///   interval.hpp    Interval: from one end to another, where a sign at an end has to be kept
 ///   digits_right.hpp  how many digits of a number an enclosure shows to be right
 ///   elementary.hpp  the arc tangent and a logarithm, faster where Real is concerned
 ///   instantiate.hpp  what is compiled for every arithmetic
@@ -19,6 +20,7 @@
 #include "edgeproof/precision/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
+#include "edgeproof/precision/interval.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/text.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_extent.hpp"
+#include "edgeproof/contact/rising_slope.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/ball_level.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
@@ -36,6 +37,22 @@ public:
         if (!length_) {
             (void)others();
         }
+    }
+
+    /// Whether g' is proved not to decrease in the contact, on which all that is proved of a curved
+    /// profile rests. Throws InputError where it is proved to decrease.
+    [[nodiscard]] bool slope_rises() {
+        if (closed() || !length_) {
+            return true; // decided exactly; or nothing is proved in any case
+        }
+        const BallLevel* level = at_level(length_->bits());
+        const SlopeCourse course = course_of_slope(*scene_.profile, level->a(), level->b());
+        if (course.kind == SlopeCourse::Kind::falls) {
+            throw InputError("g' decreases near x = " + course.where->midpoint().str(8),
+                             "give a convex profile: g' must not decrease")
+                .at(scene_.file, scene_.profile_line);
+        }
+        return course.kind == SlopeCourse::Kind::rises;
     }
 
     ContactValues contact() override {
@@ -360,7 +377,13 @@ private:
 
 std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan, Work& work) {
     try {
-        return std::make_unique<BallRoute>(scene, plan, work);
+        const Work before = work;
+        auto route = std::make_unique<BallRoute>(scene, plan, work);
+        if (route->slope_rises()) {
+            return route;
+        }
+        work = before;
+        return make_real_route(scene, plan, work);
     } catch (const InputError& error) {
         if (error.file().empty()) {
             throw error.at(scene.file, scene.load_line);

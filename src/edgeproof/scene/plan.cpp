@@ -112,12 +112,14 @@ private:
         const bool integrated = scene_.profile && ask_.route == Route::automatic && !closed &&
                                 IntegratedContact::handles(*scene_.profile);
         plan_.proved = closed || integrated;
-        plan_.proved_why = closed ? "closed forms in ball arithmetic: every value is enclosed"
-                           : integrated
-                               ? "rigorous integration in ball arithmetic: every value is enclosed"
-                           : ask_.route != Route::automatic
-                               ? "the route " + route_name(plan_.route) + " is asked for"
-                               : "a function in g' is beyond the rigorous integration";
+        plan_.proved_why =
+            closed ? "closed forms in ball arithmetic: every value is enclosed"
+            : integrated
+                ? "rigorous integration in ball arithmetic: every value is enclosed, where "
+                  "g' is proved not to decrease in the contact"
+            : ask_.route != Route::automatic
+                ? "the route " + route_name(plan_.route) + " is asked for"
+                : "a function in g' is beyond the rigorous integration";
     }
     void contact() {
         const bool tilt = scene_.punch.has_value();

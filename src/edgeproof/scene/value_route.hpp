@@ -76,7 +76,8 @@ public:
 /// Values in balls, proved (BallContact, ball_shear.hpp), for a plan that says `proved`: more and
 /// more bits until each rounds correctly. What has no enclosure within the bits (an edge on a knot
 /// that no exact number tells from it, an error that touches the tolerance) comes from the route in
-/// Real, and is called an estimate.
+/// Real, and is called an estimate; so does everything where a curved g' is not proved to rise in
+/// the contact. Throws InputError, told with the line of the profile, where it is proved to fall.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan,
                                                           Work& work);
 

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/rising_slope.hpp"
+
+#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/slope_integral.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/interval.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+constexpr int most_halvings = 40;
+constexpr std::size_t most_cells = 4000;
+constexpr std::size_t taylor_terms = 6;
+
+/// A function of x and its derivative over an interval of x.
+struct Rate {
+    Interval value;
+    Interval rate;
+};
+
+Interval interval_of(long n) { return Interval(Ball(n, Interval::bits)); }
+Interval squared(const Interval& x) { return pow_int(x, 2); }
+
+Rate operator-(const Rate& f) { return {-f.value, -f.rate}; }
+Rate operator+(const Rate& f, const Rate& g) { return {f.value + g.value, f.rate + g.rate}; }
+Rate operator-(const Rate& f, const Rate& g) { return {f.value - g.value, f.rate - g.rate}; }
+Rate operator*(const Rate& f, const Rate& g) {
+    return {f.value * g.value, f.rate * g.value + f.value * g.rate};
+}
+Rate operator/(const Rate& f, const Rate& g) {
+    return {f.value / g.value, (f.rate * g.value - f.value * g.rate) / squared(g.value)};
+}
+Rate sqrt(const Rate& f) {
+    const Interval root = sqrt(f.value);
+    return {root, f.rate / (interval_of(2) * root)};
+}
+Rate exp(const Rate& f) {
+    const Interval e = exp(f.value);
+    return {e, e * f.rate};
+}
+Rate log(const Rate& f) { return {log(f.value), f.rate / f.value}; }
+Rate sin(const Rate& f) { return {sin(f.value), cos(f.value) * f.rate}; }
+Rate cos(const Rate& f) { return {cos(f.value), -sin(f.value) * f.rate}; }
+Rate tan(const Rate& f) {
+    const Interval t = tan(f.value);
+    return {t, (interval_of(1) + squared(t)) * f.rate};
+}
+Rate asin(const Rate& f) {
+    return {asin(f.value), f.rate / sqrt(interval_of(1) - squared(f.value))};
+}
+Rate acos(const Rate& f) {
+    return {acos(f.value), -f.rate / sqrt(interval_of(1) - squared(f.value))};
+}
+Rate atan(const Rate& f) { return {atan(f.value), f.rate / (interval_of(1) + squared(f.value))}; }
+Rate sinh(const Rate& f) { return {sinh(f.value), cosh(f.value) * f.rate}; }
+Rate cosh(const Rate& f) { return {cosh(f.value), sinh(f.value) * f.rate}; }
+Rate tanh(const Rate& f) { return {tanh(f.value), f.rate / squared(cosh(f.value))}; }
+Rate asinh(const Rate& f) {
+    return {asinh(f.value), f.rate / sqrt(interval_of(1) + squared(f.value))};
+}
+Rate acosh(const Rate& f) {
+    return {acosh(f.value), f.rate / sqrt(squared(f.value) - interval_of(1))};
+}
+Rate atanh(const Rate& f) { return {atanh(f.value), f.rate / (interval_of(1) - squared(f.value))}; }
+Rate pow(const Rate& f, const Rational& q) {
+    const Interval factor(Ball(q, Interval::bits));
+    return {pow(f.value, q), factor * pow(f.value, Rational(q - 1)) * f.rate};
+}
+Rate pow(const Rate& f, const Rate& g) { return exp(g * log(f)); }
+
+struct RateEnvironment {
+    Interval x;
+    [[nodiscard]] Rate number(const Rational& q) const {
+        return {Interval(Ball(q, Interval::bits)), interval_of(0)};
+    }
+    [[nodiscard]] Rate pi() const { return {Interval(Ball::pi(Interval::bits)), interval_of(0)}; }
+    [[nodiscard]] Rate symbol(std::string_view) const { return {x, interval_of(1)}; }
+};
+
+/// The first of the constants in e that are no rational numbers, such as pi and sqrt(2).
+std::optional<Expr> irrational_part(const Expr& e) {
+    using Kind = Expr::Kind;
+    if (e.rational() != nullptr) {
+        return std::nullopt;
+    }
+    if (e.kind() == Kind::pi || e.kind() == Kind::call || e.kind() == Kind::pow) {
+        return e;
+    }
+    for (const Expr& part : e.args()) {
+        if (const auto found = irrational_part(part)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+Expr with_symbol_for(const Expr& e, const Expr& part, const Expr& symbol) {
+    if (e == part) {
+        return symbol;
+    }
+    std::vector<Expr> args;
+    for (const Expr& x : e.args()) {
+        args.push_back(with_symbol_for(x, part, symbol));
+    }
+    return args.empty() ? e : Expr::with_args(e, std::move(args));
+}
+
+/// Of a constant that is 0 whatever numbers its irrational parts are: pi/3 - 2*(pi/6).
+bool zero_by_form(const Expr& e) {
+    if (const Rational* q = e.rational()) {
+        return *q == 0;
+    }
+    const auto part = irrational_part(e);
+    const auto linear =
+        part ? as_linear(with_symbol_for(e, *part, Expr::symbol("part")), "part") : std::nullopt;
+    return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
+}
+
+/// e as a function of the distance x - knot, called x again: what is linear in x there loses its
+/// constant exactly where it vanishes on the knot.
+Expr from_knot(const Expr& e, const Expr& knot) {
+    if (!free_symbols(e).contains("x")) {
+        return e;
+    }
+    if (const auto linear = as_linear(e, "x")) {
+        const Expr there = linear->at_origin + linear->rate * knot;
+        const Expr moved = linear->rate * Expr::symbol("x");
+        const Rational* q = there.rational();
+        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
+    }
+    std::vector<Expr> args;
+    for (const Expr& x : e.args()) {
+        args.push_back(from_knot(x, knot));
+    }
+    return Expr::with_args(e, std::move(args));
+}
+
+struct SlopeCell {
+    Ball lo;
+    Ball hi;
+    int halvings;
+    [[nodiscard]] Ball middle() const {
+        const Ball between = (lo + hi).with_bits(Interval::bits) / 2;
+        return {between.midpoint(), Interval::bits};
+    }
+};
+
+using Sign = SlopeCourse::Kind;
+
+Sign sign_of(const Ball& x) {
+    return arb_is_nonnegative(x.data()) != 0 ? Sign::rises
+           : certainly_negative(x)           ? Sign::falls
+                                             : Sign::open;
+}
+
+/// By the Taylor series of g'' at both ends of the cell and at its middle, the last coefficient of
+/// each being one that holds for all of the cell.
+Sign sign_by_series(const Expr& slope, const SlopeCell& cell) {
+    const std::vector<Ball> all =
+        slope_series(slope, Ball::hull(cell.lo, cell.hi), taylor_terms, Interval::bits);
+    for (const bool from_left : {true, false}) {
+        const std::vector<Ball> end =
+            slope_series(slope, from_left ? cell.lo : cell.hi, taylor_terms, Interval::bits);
+        for (std::size_t k = 1; k < taylor_terms; ++k) {
+            const bool mirrored = !from_left && k % 2 == 0;
+            if (sign_of(mirrored ? -all[k] : all[k]) == Sign::rises) {
+                return Sign::rises;
+            }
+            if (sign_of(mirrored ? -end[k] : end[k]) != Sign::rises) {
+                break;
+            }
+        }
+    }
+    const Ball middle = cell.middle();
+    const std::vector<Ball> at = slope_series(slope, middle, 3, Interval::bits);
+    const Ball half = Ball::hull(cell.lo - middle, cell.hi - middle);
+    const Ball least = at[1] + half * (2 * at[2] + 3 * half * all[3]);
+    return sign_of(least) == Sign::rises   ? Sign::rises
+           : sign_of(at[1]) == Sign::falls ? Sign::falls
+                                           : Sign::open;
+}
+
+Sign sign_on(const Expr& slope, const SlopeCell& cell) {
+    const RateEnvironment at{Interval(cell.lo, cell.hi)};
+    return evaluate<Rate>(slope, at).rate.nowhere_negative() ? Sign::rises
+                                                             : sign_by_series(slope, cell);
+}
+
+/// From one number to another, both exact, of a slope in the distance from `origin`.
+SlopeCourse course(const Expr& slope, const Ball& origin, const Ball& lo, const Ball& hi) {
+    std::vector<SlopeCell> cells{{lo, hi, 0}};
+    std::optional<Ball> undecided; // a fall may lie beside it
+    for (std::size_t done = 0; !cells.empty(); ++done) {
+        const SlopeCell cell = cells.back();
+        cells.pop_back();
+        const Ball middle = cell.middle();
+        const Sign sign = sign_on(slope, cell);
+        if (sign == Sign::falls || done >= most_cells) {
+            return {sign == Sign::falls ? sign : Sign::open, origin + middle};
+        }
+        if (sign == Sign::open && cell.halvings >= most_halvings) {
+            undecided = origin + middle;
+        } else if (sign == Sign::open) {
+            cells.push_back({middle, cell.hi, cell.halvings + 1});
+            cells.push_back({cell.lo, middle, cell.halvings + 1});
+        }
+    }
+    return {undecided ? Sign::open : Sign::rises, undecided};
+}
+
+Ball lower_end(const Ball& x) { return {x.with_bits(Interval::bits).lower(), Interval::bits}; }
+Ball upper_end(const Ball& x) { return {x.with_bits(Interval::bits).upper(), Interval::bits}; }
+
+/// Half of a piece: from a knot, 0 in the variable of the slope, to `end`, on one side of it.
+SlopeCourse course_from(const Expr& slope, const Exact& knot, bool right, const Ball& end) {
+    const Ball origin = enclosed_constant(knot, Interval::bits);
+    const Ball distance = end - origin;
+    const Ball zero(0, Interval::bits);
+    if (right ? !certainly_positive(upper_end(distance))
+              : !certainly_negative(lower_end(distance))) {
+        return {Sign::rises, {}}; // nothing of the piece is in the contact
+    }
+    return course(from_knot(slope, knot.expr()), origin, right ? zero : lower_end(distance),
+                  right ? upper_end(distance) : zero);
+}
+
+} // namespace
+
+SlopeCourse course_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
+    const Ball left = lower_end(-b);
+    const Ball right = upper_end(a);
+    const auto& knots = profile.knots();
+    for (std::size_t i = 0; i <= knots.size(); ++i) {
+        const SlopePiece& piece = profile.pieces()[i];
+        const Ball from = i > 0 ? enclosed_constant(knots[i - 1], Interval::bits) : left;
+        const Ball to = i < knots.size() ? enclosed_constant(knots[i], Interval::bits) : right;
+        // The origin is a knot, so that no piece holds both edges.
+        const bool ends_left = !certainly_less(left, from);
+        const bool ends_right = !certainly_less(to, right);
+        if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
+            continue; // a linear piece's rate was decided exactly
+        }
+        const Ball middle((from + to) / 2);
+        const Ball half(middle.midpoint(), Interval::bits);
+        SlopeCourse found = ends_left    ? course_from(piece.slope, knots[i], false, left)
+                            : ends_right ? course_from(piece.slope, knots[i - 1], true, right)
+                                         : course_from(piece.slope, knots[i - 1], true, half);
+        if (found.kind == Sign::rises && !ends_left && !ends_right) {
+            found = course_from(piece.slope, knots[i], false, half);
+        }
+        if (found.kind != Sign::rises) {
+            return found;
+        }
+    }
+    return {Sign::rises, {}};
+}
+
+} // namespace edgeproof

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/elementary.hpp"
+#include "edgeproof/precision/fixed_point.hpp"
 
 #include <doctest/doctest.h>
 
@@ -65,9 +66,44 @@ std::vector<Real> arguments(std::mt19937_64& random, int least, int most) {
 
 } // namespace
 
+TEST_CASE("the series by blocks comes to the sum of its terms") {
+    using fixed_point::GmpInteger;
+    for (mp_bitcnt_t bits = 128; bits < 4000; bits += 64) {
+        for (const unsigned zero_bits : {34U, 36U, 50U, 52U}) {
+            for (const bool alternating : {false, true}) {
+                GmpInteger s;
+                mpz_setbit(s.get(), bits - zero_bits);
+                mpz_sub_ui(s.get(), s.get(), 12345);
+                GmpInteger sum;
+                fixed_point::OddSeries(bits, zero_bits, alternating).sum(sum, s);
+                GmpInteger power; // with twice the bits after the point
+                GmpInteger term;
+                GmpInteger plain;
+                mpz_setbit(power.get(), 2 * bits);
+                for (unsigned k = 0; mpz_sgn(power.get()) > 0; ++k) {
+                    mpz_fdiv_q_ui(term.get(), power.get(), 2 * k + 1);
+                    if (alternating && k % 2 == 1) {
+                        mpz_sub(plain.get(), plain.get(), term.get());
+                    } else {
+                        mpz_add(plain.get(), plain.get(), term.get());
+                    }
+                    mpz_mul(power.get(), power.get(), s.get());
+                    mpz_fdiv_q_2exp(power.get(), power.get(), bits);
+                }
+                mpz_fdiv_q_2exp(plain.get(), plain.get(), bits);
+                mpz_sub(plain.get(), plain.get(), sum.get());
+                CAPTURE(bits);
+                CAPTURE(zero_bits);
+                CHECK(mpz_cmpabs_ui(plain.get(), 8) < 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
     std::mt19937_64 random(20260101);
-    for (const unsigned digits : {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U}) {
+    for (const unsigned digits :
+         {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U, 3600U, 3700U}) {
         CAPTURE(digits);
         const PrecisionScope scope(digits);
         for (const Real& x : arguments(random, 700, 900)) {
@@ -81,7 +117,8 @@ TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
 
 TEST_CASE("the logarithm of one and more beside MPFR's, correctly rounded") {
     std::mt19937_64 random(20260102);
-    for (const unsigned digits : {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U}) {
+    for (const unsigned digits :
+         {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U, 3600U, 3700U}) {
         CAPTURE(digits);
         const PrecisionScope scope(digits);
         std::vector<Real> xs = arguments(random, 700, 900);

@@ -4,51 +4,47 @@
 
 #include <array>
 #include <cstdlib>
-#include <vector>
 
 namespace edgeproof {
 namespace {
 
 using fixed_point::coarse_bits;
 using fixed_point::fine_bits;
+using fixed_point::finest_bits;
 using fixed_point::GmpInteger;
 
 constexpr std::size_t coarse_entries = (1U << coarse_bits) + 1;
 constexpr std::size_t fine_entries = (1U << (fine_bits - coarse_bits - 1)) + 2;
-/// The square of what is left has so many zero bits: |r| <= 2^-17.
+constexpr std::size_t finest_entries = (1U << (finest_bits - fine_bits - 1)) + 2;
+/// The square of what is left has so many zero bits: |r| <= 2^-17, or 2^-25.
 constexpr unsigned tangent_zero_bits = 2 * (fine_bits + 1);
+constexpr unsigned finest_zero_bits = 2 * (finest_bits + 1);
 /// What arc tangents with one number of bits after the point share.
 class ArcTangents {
 public:
-    explicit ArcTangents(mpfr_prec_t bits) : bits_(static_cast<mp_bitcnt_t>(bits)) {
-        for (mp_bitcnt_t k = 0; k <= bits_ / tangent_zero_bits + 1; ++k) {
-            reciprocals_.emplace_back();
-            mpz_setbit(reciprocals_.back().get(), bits_);
-            mpz_fdiv_q_ui(reciprocals_.back().get(), reciprocals_.back().get(), 2 * k + 1);
-        }
-    }
+    explicit ArcTangents(mpfr_prec_t bits)
+        : bits_(static_cast<mp_bitcnt_t>(bits)), finest_is_used_(bits >= fixed_point::finest_from),
+          series_(bits_, tangent_zero_bits, true), finest_series_(bits_, finest_zero_bits, true) {}
     /// result = atan t, 2^-17 <= t <= 1.
     void of(mpfr_ptr result, mpfr_srcptr t) {
         mpfr_mul_2ui(result, t, bits_, MPFR_RNDN);
         mpfr_get_z(r_.get(), result, MPFR_RNDN);
         const long i = reduce(coarse_bits);
         const long j = reduce(fine_bits);
-        series_of(r_);
+        const long k = finest_is_used_ ? reduce(finest_bits) : 0;
+        series_of(r_, finest_is_used_ ? finest_series_ : series_);
         mpz_mul(sum_.get(), sum_.get(), r_.get());
         mpz_fdiv_q_2exp(sum_.get(), sum_.get(), bits_);
-        mpz_add(sum_.get(), sum_.get(), entry(coarse_, i, coarse_bits));
-        if (j < 0) {
-            mpz_sub(sum_.get(), sum_.get(), entry(fine_, -j, fine_bits));
-        } else {
-            mpz_add(sum_.get(), sum_.get(), entry(fine_, j, fine_bits));
-        }
+        add_entry(coarse_, i, coarse_bits);
+        add_entry(fine_, j, fine_bits);
+        add_entry(finest_, k, finest_bits);
         mpfr_set_z_2exp(result, sum_.get(), -static_cast<mpfr_exp_t>(bits_), MPFR_RNDN);
     }
     /// result = atan t, |t| < 2^-17, with the relative error that a product has.
     void of_small(mpfr_ptr result, mpfr_srcptr t) {
         mpfr_mul_2ui(result, t, bits_, MPFR_RNDN);
         mpfr_get_z(r_.get(), result, MPFR_RNDN);
-        series_of(r_);
+        series_of(r_, series_);
         mpfr_set_z_2exp(result, sum_.get(), -static_cast<mpfr_exp_t>(bits_), MPFR_RNDN);
         mpfr_mul(result, result, t, MPFR_RNDN);
     }
@@ -75,15 +71,17 @@ private:
         return i;
     }
     /// sum <- atan(r)/r = 1 - r^2/3 + r^4/5 - ...
-    void series_of(GmpInteger& r) {
+    void series_of(GmpInteger& r, fixed_point::OddSeries& series) {
         mpz_mul(square_.get(), r.get(), r.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
-        std::size_t k = reciprocals_.size() - 1;
-        mpz_set(sum_.get(), reciprocals_[k].get());
-        while (k-- > 0) {
-            mpz_mul(work_.get(), sum_.get(), square_.get());
-            mpz_fdiv_q_2exp(work_.get(), work_.get(), bits_);
-            mpz_sub(sum_.get(), reciprocals_[k].get(), work_.get());
+        series.sum(sum_, square_);
+    }
+    /// sum <- sum + atan(i/2^k).
+    template <std::size_t N> void add_entry(std::array<GmpInteger, N>& table, long i, unsigned k) {
+        if (i < 0) {
+            mpz_sub(sum_.get(), sum_.get(), entry(table, -i, k));
+        } else {
+            mpz_add(sum_.get(), sum_.get(), entry(table, i, k));
         }
     }
     /// atan(i/2^k), MPFR's.
@@ -104,9 +102,12 @@ private:
     }
 
     mp_bitcnt_t bits_;
+    bool finest_is_used_;
     std::array<GmpInteger, coarse_entries> coarse_;
     std::array<GmpInteger, fine_entries> fine_;
-    std::vector<GmpInteger> reciprocals_; ///< 1/(2k + 1)
+    std::array<GmpInteger, finest_entries> finest_;
+    fixed_point::OddSeries series_;
+    fixed_point::OddSeries finest_series_;
     GmpInteger r_;
     GmpInteger sum_;
     GmpInteger square_;

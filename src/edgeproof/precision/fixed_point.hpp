@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <vector>
 
 /// What the elementary functions of elementary.hpp are made of. Of use to them alone.
 namespace edgeproof::fixed_point {
@@ -20,19 +21,23 @@ public:
     }
     ~GmpInteger() { mpz_clear(z_); }
     [[nodiscard]] mpz_ptr get() { return z_; }
+    [[nodiscard]] mpz_srcptr get() const { return z_; }
 
 private:
     mpz_t z_;
 };
 
-/// Above, MPFR's own sums by halves are as fast.
-constexpr mpfr_prec_t most_bits = 2400;
+/// Above, the tables are not worth their size.
+constexpr mpfr_prec_t most_bits = 12000;
 /// Bits beyond those asked for: 18 for a result as small as 2^-18, the others for the roundoff of
-/// some sixty truncated operations with room to spare.
+/// some twenty truncated operations with room to spare.
 constexpr mpfr_prec_t guard_bits = 40;
-/// The arguments that a table holds: steps of 2^-8, and within one of these of 2^-16.
+/// The arguments that a table holds: steps of 2^-8, within one of these of 2^-16, and where a
+/// division costs less than the terms that it saves, within one of those of 2^-24.
 constexpr unsigned coarse_bits = 8;
 constexpr unsigned fine_bits = 16;
+constexpr unsigned finest_bits = 24;
+constexpr mpfr_prec_t finest_from = 800;
 /// Thread-local tables of more precisions than this are made anew.
 constexpr std::size_t most_tables = 48;
 
@@ -49,6 +54,33 @@ template <class Table> [[nodiscard]] Table& table_of(mpfr_prec_t bits) {
     }
     return tables.try_emplace(bits, bits).first->second;
 }
+
+/// The sum over k of (-+1)^k s^k/(2k + 1), of fixed-point numbers with one number of bits after the
+/// point: what an arc tangent and a logarithm have in common.
+class OddSeries {
+public:
+    /// For 0 <= s < 2^-zero_bits.
+    OddSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating);
+    /// sum <- the sum, to a few units of 2^-bits.
+    void sum(GmpInteger& sum, const GmpInteger& s);
+
+private:
+    /// Terms over one denominator, the product of theirs: no more of them than a word can hold.
+    struct Block {
+        unsigned long denominator = 1;
+        std::vector<unsigned long> numerators;
+    };
+    [[nodiscard]] mp_size_t unneeded(std::size_t k) const;
+
+    mp_bitcnt_t bits_;
+    unsigned zero_bits_;
+    bool alternating_;
+    std::size_t length_; ///< of a block; even
+    std::vector<Block> blocks_;
+    std::vector<GmpInteger> powers_; ///< 1, s, ..., s^length
+    GmpInteger product_;
+    GmpInteger block_;
+};
 
 /// A `Real` for a function of x: of the thread's precision, or of x's own where that is higher.
 [[nodiscard]] inline Real beside(const Real& x) {

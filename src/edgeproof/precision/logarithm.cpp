@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cstdlib>
-#include <vector>
 
 namespace edgeproof {
 namespace {
 
 using fixed_point::coarse_bits;
 using fixed_point::fine_bits;
+using fixed_point::finest_bits;
 using fixed_point::GmpInteger;
 
 /// v = 2^e m with 3/4 <= m < 3/2.
@@ -19,21 +19,21 @@ constexpr long coarse_last = 3L << (coarse_bits - 1);
 /// m over the nearest i/2^8 is 1 to within 2^-9/(3/4).
 constexpr long fine_centre = 1L << fine_bits;
 constexpr long fine_reach = (1L << (fine_bits - coarse_bits)) * 2 / 3 + 2;
-/// The square of what is left has so many zero bits: |y| <= 2^-18.
+constexpr long finest_centre = 1L << finest_bits;
+constexpr long finest_reach = (1L << (finest_bits - fine_bits - 1)) + 4;
+/// The square of what is left has so many zero bits: |y| <= 2^-18, or 2^-26.
 constexpr unsigned quotient_zero_bits = 2 * (fine_bits + 2);
+constexpr unsigned finest_quotient_zero_bits = 2 * (finest_bits + 2);
 /// An argument below this stands for itself: 1 + x would lose its digits.
 constexpr mpfr_exp_t small_exponent = -17;
 
 /// What logarithms with one number of bits after the point share.
 class Logarithms {
 public:
-    explicit Logarithms(mpfr_prec_t bits) : bits_(static_cast<mp_bitcnt_t>(bits)) {
-        for (mp_bitcnt_t k = 0; k <= bits_ / quotient_zero_bits + 1; ++k) {
-            reciprocals_.emplace_back();
-            mpz_setbit(reciprocals_.back().get(), bits_);
-            mpz_fdiv_q_ui(reciprocals_.back().get(), reciprocals_.back().get(), 2 * k + 1);
-        }
-    }
+    explicit Logarithms(mpfr_prec_t bits)
+        : bits_(static_cast<mp_bitcnt_t>(bits)), finest_is_used_(bits >= fixed_point::finest_from),
+          series_(bits_, quotient_zero_bits, false),
+          finest_series_(bits_, finest_quotient_zero_bits, false) {}
     /// result = ln v, v > 1.
     void of(mpfr_ptr result, mpfr_srcptr v) {
         // v/2^e as a fixed-point number.
@@ -45,22 +45,25 @@ public:
             ++e;
             mpz_fdiv_q_2exp(r_.get(), r_.get(), 1);
         }
-        const long i = nearest(coarse_bits);
-        mpz_mul_2exp(r_.get(), r_.get(), coarse_bits);
-        mpz_fdiv_q_ui(r_.get(), r_.get(), static_cast<unsigned long>(i));
-        const long j = nearest(fine_bits);
-        // y = (r - c)/(r + c), c = j/2^16.
-        mpz_set_si(work_.get(), j);
-        mpz_mul_2exp(work_.get(), work_.get(), bits_ - fine_bits);
+        const long i = divide(coarse_bits);
+        const long j = finest_is_used_ ? divide(fine_bits) : nearest(fine_bits);
+        const long k = finest_is_used_ ? nearest(finest_bits) : j;
+        // y = (r - c)/(r + c), c = k/2^24 or j/2^16.
+        mpz_set_si(work_.get(), k);
+        mpz_mul_2exp(work_.get(), work_.get(), bits_ - (finest_is_used_ ? finest_bits : fine_bits));
         mpz_add(below_.get(), r_.get(), work_.get());
         mpz_sub(r_.get(), r_.get(), work_.get());
         mpz_mul_2exp(r_.get(), r_.get(), bits_);
         mpz_fdiv_q(r_.get(), r_.get(), below_.get());
-        series_of(r_);
+        series_of(r_, finest_is_used_ ? finest_series_ : series_);
         mpz_mul(sum_.get(), sum_.get(), r_.get());
         mpz_fdiv_q_2exp(sum_.get(), sum_.get(), bits_ - 1);
         mpz_add(sum_.get(), sum_.get(), entry(coarse_, i - coarse_first, i, coarse_bits));
         mpz_add(sum_.get(), sum_.get(), entry(fine_, j - fine_centre + fine_reach, j, fine_bits));
+        if (finest_is_used_) {
+            mpz_add(sum_.get(), sum_.get(),
+                    entry(finest_, k - finest_centre + finest_reach, k, finest_bits));
+        }
         if (e != 0) {
             mpz_addmul_ui(sum_.get(), entry(two_, 0, 2, 0), static_cast<unsigned long>(e));
         }
@@ -74,7 +77,7 @@ public:
         mpfr_div(y, x, y, MPFR_RNDN);
         mpfr_mul_2ui(result, y, bits_, MPFR_RNDN);
         mpfr_get_z(r_.get(), result, MPFR_RNDN);
-        series_of(r_);
+        series_of(r_, series_);
         mpfr_set_z_2exp(result, sum_.get(), 1 - static_cast<mpfr_exp_t>(bits_), MPFR_RNDN);
         mpfr_mul(result, result, y, MPFR_RNDN);
         mpfr_clear(y);
@@ -86,17 +89,18 @@ private:
         mpz_fdiv_q_2exp(work_.get(), r_.get(), bits_ - k - 1);
         return (mpz_get_si(work_.get()) + 1) >> 1;
     }
+    /// r <- r/(n/2^k) for the n/2^k next to it; n.
+    long divide(unsigned k) {
+        const long n = nearest(k);
+        mpz_mul_2exp(r_.get(), r_.get(), k);
+        mpz_fdiv_q_ui(r_.get(), r_.get(), static_cast<unsigned long>(n));
+        return n;
+    }
     /// sum <- artanh(y)/y = 1 + y^2/3 + y^4/5 + ...
-    void series_of(GmpInteger& y) {
+    void series_of(GmpInteger& y, fixed_point::OddSeries& series) {
         mpz_mul(square_.get(), y.get(), y.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
-        std::size_t k = reciprocals_.size() - 1;
-        mpz_set(sum_.get(), reciprocals_[k].get());
-        while (k-- > 0) {
-            mpz_mul(work_.get(), sum_.get(), square_.get());
-            mpz_fdiv_q_2exp(work_.get(), work_.get(), bits_);
-            mpz_add(sum_.get(), reciprocals_[k].get(), work_.get());
-        }
+        series.sum(sum_, square_);
     }
     /// ln(n/2^k), MPFR's, kept at `place`.
     template <std::size_t N>
@@ -115,10 +119,13 @@ private:
     }
 
     mp_bitcnt_t bits_;
+    bool finest_is_used_;
     std::array<GmpInteger, coarse_last - coarse_first + 1> coarse_;
     std::array<GmpInteger, 2 * fine_reach + 1> fine_;
+    std::array<GmpInteger, 2 * finest_reach + 1> finest_;
     std::array<GmpInteger, 1> two_;
-    std::vector<GmpInteger> reciprocals_; ///< 1/(2k + 1)
+    fixed_point::OddSeries series_;
+    fixed_point::OddSeries finest_series_;
     GmpInteger r_;
     GmpInteger sum_;
     GmpInteger square_;

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/power_law_integral.hpp"
 
 #include "edgeproof/contact/ball_marks.hpp"
+#include "edgeproof/precision/ratio_series.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -26,6 +27,19 @@ bool negligible(const Ball& x, const Ball& sum) {
            arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
 }
 
+/// n = p/q, where that is made of small numbers.
+struct Words {
+    long p;
+    long q;
+};
+std::optional<Words> words_of(const std::optional<Rational>& n) {
+    constexpr long largest = 1L << 20;
+    if (!n || denominator(*n) > largest || numerator(*n) > largest) {
+        return std::nullopt;
+    }
+    return Words{numerator(*n).convert_to<long>(), denominator(*n).convert_to<long>()};
+}
+
 /// 1 + n/2 + k over k + 1, times x, in place.
 void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
     // A quotient of small numbers: no division of balls.
@@ -45,6 +59,12 @@ void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, 
 Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ball& q,
                  const Ball& y) {
     const long bits = y.bits();
+    if (const auto w = words_of(exactly)) {
+        const RatioSeries series{{{{2 * w->q, w->p + 2 * w->q, 2 * w->q}, {2, 1, 3}}}};
+        if (const auto sum = series.sum(y, bits)) {
+            return root(y) * pow(q, n) * *sum;
+        }
+    }
     const Ball first = n / 2 + 1;
     Ball term(1, bits);
     Ball sum(0, bits);
@@ -74,11 +94,31 @@ Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ba
     return unknown(bits);
 }
 
+/// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
+Ball apex_power(const Ball& n, const Ball& q) {
+    const long bits = q.bits();
+    Ball power(0, bits);
+    if (!contains_zero(q)) {
+        power = pow(q, n);
+    } else if (!q.is_exact()) {
+        const Ball top(q.upper(), bits);
+        power = from_zero(pow(top, n));
+    }
+    return power * sqrt(Ball::pi(bits)) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2);
+}
+
 /// 0 < n < 2, n != 1, near q = 0: the sum of beta_k q^(2k)/(n - 2k), beta_k = (2k)!/(4^k k!^2), and
 /// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
-Ball apex_series(const Ball& n, const Ball& q) {
+Ball apex_series(const Ball& n, const std::optional<Rational>& exactly, const Ball& q) {
     const long bits = q.bits();
     const Ball square = q * q;
+    const auto w = words_of(exactly);
+    const RatioSeries series{
+        w ? RatioSeries{{{{2, 3, 4}, {2 * w->q, 2 * w->q - w->p, 4 * w->q - w->p}}}}
+          : RatioSeries{}};
+    if (const auto rest = w ? series.sum(square, bits) : std::nullopt) {
+        return 1 / n - square / (2 * (2 - n)) * *rest + apex_power(n, q);
+    }
     Ball term(1, bits);
     Ball sum = 1 / n;
     for (long k = 1;; ++k) {
@@ -91,14 +131,7 @@ Ball apex_series(const Ball& n, const Ball& q) {
         }
         sum += term / (n - 2 * k);
     }
-    Ball power(0, bits);
-    if (!contains_zero(q)) {
-        power = pow(q, n);
-    } else if (!q.is_exact()) {
-        const Ball top(q.upper(), bits);
-        power = from_zero(pow(top, n));
-    }
-    return sum + power * sqrt(Ball::pi(bits)) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2);
+    return sum + apex_power(n, q);
 }
 
 double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
@@ -123,16 +156,20 @@ Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, c
     const bool by_edge = certainly_less(y, most);
     const auto few = [&](const Ball& n) {
         const Rational left = m.is_rational() ? Rational(m.rational() - 2 * steps) : Rational(1, 3);
+        const auto exactly = m.is_rational() ? std::optional(left) : std::nullopt;
         if (left == 1) {
             return root;
         }
         if (left == 0) {
             return asinh(root / q);
         }
-        if (by_edge && (about_y <= 0.75 || !certainly_less(q, most))) {
-            return edge_series(n, m.is_rational() ? std::optional(left) : std::nullopt, q, y);
+        // With few words both series take as long for a term; the one at the apex has more around
+        // it.
+        const bool few_words = exactly && denominator(*exactly) <= 64;
+        if (by_edge && (about_y <= (few_words ? 0.55 : 0.75) || !certainly_less(q, most))) {
+            return edge_series(n, exactly, q, y);
         }
-        return certainly_less(q, most) ? apex_series(n, q) : unknown(bits);
+        return certainly_less(q, most) ? apex_series(n, exactly, q) : unknown(bits);
     };
     if (steps == 0) {
         return few(enclosed_m);

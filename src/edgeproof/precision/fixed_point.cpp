@@ -7,20 +7,6 @@
 namespace edgeproof::fixed_point {
 namespace {
 
-/// A non-negative number without its last limbs, which are not copied.
-class Upper {
-public:
-    Upper(const GmpInteger& x, mp_size_t limbs) {
-        const auto size = static_cast<mp_size_t>(mpz_size(x.get()));
-        const bool any = size > limbs;
-        mpz_roinit_n(z_, mpz_limbs_read(x.get()) + (any ? limbs : 0), any ? size - limbs : 0);
-    }
-    [[nodiscard]] mpz_srcptr get() const { return z_; }
-
-private:
-    mpz_t z_;
-};
-
 /// How many terms up to the n-th, at the most, whose denominators have a product in one word.
 std::size_t most_in_a_word(std::size_t n) {
     const unsigned long largest = 2 * n + 1;

@@ -6,7 +6,8 @@
 #include <map>
 #include <vector>
 
-/// What the elementary functions of elementary.hpp are made of. Of use to them alone.
+/// What the elementary functions of elementary.hpp and the series of ratio_series.hpp are made of.
+/// Of use to them alone.
 namespace edgeproof::fixed_point {
 
 /// An integer of GMP's; as a fixed-point number it counts units of 2^-bits.
@@ -21,6 +22,20 @@ public:
     }
     ~GmpInteger() { mpz_clear(z_); }
     [[nodiscard]] mpz_ptr get() { return z_; }
+    [[nodiscard]] mpz_srcptr get() const { return z_; }
+
+private:
+    mpz_t z_;
+};
+
+/// A non-negative number without its last limbs, which are not copied: to be used at once.
+class Upper {
+public:
+    Upper(const GmpInteger& x, mp_size_t limbs) {
+        const auto size = static_cast<mp_size_t>(mpz_size(x.get()));
+        const bool any = size > limbs;
+        mpz_roinit_n(z_, mpz_limbs_read(x.get()) + (any ? limbs : 0), any ? size - limbs : 0);
+    }
     [[nodiscard]] mpz_srcptr get() const { return z_; }
 
 private:

@@ -21,7 +21,8 @@ constexpr double largest_weight = 1e300;
 /// Of a block, in bits: a double bears it, and more.
 constexpr double largest_fall = 600;
 /// Where a term is as small, it goes on with a factor that is counted apart.
-constexpr int scaled_below = -300;
+constexpr double small_term = 0x1p-300;
+constexpr int small_exponent_of_term = -300;
 /// Every operation on doubles below is off by 2^-53 of its result at the most, and there are fewer
 /// than 1e8 of them one after another.
 constexpr double rounded_up = 1 + 1e-7;
@@ -33,7 +34,6 @@ struct Group {
     std::size_t count;
     unsigned long denominator;
     unsigned long last;
-    std::size_t numerators; ///< where they begin among all
 };
 
 /// What the sum takes, found out on the way up: the terms in doubles, and the groups.
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::size_t block() const { return block_; }
     [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
     [[nodiscard]] const unsigned long* numerators(const Group& g) const {
-        return numerators_.data() + g.numerators;
+        return numerators_.data() + g.first;
     }
     /// No error in the block that k is in, or in a later one, counts for more than 2^this.
     [[nodiscard]] long log2_weight(std::size_t k) const { return log2_weights_[k / block_]; }
@@ -68,12 +68,14 @@ public:
 
 private:
     [[nodiscard]] double ratio(double k) const {
-        double r = 1;
+        double over = 1;
+        double under = 1;
         for (const auto& q : of_.quotients) {
             const double from = static_cast<double>(q.slope) * k;
-            r *= (from + static_cast<double>(q.over)) / (from + static_cast<double>(q.under));
+            over *= from + static_cast<double>(q.over);
+            under *= from + static_cast<double>(q.under);
         }
-        return r;
+        return over / under;
     }
     /// No later ratio is greater.
     [[nodiscard]] double most_ratio(double k) const {
@@ -85,14 +87,24 @@ private:
         }
         return r;
     }
+    void close_block(double most, long exponent) {
+        if (most > 0) {
+            log2_weights_.push_back(std::ilogb(most * rounded_up) + 1 + exponent);
+        }
+    }
     bool count_terms(long bits) {
         double term = 1;   // c_k x^k over 2^exponent
         double weight = 1; // c_k times the power that the block begins with, over 2^exponent
         double passed = 0; // the sum of k/block c_k x^k
         long exponent = 0;
+        const double least = std::ldexp(1.0, -static_cast<int>(std::min(bits, 1000L)));
+        double most_weight = 0; // of the block, over 2^exponent
+        double unit = 1;        // 2^exponent, where that is no less than a double bears
+        std::size_t blocks = 0;
         for (std::size_t k = 0;; ++k) {
             const auto at = static_cast<double>(k);
-            const double falls = most_ratio(at) * x_ * rounded_up;
+            const bool small = exponent == 0 ? term < least : std::ilogb(term) + exponent < -bits;
+            const double falls = small ? most_ratio(at) * x_ * rounded_up : 1;
             const double rest = term / (1 - falls) * rounded_up;
             if (falls < 1 && std::ilogb(rest) + exponent < -bits - 4) {
                 terms_ = k;
@@ -103,22 +115,21 @@ private:
                 derivative_ *= rounded_up / x_;
                 passed *= std::pow(x_, -static_cast<double>(block_));
                 weight_ = (weight_ + passed + 1) * rounded_up;
+                close_block(most_weight, exponent);
                 for (std::size_t b = log2_weights_.size(); b-- > 1;) {
                     log2_weights_[b - 1] = std::max(log2_weights_[b - 1], log2_weights_[b]);
                 }
                 return true;
             }
-            if (k % block_ == 0) {
-                weight = term;
-                log2_weights_.push_back(std::numeric_limits<long>::min());
+            if (k == blocks * block_) {
+                close_block(most_weight, exponent);
+                weight = most_weight = term;
+                ++blocks;
             }
             const double r = ratio(at);
-            const double next = weight * std::max(r, 1.0) * rounded_up;
-            log2_weights_.back() =
-                std::max(log2_weights_.back(), static_cast<long>(std::ilogb(next)) + 1 + exponent);
-            const int down = static_cast<int>(std::max(exponent, -1000L));
-            weight_ += std::ldexp(weight, down);
-            passed += static_cast<double>(k / block_) * std::ldexp(term, down);
+            most_weight = std::max(most_weight, weight * std::max(r, 1.0));
+            weight_ += weight * unit;
+            passed += static_cast<double>(blocks - 1) * (term * unit);
             if (exponent == 0) {
                 derivative_ += at * term;
             }
@@ -127,64 +138,63 @@ private:
             if (at > most_ratio_terms || term > largest_term || weight > largest_weight) {
                 return false;
             }
-            while (std::ilogb(term) < scaled_below) {
-                term = std::ldexp(term, -scaled_below);
-                weight = std::ldexp(weight, -scaled_below);
-                exponent += scaled_below;
+            while (term < small_term) {
+                term = std::ldexp(term, -small_exponent_of_term);
+                weight = std::ldexp(weight, -small_exponent_of_term);
+                most_weight = std::ldexp(most_weight, -small_exponent_of_term);
+                exponent += small_exponent_of_term;
+                unit = std::ldexp(1.0, static_cast<int>(std::max(exponent, -1000L)));
             }
         }
     }
-    /// The word that a product is, or 0 where it does not fit.
-    static unsigned long product(unsigned long x, unsigned long y) {
-        return y > std::numeric_limits<unsigned long>::max() / x ? 0 : x * y;
-    }
-    /// a_k and b_k of the ratio a_k/b_k, or zeros.
+    /// a_k and b_k of the ratio a_k/b_k, for a k where `size` says that they are words.
     [[nodiscard]] std::pair<unsigned long, unsigned long> words(std::size_t k) const {
         unsigned long over = 1;
         unsigned long under = 1;
         for (const auto& q : of_.quotients) {
             const unsigned long from = static_cast<unsigned long>(q.slope) * k;
-            over = product(over, from + static_cast<unsigned long>(q.over));
-            under = product(under, from + static_cast<unsigned long>(q.under));
-            if (over == 0 || under == 0) {
-                return {0, 0};
-            }
+            over *= from + static_cast<unsigned long>(q.over);
+            under *= from + static_cast<unsigned long>(q.under);
         }
         return {over, under};
     }
+    /// No less than the larger one of both.
+    [[nodiscard]] double size(std::size_t k) const {
+        double most = rounded_up;
+        for (const auto& q : of_.quotients) {
+            most *= static_cast<double>(q.slope) * static_cast<double>(k) +
+                    static_cast<double>(std::max(q.over, q.under));
+        }
+        return most;
+    }
     bool make_groups() {
+        constexpr auto largest = static_cast<double>(std::numeric_limits<unsigned long>::max() / 2);
         std::vector<std::pair<unsigned long, unsigned long>> of_group;
+        numerators_.resize(terms());
+        std::size_t block_end = block_;
         for (std::size_t k = 0; k < terms();) {
             of_group.clear();
-            unsigned long most = 1;
-            const std::size_t end = std::min(terms(), (k / block_ + 1) * block_);
-            for (std::size_t i = k; i < end; ++i) {
-                const auto ab = words(i);
-                const unsigned long more =
-                    ab.first == 0 ? 0 : product(most, std::max(ab.first, ab.second));
-                if (more == 0) {
-                    break;
-                }
-                most = more;
-                of_group.push_back(ab);
+            double most = 1;
+            const std::size_t end = std::min(terms(), block_end);
+            for (std::size_t i = k; i < end && (most *= size(i)) < largest; ++i) {
+                of_group.push_back(words(i));
             }
             if (of_group.empty()) {
                 return false;
             }
-            Group g{k, of_group.size(), 1, 1, numerators_.size()};
-            for (const auto& [a, b] : of_group) {
-                g.denominator *= b;
+            unsigned long under = 1;
+            for (std::size_t i = of_group.size(); i-- > 0;) {
+                under *= of_group[i].second;
+                numerators_[k + i] = under;
             }
             unsigned long over = 1;
-            unsigned long under = g.denominator;
-            for (const auto& [a, b] : of_group) {
-                numerators_.push_back(over * under);
-                over *= a;
-                under /= b;
+            for (std::size_t i = 0; i < of_group.size(); ++i) {
+                numerators_[k + i] *= over;
+                over *= of_group[i].first;
             }
-            g.last = over;
-            groups_.push_back(g);
-            k += g.count;
+            groups_.push_back({k, of_group.size(), under, over});
+            k += of_group.size();
+            block_end += k == block_end ? block_ : 0;
         }
         return true;
     }

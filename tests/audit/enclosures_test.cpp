@@ -162,6 +162,21 @@ TEST_CASE("integrals of the contact are proved to the digits of the run, never r
     CHECK(rests_on_enclosures(wrong));
 }
 
+TEST_CASE("past 100 digits an integral is held to 100 everywhere, and to all at some samples") {
+    const std::string of_pressure = "kind = \"value\"\nover = \"nine\"\nof = \"P\"\nsays = \"";
+    const ClaimResult right = result_of(of_pressure + "integral(p(s), s, -a, a)\"\n", 130);
+    CHECK(right.outcome.verdict == Verdict::confirmed);
+    CHECK(right.outcome.evidence.find("digits")->text() == "100.0");
+    const auto& all = std::get<Evidence>(right.outcome.evidence.find("all_digits")->value());
+    CHECK(std::stod(all.find("digits")->text()) > 125);
+    CHECK(all.find("samples")->text() == "6");
+    CHECK(right.outcome.evidence.find("samples")->text() == "9");
+    const ClaimResult wrong =
+        result_of(of_pressure + "integral(p(s), s, -a, a)*(1 + 1e-115)\"\n", 130);
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(rests_on_enclosures(wrong));
+}
+
 TEST_CASE("a ball's text holds all of the ball") {
     const Ball ball = Ball::around(Real(2) / 3, Real("0.001"), 200);
     CHECK(ball_text(ball, 2) == "0.67 +- 0.0044");

@@ -33,6 +33,15 @@ C = ["3/7", "1e-6"]
 a = ["3/2", "7e5"]
 Es = ["7/3"]
 [[family]]
+name = "nine"
+profile = "power-law"
+count = 9
+[family.parameters]
+m = ["1", "2", "3"]
+C = ["3/7", "1e-6"]
+a = ["3/2", "7e5", "0.02"]
+Es = ["7/3"]
+[[family]]
 name = "five-eighths"
 profile = "power-law"
 count = 1

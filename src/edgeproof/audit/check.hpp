@@ -45,7 +45,9 @@ public:
     /// D: the digits that were asked for.
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
     /// Digits that a claim must agree to to be confirmed: D - 5.
-    [[nodiscard]] unsigned digits_needed() const noexcept { return digits_ - 5; }
+    [[nodiscard]] unsigned digits_needed() const noexcept { return digits_needed(digits_); }
+    /// The same of digits that a check is content with.
+    [[nodiscard]] static unsigned digits_needed(unsigned of) noexcept { return of - 5; }
     /// The scenes of the family that the claim's `over` names.
     [[nodiscard]] std::vector<SceneSpec> scenes(const Claim& claim) const;
     /// Scenes, places (from the claim's `edge`; in `points` per scene) and values of `vary`.

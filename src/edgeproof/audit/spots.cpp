@@ -100,6 +100,12 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
             return away_from(x) < away_from(y);
         });
     }
+    if (effort == Effort::full && most > 1 && samples.size() > most) {
+        for (std::size_t k = 1; k < most; ++k) {
+            samples[k] = samples[k * (samples.size() - 1) / (most - 1)];
+        }
+        samples.resize(most);
+    }
     std::string last;
     for (const Sample& sample : samples) {
         if (most != 0 && spots_.size() >= most) {

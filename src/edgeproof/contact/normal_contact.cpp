@@ -23,9 +23,12 @@ unsigned decades_below(const Real& x, const Real& scale) {
         return 0;
     }
     // Asked for at every node of some integrals: the logarithm in binary64 will do.
-    int exponent = 0;
-    const double leading = frexp(Real(scale / x), &exponent).convert_to<double>();
-    return static_cast<unsigned>(std::ceil(std::log10(leading) + exponent * std::log10(2.0)));
+    long of_x = 0;
+    long of_scale = 0;
+    const double leading = mpfr_get_d_2exp(&of_scale, scale.backend().data(), MPFR_RNDN) /
+                           mpfr_get_d_2exp(&of_x, x.backend().data(), MPFR_RNDN);
+    return static_cast<unsigned>(
+        std::ceil(std::log10(leading) + static_cast<double>(of_scale - of_x) * std::log10(2.0)));
 }
 
 } // namespace

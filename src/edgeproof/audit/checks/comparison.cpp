@@ -64,8 +64,7 @@ void report_agreement(const Agreement& agreement, const Spots& spots, unsigned d
     evidence.add("exact_there", value_text(worst.exact, shown));
 }
 
-Verdict verdict_by_samples(const Agreement& agreement, const AuditContext& context) {
-    const double needed = context.digits_needed();
+Verdict verdict_by_samples(const Agreement& agreement, double needed) {
     if (agreement.to(needed)) {
         return Verdict::confirmed;
     }

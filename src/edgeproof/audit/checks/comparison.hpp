@@ -19,8 +19,8 @@ namespace edgeproof {
 void report_agreement(const Agreement& agreement, const Spots& spots, unsigned digits,
                       Evidence& evidence);
 
-/// confirmed, refuted or undecided by what the samples say.
-[[nodiscard]] Verdict verdict_by_samples(const Agreement& agreement, const AuditContext& context);
+/// confirmed, refuted or undecided by what the samples say, of so many digits that are needed.
+[[nodiscard]] Verdict verdict_by_samples(const Agreement& agreement, double needed);
 
 /// printed/exact at all spots, recognised; also puts the ratio's range into the evidence.
 [[nodiscard]] std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& spots,

@@ -62,8 +62,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
     Spots& spots = *sampled;
     const Agreement agreement = spots.compare(printed, exact);
-    outcome.verdict =
-        spots.all().empty() ? Verdict::undecided : verdict_by_samples(agreement, context);
+    outcome.verdict = spots.all().empty() ? Verdict::undecided
+                                          : verdict_by_samples(agreement, context.digits_needed());
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
     add_enclosures(agreement, spots, printed, exact, std::nullopt, context.digits(), outcome);
     const Verdict by_samples = outcome.verdict;
@@ -98,7 +98,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
         const Expr full = expand_definitions(e, claim.vocabulary);
-        if (verdict_by_samples(spots.compare(full, exact), context) != Verdict::confirmed) {
+        if (verdict_by_samples(spots.compare(full, exact), context.digits_needed()) !=
+            Verdict::confirmed) {
             return Verdict::refuted;
         }
         return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;

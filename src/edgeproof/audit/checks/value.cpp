@@ -5,14 +5,19 @@
 namespace edgeproof {
 namespace {
 
-Outcome check_value(const Claim& claim, const AuditContext& context) {
+/// To so many digits integrals are compared at all samples, and in balls; to more at some of them.
+constexpr unsigned most_digits_everywhere = 100;
+constexpr std::size_t samples_of_more_digits = 6;
+
+/// `digits` of context, or fewer.
+Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
     const Expr printed = claim.formula("says");
     const Expr exact = claim.formula("of");
     std::optional<Expr> scale;
     if (claim.has("scale")) {
         scale = claim.formula("scale");
     }
-    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
+    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, digits);
     Spots& spots = *sampled;
     Outcome outcome;
     if (spots.all().empty()) {
@@ -20,10 +25,11 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const Agreement agreement = spots.compare(printed, exact, scale);
-    outcome.verdict = verdict_by_samples(agreement, context);
+    const double needed = AuditContext::digits_needed(digits);
+    outcome.verdict = verdict_by_samples(agreement, needed);
     outcome.evidence.add("of", claim.text("of"));
-    report_agreement(agreement, spots, context.digits(), outcome.evidence);
-    add_enclosures(agreement, spots, printed, exact, scale, context.digits(), outcome);
+    report_agreement(agreement, spots, digits, outcome.evidence);
+    add_enclosures(agreement, spots, printed, exact, scale, digits, outcome);
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(spots.all().size()) + " samples";
         return outcome;
@@ -44,10 +50,37 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
     patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
         return verdict_by_samples(
-            spots.compare(expand_definitions(e, claim.vocabulary), exact, scale), context);
+            spots.compare(expand_definitions(e, claim.vocabulary), exact, scale), needed);
     };
     diagnose(patient, outcome);
     return outcome;
+}
+
+/// Whether a confirmed claim holds to all digits, at samples spread evenly over the others.
+bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
+    const auto spots = Spots::of(claim, context, context.digits(), samples_of_more_digits);
+    std::optional<Expr> scale;
+    if (claim.has("scale")) {
+        scale = claim.formula("scale");
+    }
+    const Agreement agreement = spots->compare(claim.formula("says"), claim.formula("of"), scale);
+    Evidence more;
+    report_agreement(agreement, *spots, context.digits(), more);
+    evidence.add("all_digits", std::move(more));
+    return verdict_by_samples(agreement, context.digits_needed()) == Verdict::confirmed;
+}
+
+Outcome check_value(const Claim& claim, const AuditContext& context) {
+    const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
+    if (integrals && context.digits() > most_digits_everywhere) {
+        Outcome outcome = compare_values(claim, context, most_digits_everywhere);
+        if (outcome.verdict == Verdict::refuted ||
+            (outcome.verdict == Verdict::confirmed &&
+             holds_to_all_digits(claim, context, outcome.evidence))) {
+            return outcome;
+        }
+    }
+    return compare_values(claim, context, context.digits());
 }
 
 } // namespace

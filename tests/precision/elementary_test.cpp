@@ -75,7 +75,7 @@ TEST_CASE("the series by blocks comes to the sum of its terms") {
                 mpz_setbit(s.get(), bits - zero_bits);
                 mpz_sub_ui(s.get(), s.get(), 12345);
                 GmpInteger sum;
-                fixed_point::OddSeries(bits, zero_bits, alternating).sum(sum, s);
+                fixed_point::WordSeries::odd(bits, zero_bits, alternating).sum(sum, s);
                 GmpInteger power; // with twice the bits after the point
                 GmpInteger term;
                 GmpInteger plain;
@@ -111,6 +111,23 @@ TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
             const Real y = arc_tangent(x);
             const PrecisionScope more(digits + 20);
             CHECK(ulps(y, by_mpfr(x)) <= 0.51);
+        }
+    }
+}
+
+TEST_CASE("the exponential less one beside MPFR's, correctly rounded") {
+    std::mt19937_64 random(20260103);
+    for (const unsigned digits :
+         {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U, 3600U, 3700U}) {
+        CAPTURE(digits);
+        const PrecisionScope scope(digits);
+        for (const Real& x : arguments(random, 700, 12)) {
+            CAPTURE(x);
+            const Real y = exp_less_one(x);
+            const PrecisionScope more(digits + 20);
+            Real exact;
+            mpfr_expm1(exact.backend().data(), x.backend().data(), MPFR_RNDN);
+            CHECK(ulps(y, exact) <= 0.51);
         }
     }
 }

@@ -24,7 +24,8 @@ class ArcTangents {
 public:
     explicit ArcTangents(mpfr_prec_t bits)
         : bits_(static_cast<mp_bitcnt_t>(bits)), finest_is_used_(bits >= fixed_point::finest_from),
-          series_(bits_, tangent_zero_bits, true), finest_series_(bits_, finest_zero_bits, true) {}
+          series_(fixed_point::WordSeries::odd(bits_, tangent_zero_bits, true)),
+          finest_series_(fixed_point::WordSeries::odd(bits_, finest_zero_bits, true)) {}
     /// result = atan t, 2^-17 <= t <= 1.
     void of(mpfr_ptr result, mpfr_srcptr t) {
         mpfr_mul_2ui(result, t, bits_, MPFR_RNDN);
@@ -71,7 +72,7 @@ private:
         return i;
     }
     /// sum <- atan(r)/r = 1 - r^2/3 + r^4/5 - ...
-    void series_of(GmpInteger& r, fixed_point::OddSeries& series) {
+    void series_of(GmpInteger& r, fixed_point::WordSeries& series) {
         mpz_mul(square_.get(), r.get(), r.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
         series.sum(sum_, square_);
@@ -106,8 +107,8 @@ private:
     std::array<GmpInteger, coarse_entries> coarse_;
     std::array<GmpInteger, fine_entries> fine_;
     std::array<GmpInteger, finest_entries> finest_;
-    fixed_point::OddSeries series_;
-    fixed_point::OddSeries finest_series_;
+    fixed_point::WordSeries series_;
+    fixed_point::WordSeries finest_series_;
     GmpInteger r_;
     GmpInteger sum_;
     GmpInteger square_;

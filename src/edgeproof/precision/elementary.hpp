@@ -14,6 +14,8 @@ namespace edgeproof {
 [[nodiscard]] Real arc_tangent(const Real& x);
 /// ln(1 + x), x > 0, by tables of ln(i/2^8) and ln(i/2^16); otherwise MPFR's.
 [[nodiscard]] Real log_of_one_plus(const Real& x);
+/// e^x - 1, |x| < 2^20, by tables of exp(i/2^8), exp(i/2^16) and exp(i/2^24); otherwise MPFR's.
+[[nodiscard]] Real exp_less_one(const Real& x);
 
 template <Arithmetic T> [[nodiscard]] T arc_tangent(const T& x) {
     using std::atan;
@@ -22,6 +24,10 @@ template <Arithmetic T> [[nodiscard]] T arc_tangent(const T& x) {
 template <Arithmetic T> [[nodiscard]] T log_of_one_plus(const T& x) {
     using std::log1p;
     return log1p(x);
+}
+template <Arithmetic T> [[nodiscard]] T exp_less_one(const T& x) {
+    using std::expm1;
+    return expm1(x);
 }
 
 } // namespace edgeproof

@@ -7,9 +7,8 @@
 namespace edgeproof::fixed_point {
 namespace {
 
-/// How many terms up to the n-th, at the most, whose denominators have a product in one word.
-std::size_t most_in_a_word(std::size_t n) {
-    const unsigned long largest = 2 * n + 1;
+/// How many numbers up to the largest have a product in one word, whichever they are.
+std::size_t most_in_a_word(unsigned long largest) {
     unsigned long rest = std::numeric_limits<unsigned long>::max();
     std::size_t count = 0;
     while (rest >= largest) {
@@ -21,35 +20,56 @@ std::size_t most_in_a_word(std::size_t n) {
 
 } // namespace
 
-OddSeries::OddSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating)
-    : bits_(bits), zero_bits_(zero_bits), alternating_(alternating), length_(2) {
-    const std::size_t last = bits_ / zero_bits_ + 1;
-    while (length_ * length_ < last && length_ + 2 <= most_in_a_word(2 * last)) {
+WordSeries::WordSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating, std::size_t largest)
+    : bits_(bits), zero_bits_(zero_bits), alternating_(alternating), last_(bits / zero_bits + 1),
+      length_(2) {
+    while (length_ * length_ < last_ && length_ + 2 <= most_in_a_word(largest)) {
         length_ += 2;
-    }
-    for (std::size_t k = 0; k <= last; k += length_) {
-        Block block;
-        for (std::size_t j = k; j < k + length_; ++j) {
-            block.denominator *= 2 * j + 1;
-        }
-        for (std::size_t j = k; j < k + length_; ++j) {
-            block.numerators.push_back(block.denominator / (2 * j + 1));
-        }
-        blocks_.push_back(std::move(block));
     }
     powers_.resize(length_ + 1);
     mpz_setbit(powers_[0].get(), bits_);
 }
 
+WordSeries WordSeries::odd(mp_bitcnt_t bits, unsigned zero_bits, bool alternating) {
+    WordSeries series(bits, zero_bits, alternating, 4 * (bits / zero_bits + 2));
+    for (std::size_t k = 0; k <= series.last_; k += series.length_) {
+        Block block;
+        for (std::size_t j = k; j < k + series.length_; ++j) {
+            block.denominator *= 2 * j + 1;
+        }
+        for (std::size_t j = k; j < k + series.length_; ++j) {
+            block.numerators.push_back(block.denominator / (2 * j + 1));
+        }
+        series.blocks_.push_back(std::move(block));
+    }
+    return series;
+}
+
+WordSeries WordSeries::factorial(mp_bitcnt_t bits, unsigned zero_bits, unsigned first,
+                                 bool alternating) {
+    WordSeries series(bits, zero_bits, alternating, 2 * (bits / zero_bits + 2) + first);
+    series.chained_ = true;
+    for (std::size_t k = 0; k <= series.last_; k += series.length_) {
+        Block block;
+        block.numerators.resize(series.length_);
+        for (std::size_t j = series.length_; j-- > 0;) {
+            block.denominator *= k + j + first;
+            block.numerators[j] = block.denominator;
+        }
+        series.blocks_.push_back(std::move(block));
+    }
+    return series;
+}
+
 /// Limbs that the factor s^k of a sum leaves without weight. One is kept beyond those that count,
 /// so that what is cut off comes to less than 2^-bits in all.
-mp_size_t OddSeries::unneeded(std::size_t k) const {
+mp_size_t WordSeries::unneeded(std::size_t k) const {
     const auto limbs = static_cast<mp_size_t>(k * zero_bits_ / GMP_NUMB_BITS);
     return std::clamp<mp_size_t>(limbs - 1, 0, static_cast<mp_size_t>(bits_ / GMP_NUMB_BITS));
 }
 
 // By blocks, and Horner's rule in s^length from the last, which needs few of the bits.
-void OddSeries::sum(GmpInteger& sum, const GmpInteger& s) {
+void WordSeries::sum(GmpInteger& sum, const GmpInteger& s) {
     const auto limbs = static_cast<mp_size_t>(bits_ / GMP_NUMB_BITS);
     mpz_set(powers_[1].get(), s.get());
     for (std::size_t j = 2; j <= length_; ++j) {
@@ -70,9 +90,15 @@ void OddSeries::sum(GmpInteger& sum, const GmpInteger& s) {
                 mpz_addmul_ui(block_.get(), power.get(), block.numerators[j]);
             }
         }
-        mpz_fdiv_q_ui(block_.get(), block_.get(), block.denominator);
         mpz_mul(product_.get(), sum.get(), Upper(powers_[length_], cut).get());
-        mpz_add(sum.get(), block_.get(), Upper(product_, limbs - unneeded(k + length_)).get());
+        const Upper later(product_, limbs - unneeded(k + length_));
+        if (chained_) {
+            mpz_add(block_.get(), block_.get(), later.get());
+        }
+        mpz_fdiv_q_ui(sum.get(), block_.get(), block.denominator);
+        if (!chained_) {
+            mpz_add(sum.get(), sum.get(), later.get());
+        }
     }
 }
 

@@ -70,12 +70,15 @@ template <class Table> [[nodiscard]] Table& table_of(mpfr_prec_t bits) {
     return tables.try_emplace(bits, bits).first->second;
 }
 
-/// The sum over k of (-+1)^k s^k/(2k + 1), of fixed-point numbers with one number of bits after the
-/// point: what an arc tangent and a logarithm have in common.
-class OddSeries {
+/// The sum over k of (-+1)^k c_k s^k, of fixed-point numbers with one number of bits after the
+/// point, for coefficients that are quotients of words: what the functions have in common.
+class WordSeries {
 public:
-    /// For 0 <= s < 2^-zero_bits.
-    OddSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating);
+    /// c_k = 1/(2k + 1), for 0 <= s < 2^-zero_bits.
+    [[nodiscard]] static WordSeries odd(mp_bitcnt_t bits, unsigned zero_bits, bool alternating);
+    /// c_k = 1/(first (first + 1) ... (first + k - 1)): 1/k! from 1, 1/(k + 1)! from 2.
+    [[nodiscard]] static WordSeries factorial(mp_bitcnt_t bits, unsigned zero_bits, unsigned first,
+                                              bool alternating);
     /// sum <- the sum, to a few units of 2^-bits.
     void sum(GmpInteger& sum, const GmpInteger& s);
 
@@ -85,12 +88,15 @@ private:
         unsigned long denominator = 1;
         std::vector<unsigned long> numerators;
     };
+    WordSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating, std::size_t largest);
     [[nodiscard]] mp_size_t unneeded(std::size_t k) const;
 
     mp_bitcnt_t bits_;
     unsigned zero_bits_;
     bool alternating_;
-    std::size_t length_; ///< of a block; even
+    bool chained_ = false; ///< a block's denominator divides all that follows, too
+    std::size_t last_;     ///< term
+    std::size_t length_;   ///< of a block; even
     std::vector<Block> blocks_;
     std::vector<GmpInteger> powers_; ///< 1, s, ..., s^length
     GmpInteger product_;

@@ -32,8 +32,8 @@ class Logarithms {
 public:
     explicit Logarithms(mpfr_prec_t bits)
         : bits_(static_cast<mp_bitcnt_t>(bits)), finest_is_used_(bits >= fixed_point::finest_from),
-          series_(bits_, quotient_zero_bits, false),
-          finest_series_(bits_, finest_quotient_zero_bits, false) {}
+          series_(fixed_point::WordSeries::odd(bits_, quotient_zero_bits, false)),
+          finest_series_(fixed_point::WordSeries::odd(bits_, finest_quotient_zero_bits, false)) {}
     /// result = ln v, v > 1.
     void of(mpfr_ptr result, mpfr_srcptr v) {
         // v/2^e as a fixed-point number.
@@ -97,7 +97,7 @@ private:
         return n;
     }
     /// sum <- artanh(y)/y = 1 + y^2/3 + y^4/5 + ...
-    void series_of(GmpInteger& y, fixed_point::OddSeries& series) {
+    void series_of(GmpInteger& y, fixed_point::WordSeries& series) {
         mpz_mul(square_.get(), y.get(), y.get());
         mpz_fdiv_q_2exp(square_.get(), square_.get(), bits_);
         series.sum(sum_, square_);
@@ -124,8 +124,8 @@ private:
     std::array<GmpInteger, 2 * fine_reach + 1> fine_;
     std::array<GmpInteger, 2 * finest_reach + 1> finest_;
     std::array<GmpInteger, 1> two_;
-    fixed_point::OddSeries series_;
-    fixed_point::OddSeries finest_series_;
+    fixed_point::WordSeries series_;
+    fixed_point::WordSeries finest_series_;
     GmpInteger r_;
     GmpInteger sum_;
     GmpInteger square_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/near_singularity.hpp"
 
+#include "edgeproof/precision/elementary.hpp"
 #include "edgeproof/precision/instantiate.hpp"
 
 #include <cmath>
@@ -11,7 +12,6 @@ template <Arithmetic T, class R>
 QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length,
                                            const T& beyond, bool at_lo,
                                            const QuadratureOptions& options) {
-    using std::expm1;
     using std::log1p;
     if (beyond > T(0) && beyond < length / T(8)) {
         const T y_end = log1p(T(length / beyond));
@@ -27,10 +27,10 @@ QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T&
                 T r;
                 T rest;
                 if (to_go < half) {
-                    rest = -whole * expm1(T(-to_go));
+                    rest = -whole * exp_less_one(T(-to_go));
                     r = length - rest;
                 } else {
-                    r = beyond * expm1(T(y_end * y));
+                    r = beyond * exp_less_one(T(y_end * y));
                     rest = length - r;
                 }
                 return R((at_lo ? f(r, rest) : f(rest, r)) * T(r + beyond));

@@ -7,6 +7,7 @@
 #include "edgeproof/audit/verdict.hpp"
 #include "edgeproof/contact/edge.hpp"
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -39,9 +40,13 @@ struct Sample {
 /// What a check may ask for beside the claim.
 class AuditContext {
 public:
-    AuditContext(const Ledger& ledger, unsigned digits) : ledger_(ledger), digits_(digits) {}
+    /// `stop`, where there is one, is looked at between samples.
+    AuditContext(const Ledger& ledger, unsigned digits, const std::atomic<bool>* stop = nullptr)
+        : ledger_(ledger), digits_(digits), stop_(stop) {}
 
     [[nodiscard]] const Ledger& ledger() const noexcept { return ledger_; }
+    /// Somebody has asked for the run to end: what is computed now will not be used.
+    [[nodiscard]] bool stopped() const noexcept { return stop_ != nullptr && stop_->load(); }
     /// D: the digits that were asked for.
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
     /// Digits that a claim must agree to to be confirmed: D - 5.
@@ -94,6 +99,7 @@ private:
     void give_back(const std::string& key, std::shared_ptr<void> object) const;
     const Ledger& ledger_;
     unsigned digits_;
+    const std::atomic<bool>* stop_;
     mutable std::mutex lent_mutex_;
     mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> at_home_;
     mutable std::mutex slots_mutex_;

@@ -133,7 +133,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
                          "give a pattern such as 'EQ2*' or 'S1*'");
     }
-    const AuditContext context(ledger, options.digits);
+    const AuditContext context(ledger, options.digits, options.stop);
     AuditResult result;
     result.ledger = ledger.name;
     result.source = ledger.source;
@@ -142,7 +142,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     std::atomic<std::size_t> done{0};
     std::atomic<bool> skipped{false};
     const auto run_claim = [&](std::size_t i) {
-        if (options.stop != nullptr && options.stop->load()) {
+        if (context.stopped()) {
             skipped = true;
             return;
         }
@@ -157,6 +157,10 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
                                         check_one(under_reading(ledger, claim, reading), context));
             }
             r.outcome = combined(claim, r.readings);
+        }
+        if (context.stopped()) { // perhaps in the middle
+            skipped = true;
+            return;
         }
         const std::size_t now = ++done;
         if (options.progress) {

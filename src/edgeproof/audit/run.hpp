@@ -31,7 +31,7 @@ struct AuditOptions {
     int threads = 0;        ///< 0: as many as the machine has
     std::string only = "*"; ///< a pattern of ids, * and ? as in a shell
     std::function<void(std::size_t done, std::size_t total)> progress; ///< from any thread
-    const std::atomic<bool>* stop = nullptr; ///< set: no further claim is begun
+    const std::atomic<bool>* stop = nullptr; ///< set: no further claim is begun, nor sample of one
 };
 
 /// Runs the claims of a ledger whose ids match. Results do not depend on the number of threads.

@@ -88,7 +88,7 @@ std::shared_ptr<Spots> Spots::of(const Claim& claim, const AuditContext& context
 
 Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, std::size_t most,
              Effort effort)
-    : digits_(digits) {
+    : digits_(digits), context_(context) {
     std::optional<Condition> where;
     if (claim.has("where")) {
         where = claim.condition("where");
@@ -147,6 +147,9 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
     bool beyond_roundoff = false;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
+        if (context_.stopped()) {
+            throw Error("stopped");
+        }
         SpotAgreement s;
         try {
             const FormulaValue x = known(exact, i);

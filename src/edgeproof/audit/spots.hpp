@@ -73,6 +73,7 @@ public:
     [[nodiscard]] std::size_t left_out() const noexcept { return left_out_; }
     [[nodiscard]] std::size_t scenes() const noexcept { return settings_.size(); }
     /// `scale`: what a difference is held against where the exact value is zero.
+    /// Throws Error in a run that has been stopped.
     [[nodiscard]] Agreement compare(const Expr& printed, const Expr& exact,
                                     const std::optional<Expr>& scale = std::nullopt);
     /// The value of a formula that many others are compared with, at a spot.
@@ -88,6 +89,7 @@ private:
     std::vector<IntegralCache> caches_;
     std::size_t left_out_ = 0;
     unsigned digits_;
+    const AuditContext& context_;
 };
 
 /// "17.3": digits in evidence, capped at what is worth saying.

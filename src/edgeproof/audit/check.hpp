@@ -37,6 +37,17 @@ struct Sample {
     [[nodiscard]] std::string text() const;
 };
 
+/// What takes quadratures at every sample is held to 100 digits at all of them, and to more, where
+/// they are asked for, at some that are spread evenly over the others.
+struct ManyDigits {
+    static constexpr unsigned everywhere = 100;
+    static constexpr std::size_t samples = 6;
+    /// The k-th of those among n > samples, k < samples.
+    [[nodiscard]] static std::size_t index(std::size_t k, std::size_t n) {
+        return k * (n - 1) / (samples - 1);
+    }
+};
+
 /// What a check may ask for beside the claim.
 class AuditContext {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/residual_fit.hpp"
 
+#include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/fast_pressure.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -65,7 +66,8 @@ std::vector<OrderFit> fit_residuals(const Profile& profile, const Exact& contact
     for (std::size_t j = 0; j < options.points; ++j) {
         ladder.push_back(ldexp(Real(radius * pow(Real(10), -options.start)), -static_cast<int>(j)));
     }
-    if (options.route == Route::singular_integral) {
+    if (options.route == Route::singular_integral ||
+        (options.route == Route::automatic && !BallContact::has_closed_form(profile))) {
         // Many points of one contact at many digits: nodes and slopes are computed once for all.
         const FastPressure p(contact, digits);
         for (const Real& u : ladder) {

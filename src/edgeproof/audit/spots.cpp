@@ -100,9 +100,9 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
             return away_from(x) < away_from(y);
         });
     }
-    if (effort == Effort::full && most > 1 && samples.size() > most) {
-        for (std::size_t k = 1; k < most; ++k) {
-            samples[k] = samples[k * (samples.size() - 1) / (most - 1)];
+    if (effort == Effort::full && most == ManyDigits::samples && samples.size() > most) {
+        for (std::size_t k = 0; k < most; ++k) {
+            samples[k] = samples[ManyDigits::index(k, samples.size())];
         }
         samples.resize(most);
     }

@@ -6,7 +6,7 @@
 #include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 namespace edgeproof {
 namespace {
@@ -98,8 +98,20 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     std::size_t failing = 0;
     int digits = 1000000;
     std::vector<std::string> slopes;
-    for (const SceneSpec& scene : context.scenes(claim)) {
-        const FitInScene found = fit_scene(scene, edge, terms, orders, context.digits());
+    const std::vector<SceneSpec> all = context.scenes(claim);
+    const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
+    std::set<std::size_t> to_all_digits;
+    for (std::size_t k = 0; everywhere < context.digits() && k < ManyDigits::samples; ++k) {
+        to_all_digits.insert(all.size() > ManyDigits::samples ? ManyDigits::index(k, all.size())
+                                                              : std::min(k, all.size() - 1));
+    }
+    int all_digits = 1000000;
+    for (const SceneSpec& scene : all) {
+        // An order wants no more than its slope; it is the coefficients that have digits.
+        const bool more = !terms.empty() && to_all_digits.contains(scenes);
+        const FitInScene found =
+            fit_scene(scene, edge, terms, orders, more ? context.digits() : everywhere);
+        all_digits = more ? std::min(all_digits, found.digits) : all_digits;
         ++scenes;
         vanishing += found.vanishing > 0 ? 1 : 0;
         digits = std::min(digits, found.digits);
@@ -119,6 +131,10 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         .add("scenes_where_a_coefficient_vanishes", vanishing);
     if (!terms.empty()) {
         outcome.evidence.add("digits_of_the_coefficients", digits);
+        if (!to_all_digits.empty()) {
+            outcome.evidence.add("scenes_to_all_digits", to_all_digits.size())
+                .add("all_digits_of_the_coefficients", all_digits);
+        }
     }
     if (failing == 0 && scenes > 0) {
         outcome.verdict = Verdict::confirmed;

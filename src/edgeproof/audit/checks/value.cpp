@@ -5,10 +5,6 @@
 namespace edgeproof {
 namespace {
 
-/// To so many digits integrals are compared at all samples, and in balls; to more at some of them.
-constexpr unsigned most_digits_everywhere = 100;
-constexpr std::size_t samples_of_more_digits = 6;
-
 /// `digits` of context, or fewer.
 Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
     const Expr printed = claim.formula("says");
@@ -58,7 +54,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
 
 /// Whether a confirmed claim holds to all digits, at samples spread evenly over the others.
 bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
-    const auto spots = Spots::of(claim, context, context.digits(), samples_of_more_digits);
+    const auto spots = Spots::of(claim, context, context.digits(), ManyDigits::samples);
     std::optional<Expr> scale;
     if (claim.has("scale")) {
         scale = claim.formula("scale");
@@ -72,8 +68,8 @@ bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Eviden
 
 Outcome check_value(const Claim& claim, const AuditContext& context) {
     const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
-    if (integrals && context.digits() > most_digits_everywhere) {
-        Outcome outcome = compare_values(claim, context, most_digits_everywhere);
+    if (integrals && context.digits() > ManyDigits::everywhere) {
+        Outcome outcome = compare_values(claim, context, ManyDigits::everywhere);
         if (outcome.verdict == Verdict::refuted ||
             (outcome.verdict == Verdict::confirmed &&
              holds_to_all_digits(claim, context, outcome.evidence))) {

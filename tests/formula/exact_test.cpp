@@ -81,6 +81,19 @@ TEST_CASE("cancellation does not cost digits") {
           5.8209749445923078e-51);
 }
 
+TEST_CASE("however many digits are asked for, there are more to make up for a cancellation") {
+    // sqrt(1 + d) - 1 for d = 1e-40, of which 1 + sqrt(1 + d) gives d without cancellation.
+    const Exact x = Exact::parse("sqrt(1 + 1e-40) - 1");
+    for (const unsigned digits : {50U, 1000U, 1300U, 2500U, 6000U}) {
+        CAPTURE(digits);
+        const PrecisionScope scope(digits);
+        const Real found = x.to<Real>();
+        const PrecisionScope more(digits + 60);
+        const Real exact = 1 / (pow(Real(10), 40) * (1 + sqrt(Real(1 + pow(Real(10), -40)))));
+        CHECK(abs(found - exact) < exact * pow(Real(10), -static_cast<int>(digits)));
+    }
+}
+
 TEST_CASE("a double halfway between two is decided by digits far behind") {
     // 1 + 2^-53 lies halfway between 1 and the next double.
     CHECK(Exact::parse("1 + 2^-53 + 1e-60*sqrt(2)").to<double>() == 1.0 + 0x1p-52);

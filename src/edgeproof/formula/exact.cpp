@@ -120,8 +120,8 @@ template <Arithmetic T> T Exact::to() const {
         check_range(y, x);
         return y;
     }
-    for (long working = bits + 32; working <= bits + most_bits; working *= 2) {
-        if (const auto x = enclose(expr_, working)) {
+    for (long more = 32; more <= most_bits; more *= 2) {
+        if (const auto x = enclose(expr_, bits + more)) {
             // Both ends round to one number: so does what lies between them.
             const T low = rounded_to<T>(x->lower);
             if (low == rounded_to<T>(x->upper)) {

@@ -96,6 +96,21 @@ TEST_CASE("a slope that falls between the points where a profile is sampled is f
           Course::falls);
 }
 
+TEST_CASE("a slope that jumps down between the samples is not taken for one that rises") {
+    // The rate is positive wherever there is one: the poles of the tangent hide in a bounded
+    // function.
+    for (const std::string slope :
+         {"x + atan(tan(1000*x))/1000000", "x + atan(1/(1/3 - x))/1000000 - atan(3)/1000000",
+          "x + tanh(1/(1/3 - x))/1000000 - tanh(3)/1000000"}) {
+        CAPTURE(slope);
+        CHECK(course_of({slope.c_str()}, {}, "7/8").kind == Course::open);
+        CHECK(course_of({slope.c_str()}, {}, "1/1000").kind == Course::rises);
+    }
+    // Nor one that has no value in places: beyond some point, or up to it.
+    CHECK(course_of({"x + (1/3 - x)^(5/2) - (1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
+    CHECK(course_of({"x + (x - 1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
+}
+
 TEST_CASE("what cannot be decided is said to be open") {
     // (x - 3/10)^3 + 27/1000, multiplied out: g'' is a square that does not show.
     CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "7/8").kind == Course::open);

@@ -25,50 +25,71 @@ struct Rate {
 Interval interval_of(long n) { return Interval(Ball(n, Interval::bits)); }
 Interval squared(const Interval& x) { return pow_int(x, 2); }
 
+/// Nothing is known of a function that may jump: where a part of it may have no value, or one that
+/// is not bounded (a pole), whatever bounded function is taken of that.
+Rate continuous(bool defined, const Interval& value, const Interval& rate) {
+    return defined && value.is_finite() ? Rate{value, rate}
+                                        : Rate{Interval::everything(), Interval::everything()};
+}
+/// Between -1 and 1.
+bool in_unit(const Interval& x) {
+    return (interval_of(1) - x).nowhere_negative() && (interval_of(1) + x).nowhere_negative();
+}
+
 Rate operator-(const Rate& f) { return {-f.value, -f.rate}; }
 Rate operator+(const Rate& f, const Rate& g) { return {f.value + g.value, f.rate + g.rate}; }
 Rate operator-(const Rate& f, const Rate& g) { return {f.value - g.value, f.rate - g.rate}; }
 Rate operator*(const Rate& f, const Rate& g) {
-    return {f.value * g.value, f.rate * g.value + f.value * g.rate};
+    return continuous(true, f.value * g.value, f.rate * g.value + f.value * g.rate);
 }
 Rate operator/(const Rate& f, const Rate& g) {
-    return {f.value / g.value, (f.rate * g.value - f.value * g.rate) / squared(g.value)};
+    return continuous(true, f.value / g.value,
+                      (f.rate * g.value - f.value * g.rate) / squared(g.value));
 }
 Rate sqrt(const Rate& f) {
     const Interval root = sqrt(f.value);
-    return {root, f.rate / (interval_of(2) * root)};
+    return continuous(f.value.nowhere_negative(), root, f.rate / (interval_of(2) * root));
 }
 Rate exp(const Rate& f) {
     const Interval e = exp(f.value);
-    return {e, e * f.rate};
+    return continuous(true, e, e * f.rate);
 }
-Rate log(const Rate& f) { return {log(f.value), f.rate / f.value}; }
+Rate log(const Rate& f) {
+    return continuous(f.value.nowhere_negative(), log(f.value), f.rate / f.value);
+}
 Rate sin(const Rate& f) { return {sin(f.value), cos(f.value) * f.rate}; }
 Rate cos(const Rate& f) { return {cos(f.value), -sin(f.value) * f.rate}; }
 Rate tan(const Rate& f) {
     const Interval t = tan(f.value);
-    return {t, (interval_of(1) + squared(t)) * f.rate};
+    return continuous(true, t, (interval_of(1) + squared(t)) * f.rate);
 }
 Rate asin(const Rate& f) {
-    return {asin(f.value), f.rate / sqrt(interval_of(1) - squared(f.value))};
+    return continuous(in_unit(f.value), asin(f.value),
+                      f.rate / sqrt(interval_of(1) - squared(f.value)));
 }
 Rate acos(const Rate& f) {
-    return {acos(f.value), -f.rate / sqrt(interval_of(1) - squared(f.value))};
+    return continuous(in_unit(f.value), acos(f.value),
+                      -f.rate / sqrt(interval_of(1) - squared(f.value)));
 }
 Rate atan(const Rate& f) { return {atan(f.value), f.rate / (interval_of(1) + squared(f.value))}; }
-Rate sinh(const Rate& f) { return {sinh(f.value), cosh(f.value) * f.rate}; }
-Rate cosh(const Rate& f) { return {cosh(f.value), sinh(f.value) * f.rate}; }
+Rate sinh(const Rate& f) { return continuous(true, sinh(f.value), cosh(f.value) * f.rate); }
+Rate cosh(const Rate& f) { return continuous(true, cosh(f.value), sinh(f.value) * f.rate); }
 Rate tanh(const Rate& f) { return {tanh(f.value), f.rate / squared(cosh(f.value))}; }
 Rate asinh(const Rate& f) {
     return {asinh(f.value), f.rate / sqrt(interval_of(1) + squared(f.value))};
 }
 Rate acosh(const Rate& f) {
-    return {acosh(f.value), f.rate / sqrt(squared(f.value) - interval_of(1))};
+    return continuous((f.value - interval_of(1)).nowhere_negative(), acosh(f.value),
+                      f.rate / sqrt(squared(f.value) - interval_of(1)));
 }
-Rate atanh(const Rate& f) { return {atanh(f.value), f.rate / (interval_of(1) - squared(f.value))}; }
+Rate atanh(const Rate& f) {
+    return continuous(in_unit(f.value), atanh(f.value),
+                      f.rate / (interval_of(1) - squared(f.value)));
+}
 Rate pow(const Rate& f, const Rational& q) {
     const Interval factor(Ball(q, Interval::bits));
-    return {pow(f.value, q), factor * pow(f.value, Rational(q - 1)) * f.rate};
+    return continuous(denominator(q) == 1 || f.value.nowhere_negative(), pow(f.value, q),
+                      factor * pow(f.value, Rational(q - 1)) * f.rate);
 }
 Rate pow(const Rate& f, const Rate& g) { return exp(g * log(f)); }
 
@@ -186,8 +207,13 @@ Sign sign_by_series(const Expr& slope, const SlopeCell& cell) {
 
 Sign sign_on(const Expr& slope, const SlopeCell& cell) {
     const RateEnvironment at{Interval(cell.lo, cell.hi)};
-    return evaluate<Rate>(slope, at).rate.nowhere_negative() ? Sign::rises
-                                                             : sign_by_series(slope, cell);
+    const Interval rate = evaluate<Rate>(slope, at).rate;
+    if (rate.nowhere_negative()) {
+        return Sign::rises;
+    }
+    // The series is of the points where there is a value, if it is of any.
+    const bool unknown = !rate.lower().is_finite() && !rate.upper().is_finite();
+    return unknown ? Sign::open : sign_by_series(slope, cell);
 }
 
 /// From one number to another, both exact, of a slope in the distance from `origin`.

@@ -63,8 +63,7 @@ Interval operator-(const Interval& x) {
     return r;
 }
 
-// An infinite end is never the wrong one here: +inf is no lower end that anything makes, nor -inf
-// an upper one, so that no sum is of both.
+// A sum of +inf and -inf, ends that overflow, says nothing.
 Interval operator+(const Interval& x, const Interval& y) {
     Interval r;
     arf_add(r.lo_, x.lo_, y.lo_, Interval::bits, ARF_RND_FLOOR);

@@ -37,6 +37,10 @@ public:
 
     [[nodiscard]] bool nowhere_negative() const { return arf_sgn(lo_) >= 0; }
     [[nodiscard]] bool negative() const { return arf_sgn(hi_) < 0; }
+    /// Both ends are.
+    [[nodiscard]] bool is_finite() const {
+        return arf_is_finite(lo_) != 0 && arf_is_finite(hi_) != 0;
+    }
     /// The ends, exactly; not finite where an end is infinite.
     [[nodiscard]] Ball lower() const { return at(lo_); }
     [[nodiscard]] Ball upper() const { return at(hi_); }

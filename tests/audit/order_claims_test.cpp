@@ -54,6 +54,28 @@ TEST_CASE("residuals have the orders and the coefficients claimed, or not") {
     CHECK(verdict_of(series("\"Es*C/2*sqrt(2*a)*(1+1e-20)\"", R"("1/2", "3/2")")) == "refuted");
 }
 
+TEST_CASE("past 100 digits the coefficients are held to all of them in six scenes") {
+    const std::string c0 = "Es*C/2*sqrt(2*a)";
+    const std::string halves = R"("1/2", "3/2")";
+    const ClaimResult r = result_of(series('"' + c0 + '"', halves, "nine"), 130);
+    // Of m = 1 the printed one is right; the others' are not.
+    CHECK(name_of(r.outcome.verdict) == "refuted");
+    const ClaimResult right = result_of(series("\"right.c0\"", halves, "nine"), 130);
+    CHECK(name_of(right.outcome.verdict) == "confirmed");
+    const auto number = [&](const char* key) {
+        const auto* const found = right.outcome.evidence.find(key);
+        return found == nullptr ? -1 : std::stoi(found->text());
+    };
+    CHECK(number("scenes") == 9);
+    CHECK(number("scenes_to_all_digits") == 6);
+    CHECK(number("digits_of_the_coefficients") > 95);
+    CHECK(number("all_digits_of_the_coefficients") > 125);
+    // A part in 1e115 off.
+    CHECK(verdict_of(series('"' + c0 + "*(1+1e-115)\"", halves), 130) == "refuted");
+    CHECK(verdict_of(series('"' + c0 + '"', halves), 130) == "confirmed");
+    CHECK(verdict_of(series('"' + c0 + "*(1+1e-115)\"", halves), 100) == "confirmed");
+}
+
 TEST_CASE("a coefficient that vanishes leaves the next order, and is told of") {
     const ClaimResult r = result_of(series("\"right.c0\"", R"("1/2", "3/2")", "five-eighths"));
     CHECK(name_of(r.outcome.verdict) == "confirmed");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/spots.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "small_ledger.hpp"
 
 #include <doctest/doctest.h>
 
@@ -44,4 +46,29 @@ TEST_CASE("no value at some spot: refuted only where no spot has anything like t
     CHECK_FALSE(undefined({unsettled(0.4), unsettled(1)}));
     CHECK_FALSE(undefined({agreeing(50), without_value()}));
     CHECK_FALSE(undefined({unsettled(12), without_value()}));
+}
+
+TEST_CASE("a few that are spread evenly over all come first") {
+    using Order = std::vector<std::size_t>;
+    CHECK(spread_first(11, 6) == Order{0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9});
+    CHECK(spread_first(7, 3) == Order{0, 3, 6, 1, 2, 4, 5});
+    for (const std::size_t first : {0, 1, 4, 9}) {
+        CHECK(spread_first(4, first) == Order{0, 1, 2, 3});
+    }
+    CHECK(spread_first(0, 6).empty());
+}
+
+TEST_CASE("a run that has been stopped compares no more") {
+    const Ledger ledger = parse_ledger(
+        small_ledger::head + "[[claim]]\nid = \"C\"\nkind = \"value\"\nover = \"hertz\"\n"
+                             "of = \"p(x)\"\nsays = \"Es*C/2*sqrt(a^2-x^2)\"\n",
+        "small.toml");
+    const Claim& claim = ledger.claims.front();
+    std::atomic<bool> stop{false};
+    const AuditContext context(ledger, 34, &stop);
+    const auto spots = Spots::of(claim, context, 34);
+    const Agreement agreement = spots->compare(claim.formula("says"), claim.formula("of"));
+    CHECK(agreement.digits() > 29);
+    stop = true;
+    CHECK_THROWS_AS((void)spots->compare(claim.formula("says"), claim.formula("of")), Error);
 }

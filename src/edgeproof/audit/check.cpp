@@ -4,8 +4,23 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace edgeproof {
+
+std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (first > 1 && first < n) {
+        std::vector<bool> chosen(n, false);
+        for (std::size_t k = 0; k < first; ++k) {
+            chosen[k * (n - 1) / (first - 1)] = true;
+        }
+        std::stable_partition(order.begin(), order.end(),
+                              [&](std::size_t i) { return bool{chosen[i]}; });
+    }
+    return order;
+}
 
 std::string Sample::text() const {
     std::string text = scene.text();

@@ -42,11 +42,11 @@ struct Sample {
 struct ManyDigits {
     static constexpr unsigned everywhere = 100;
     static constexpr std::size_t samples = 6;
-    /// The k-th of those among n > samples, k < samples.
-    [[nodiscard]] static std::size_t index(std::size_t k, std::size_t n) {
-        return k * (n - 1) / (samples - 1);
-    }
 };
+
+/// 0, 1, ..., n - 1, but before all others `first` of them (all, if there are no more) that are
+/// spread evenly, the two ends among them.
+[[nodiscard]] std::vector<std::size_t> spread_first(std::size_t n, std::size_t first);
 
 /// What a check may ask for beside the claim.
 class AuditContext {

@@ -100,14 +100,9 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
             return away_from(x) < away_from(y);
         });
     }
-    if (effort == Effort::full && most == ManyDigits::samples && samples.size() > most) {
-        for (std::size_t k = 0; k < most; ++k) {
-            samples[k] = samples[ManyDigits::index(k, samples.size())];
-        }
-        samples.resize(most);
-    }
     std::string last;
-    for (const Sample& sample : samples) {
+    for (const std::size_t i : spread_first(samples.size(), effort == Effort::full ? most : 0)) {
+        const Sample& sample = samples[i];
         if (most != 0 && spots_.size() >= most) {
             break;
         }

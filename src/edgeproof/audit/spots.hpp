@@ -56,8 +56,8 @@ struct Agreement {
     [[nodiscard]] bool differ(double digits_needed) const;
 };
 
-/// All samples of a claim at so many digits, those that its `where` admits; or `most` of them, from
-/// the first to the last, or for screening those farthest from an edge. It keeps the values of
+/// All samples of a claim at so many digits, those that its `where` admits; or `most` of them,
+/// spread evenly over all, or for screening those farthest from an edge. It keeps the values of
 /// what it was compared with, and of integrals; one object belongs to one thread.
 class Spots {
 public:

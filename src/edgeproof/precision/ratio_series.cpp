@@ -20,9 +20,6 @@ constexpr double largest_term = 1e100;
 constexpr double largest_weight = 1e300;
 /// Of a block, in bits: a double bears it, and more.
 constexpr double largest_fall = 600;
-/// Where a term is as small, it goes on with a factor that is counted apart.
-constexpr double small_term = 0x1p-300;
-constexpr int small_exponent_of_term = -300;
 /// Every operation on doubles below is off by 2^-53 of its result at the most, and there are fewer
 /// than 1e8 of them one after another.
 constexpr double rounded_up = 1 + 1e-7;
@@ -37,9 +34,9 @@ struct Group {
 };
 
 /// What the sum takes, found out on the way up: the terms in doubles, and the groups.
-class Plan {
+class Summation {
 public:
-    Plan(const RatioSeries& of, double x, long bits) : of_(of), x_(x) {
+    Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x) {
         const double fall = -std::log2(x);
         const double terms = static_cast<double>(bits) / fall;
         const double length = std::min(std::sqrt(terms), largest_fall / fall);
@@ -67,6 +64,10 @@ public:
     [[nodiscard]] double weight() const { return weight_; }
 
 private:
+    /// Where a term is as small, it goes on with a factor that is counted apart.
+    static constexpr int small_exponent = -300;
+    static constexpr double small_term = 0x1p-300;
+
     [[nodiscard]] double ratio(double k) const {
         double over = 1;
         double under = 1;
@@ -139,10 +140,10 @@ private:
                 return false;
             }
             while (term < small_term) {
-                term = std::ldexp(term, -small_exponent_of_term);
-                weight = std::ldexp(weight, -small_exponent_of_term);
-                most_weight = std::ldexp(most_weight, -small_exponent_of_term);
-                exponent += small_exponent_of_term;
+                term = std::ldexp(term, -small_exponent);
+                weight = std::ldexp(weight, -small_exponent);
+                most_weight = std::ldexp(most_weight, -small_exponent);
+                exponent += small_exponent;
                 unit = std::ldexp(1.0, static_cast<int>(std::max(exponent, -1000L)));
             }
         }
@@ -225,11 +226,14 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     if (!certainly_positive(x) || !(most_x < largest_argument) || x.relative_accuracy_bits() < 20) {
         return std::nullopt;
     }
-    const Plan plan(*this, most_x * rounded_up, bits);
+    const Summation plan(*this, most_x * rounded_up, bits);
     if (!plan.ok()) {
         return std::nullopt;
     }
     const double errors = (3 * static_cast<double>(plan.block()) + 4) * plan.weight();
+    if (!(errors < largest_weight)) {
+        return std::nullopt;
+    }
     const long whole = (bits + std::ilogb(errors) + 6 + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
     const auto limbs = static_cast<mp_size_t>(whole);
     const auto fixed_bits = static_cast<mp_bitcnt_t>(whole * GMP_NUMB_BITS);

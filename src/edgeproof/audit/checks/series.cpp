@@ -6,7 +6,6 @@
 #include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace edgeproof {
 namespace {
@@ -100,15 +99,16 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     std::vector<std::string> slopes;
     const std::vector<SceneSpec> all = context.scenes(claim);
     const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
-    std::set<std::size_t> to_all_digits;
-    for (std::size_t k = 0; everywhere < context.digits() && k < ManyDigits::samples; ++k) {
-        to_all_digits.insert(all.size() > ManyDigits::samples ? ManyDigits::index(k, all.size())
-                                                              : std::min(k, all.size() - 1));
+    // An order wants no more than its slope; it is the coefficients that have digits.
+    std::vector<std::size_t> to_all_digits;
+    if (everywhere < context.digits() && !terms.empty()) {
+        to_all_digits = spread_first(all.size(), ManyDigits::samples);
+        to_all_digits.resize(std::min(all.size(), ManyDigits::samples));
     }
     int all_digits = 1000000;
     for (const SceneSpec& scene : all) {
-        // An order wants no more than its slope; it is the coefficients that have digits.
-        const bool more = !terms.empty() && to_all_digits.contains(scenes);
+        const bool more =
+            std::find(to_all_digits.begin(), to_all_digits.end(), scenes) != to_all_digits.end();
         const FitInScene found =
             fit_scene(scene, edge, terms, orders, more ? context.digits() : everywhere);
         all_digits = more ? std::min(all_digits, found.digits) : all_digits;

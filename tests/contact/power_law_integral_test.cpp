@@ -16,8 +16,8 @@ constexpr long power_law_bits = 500;
 
 Ball integral(const char* m, const Ball& q) {
     const Exact exponent = exact(m);
-    return power_law_integral(exponent, Ball(exponent.rational(), power_law_bits), q,
-                              (1 - q) * (1 + q));
+    return PowerLawIntegral(exponent, Ball(exponent.rational(), power_law_bits))(q,
+                                                                                 (1 - q) * (1 + q));
 }
 Ball ball(const char* text) { return {parse_decimal(text), power_law_bits}; }
 bool narrow(const Ball& x) { return x.relative_accuracy_bits() > 400; }

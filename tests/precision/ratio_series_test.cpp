@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <future>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 using namespace edgeproof;
 
@@ -64,6 +66,45 @@ TEST_CASE("the bound of a series holds to its last bit, at every number of bits"
             CAPTURE(n);
             CHECK(contains(*sum, Ball(-log1p(-wide) / wide).midpoint()));
             CHECK(sum->relative_accuracy_bits() >= bits - 3);
+        }
+    }
+}
+
+TEST_CASE("neighbours share what a thread keeps, and have their own sums") {
+    // Across several steps of what is kept for neighbours, series and bits taking turns; the same
+    // in a thread that has kept nothing.
+    const auto sums = [](int first, int last) {
+        std::vector<Ball> all;
+        for (int k = first; k < last; ++k) {
+            for (const Gauss& f : {Gauss{2, 1, 3, 3}, Gauss{2, 1, 5, 3}, Gauss{16, 8, 37, 24}}) {
+                for (const long bits : {100L, 232L}) {
+                    all.push_back(f.series().sum(Ball(Real(k) / 4096, bits), bits).value());
+                }
+            }
+        }
+        return all;
+    };
+    constexpr int begin = 1900; // below 1/2, where an octave ends
+    constexpr int end = 2200;
+    const std::vector<Ball> together = sums(begin, end);
+    std::size_t i = 0;
+    for (int k = begin; k < end; ++k) {
+        CAPTURE(k);
+        const Ball x(Real(k) / 4096, 400);
+        for (const Gauss& f : {Gauss{2, 1, 3, 3}, Gauss{2, 1, 5, 3}, Gauss{16, 8, 37, 24}}) {
+            const Ball exact = f.value(x);
+            for (const long bits : {100L, 232L}) {
+                const Ball& sum = together[i++];
+                CHECK(contains(sum, exact.midpoint()));
+                CHECK(sum.relative_accuracy_bits() >= bits - 8);
+            }
+        }
+        if (k % 50 == 0) {
+            const auto alone = std::async(std::launch::async, sums, k, k + 1).get();
+            for (std::size_t j = 0; j < alone.size(); ++j) {
+                CHECK(alone[j].lower() == together[i - alone.size() + j].lower());
+                CHECK(alone[j].upper() == together[i - alone.size() + j].upper());
+            }
         }
     }
 }

@@ -246,7 +246,9 @@ void BallContact::read_profile() {
     on_edge_.assign(knots_.size(), std::nullopt);
     power_law_ = !profile.piecewise_linear();
     if (power_law_) {
-        exponent_ = constant(profile.parameters().at("m").expr());
+        const Exact& m = profile.parameters().at("m");
+        exponent_ = constant(m.expr());
+        power_law_integral_.emplace(m, exponent_);
         const Ball C = constant(profile.parameters().at("C").expr());
         // moore-hills.tex, line 144: E* C (sqrt(pi)/2) Gamma(1 + m/2)/Gamma((3 + m)/2).
         power_factor_ = modulus_ * C * sqrt(Ball::pi(bits_)) / 2 * gamma(exponent_ / 2 + 1) /

@@ -3,6 +3,7 @@
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/edge.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/contact/power_law_integral.hpp"
 #include "edgeproof/contact/proved_pressure.hpp"
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/ball_series.hpp"
@@ -134,6 +135,7 @@ private:
     std::vector<std::optional<Edge>> on_edge_;
     std::optional<Exact> given_a_;
     bool power_law_ = false;
+    std::optional<PowerLawIntegral> power_law_integral_;
     Ball exponent_;
     Ball power_factor_; ///< P = power_factor a^(m+1)
     Ball a_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_marks.hpp"
-#include "edgeproof/contact/power_law_integral.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 
@@ -106,8 +105,7 @@ Ball BallContact::least_pressure(Edge edge, const Ball& u) const {
 Ball BallContact::pressure(const Place& at, bool least) const {
     if (power_law_) {
         const Ball y = at.right * at.left / (a_ * a_);
-        return fixed_.factor * power_law_integral(profile_.parameters().at("m"), exponent_,
-                                                  abs(at.offsets[0]) / a_, y);
+        return fixed_.factor * (*power_law_integral_)(abs(at.offsets[0]) / a_, y);
     }
     // The sum over the pieces of g'' times ((v - x) G + w_x h) between their ends, the terms of
     // each knot taken together; G is 0 at the edges.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_marks.hpp"
-#include "edgeproof/contact/power_law_integral.hpp"
 
 namespace edgeproof {
 namespace {
@@ -45,7 +44,7 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
         BallSeries s = -(at * at) + Ball(1, bits_);
         s.set(0, y);
         s = BallSeries(Ball(1, bits_), order) / sqrt(s);
-        std::vector<Ball> I{power_law_integral(profile_.parameters().at("m"), exponent_, q, y)};
+        std::vector<Ball> I{(*power_law_integral_)(q, y)};
         for (std::size_t k = 0; k + 1 < order; ++k) {
             const long n = static_cast<long>(k);
             I.push_back(((exponent_ - n) * I[k] - s[k]) / (q * (n + 1)));

@@ -2,15 +2,15 @@
 #include "edgeproof/contact/power_law_integral.hpp"
 
 #include "edgeproof/contact/ball_marks.hpp"
-#include "edgeproof/precision/ratio_series.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 namespace edgeproof {
 namespace {
 
 constexpr double most_terms = 4e6;
+constexpr double most_m = 1e12;
 
 Ball unknown(long bits) {
     Ball x(0, bits);
@@ -54,18 +54,56 @@ void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, 
     arb_mul(x.data(), x.data(), factor.data(), bits);
 }
 
+double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
+
+/// m - 2 steps, where m is rational.
+std::optional<Rational> less(const Exact& m, long steps) {
+    return m.is_rational() ? std::optional(Rational(m.rational() - 2 * steps)) : std::nullopt;
+}
+long steps_down(const Exact& m, double about_m) {
+    if (!m.is_rational()) {
+        return static_cast<long>(about_m / 2);
+    }
+    return static_cast<long>(Integer(numerator(m.rational()) / (2 * denominator(m.rational()))));
+}
+
+} // namespace
+
+PowerLawIntegral::Exponent::Exponent(Ball enclosed, std::optional<Rational> exactly)
+    : n(std::move(enclosed)), exact(std::move(exactly)) {
+    if (const auto w = words_of(exact)) {
+        by_edge = {{{{2 * w->q, w->p + 2 * w->q, 2 * w->q}, {2, 1, 3}}}};
+        if (w->p < 2 * w->q) {
+            by_apex = {{{{2, 3, 4}, {2 * w->q, 2 * w->q - w->p, 4 * w->q - w->p}}}};
+        }
+        few_words = w->q <= 64;
+    }
+}
+
+PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
+    : whole_(enclosed_m, less(m, 0)), about_m_(approximate(enclosed_m)),
+      steps_(about_m_ > most_m ? 0 : steps_down(m, about_m_)),
+      left_(enclosed_m - 2 * steps_, less(m, steps_)), apex_factor_(0, enclosed_m.bits()),
+      most_(Rational(99, 100), enclosed_m.bits()) {
+    if (left_.exact && denominator(*left_.exact) == 1) {
+        whole_left_ = left_.exact->convert_to<long>();
+        return;
+    }
+    apex_factor_ =
+        sqrt(Ball::pi(enclosed_m.bits())) / 2 * gamma(-(left_.n / 2)) / gamma((1 - left_.n) / 2);
+}
+
 /// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (Euler's transformation of 2F1, DLMF
 /// 15.8.1): all terms are positive, and from where their ratio is below 1 on it falls on.
-Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ball& q,
-                 const Ball& y) {
+Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y,
+                                const Ball& root) {
     const long bits = y.bits();
-    if (const auto w = words_of(exactly)) {
-        const RatioSeries series{{{{2 * w->q, w->p + 2 * w->q, 2 * w->q}, {2, 1, 3}}}};
-        if (const auto sum = series.sum(y, bits)) {
-            return root(y) * pow(q, n) * *sum;
+    if (of.by_edge) {
+        if (const auto sum = of.by_edge->sum(y, bits)) {
+            return root * pow(q, of.n) * *sum;
         }
     }
-    const Ball first = n / 2 + 1;
+    const Ball first = of.n / 2 + 1;
     Ball term(1, bits);
     Ball sum(0, bits);
     Ball share(0, bits);
@@ -78,15 +116,15 @@ Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ba
         arb_div_si(share.data(), term.data(), 2 * k + 1, here);
         if (k > 0 && negligible(share, sum)) {
             Ball ratio = y;
-            to_next_term(ratio, first, exactly, k, bits);
+            to_next_term(ratio, first, of.exact, k, bits);
             if (certainly_less(ratio, Ball(1, bits))) {
-                const Ball factor = pow(q, n);
-                return root(y) * factor * (sum + from_zero(share / (1 - ratio)));
+                const Ball factor = pow(q, of.n);
+                return root * factor * (sum + from_zero(share / (1 - ratio)));
             }
         }
         sum += share;
         arb_mul(term.data(), term.data(), y.data(), here);
-        to_next_term(term, first, exactly, k, here);
+        to_next_term(term, first, of.exact, k, here);
         if (!term.is_finite()) {
             break;
         }
@@ -95,29 +133,27 @@ Ball edge_series(const Ball& n, const std::optional<Rational>& exactly, const Ba
 }
 
 /// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
-Ball apex_power(const Ball& n, const Ball& q) {
-    const long bits = q.bits();
-    Ball power(0, bits);
+Ball PowerLawIntegral::apex_power(const Ball& q) const {
+    Ball power(0, q.bits());
     if (!contains_zero(q)) {
-        power = pow(q, n);
+        power = pow(q, left_.n);
     } else if (!q.is_exact()) {
-        const Ball top(q.upper(), bits);
-        power = from_zero(pow(top, n));
+        const Ball top(q.upper(), q.bits());
+        power = from_zero(pow(top, left_.n));
     }
-    return power * sqrt(Ball::pi(bits)) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2);
+    return power * apex_factor_;
 }
 
 /// 0 < n < 2, n != 1, near q = 0: the sum of beta_k q^(2k)/(n - 2k), beta_k = (2k)!/(4^k k!^2), and
-/// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
-Ball apex_series(const Ball& n, const std::optional<Rational>& exactly, const Ball& q) {
+/// the power of q.
+Ball PowerLawIntegral::apex_sum(const Ball& q) const {
     const long bits = q.bits();
     const Ball square = q * q;
-    const auto w = words_of(exactly);
-    const RatioSeries series{
-        w ? RatioSeries{{{{2, 3, 4}, {2 * w->q, 2 * w->q - w->p, 4 * w->q - w->p}}}}
-          : RatioSeries{}};
-    if (const auto rest = w ? series.sum(square, bits) : std::nullopt) {
-        return 1 / n - square / (2 * (2 - n)) * *rest + apex_power(n, q);
+    const Ball& n = left_.n;
+    if (left_.by_apex) {
+        if (const auto sum = left_.by_apex->sum(square, bits)) {
+            return 1 / n - square / (2 * (2 - n)) * *sum + apex_power(q);
+        }
     }
     Ball term(1, bits);
     Ball sum = 1 / n;
@@ -131,84 +167,70 @@ Ball apex_series(const Ball& n, const std::optional<Rational>& exactly, const Ba
         }
         sum += term / (n - 2 * k);
     }
-    return sum + apex_power(n, q);
+    return sum + apex_power(q);
 }
 
-double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
-
-} // namespace
-
-Ball power_law_integral(const Exact& m, const Ball& enclosed_m, const Ball& q, const Ball& y) {
-    const long bits = std::max(q.bits(), y.bits());
-    const double about_m = approximate(enclosed_m);
-    const double about_y = approximate(y);
-    if (about_m > 1e12) {
-        return unknown(bits);
+Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) const {
+    if (whole_left_) {
+        return *whole_left_ == 1 ? root : asinh(root / q);
     }
-    // How many times m goes down by 2 to 0 <= n < 2.
-    const long steps =
-        m.is_rational()
-            ? static_cast<long>(Integer(numerator(m.rational()) / (2 * denominator(m.rational()))))
-            : static_cast<long>(about_m / 2);
-    const Ball root = edgeproof::root(y);
     // Of a wide ball neither series may converge.
-    const Ball most(Rational(99, 100), bits);
-    const bool by_edge = certainly_less(y, most);
-    const auto few = [&](const Ball& n) {
-        const Rational left = m.is_rational() ? Rational(m.rational() - 2 * steps) : Rational(1, 3);
-        const auto exactly = m.is_rational() ? std::optional(left) : std::nullopt;
-        if (left == 1) {
-            return root;
-        }
-        if (left == 0) {
-            return asinh(root / q);
-        }
-        // With few words both series take as long for a term; the one at the apex has more around
-        // it.
-        const bool few_words = exactly && denominator(*exactly) <= 64;
-        if (by_edge && (about_y <= (few_words ? 0.55 : 0.75) || !certainly_less(q, most))) {
-            return edge_series(n, exactly, q, y);
-        }
-        return certainly_less(q, most) ? apex_series(n, exactly, q) : unknown(bits);
-    };
-    if (steps == 0) {
-        return few(enclosed_m);
+    const bool by_apex = certainly_less(q, most_);
+    // With few words both series take as long for a term; the one at the apex has more around it.
+    const double most_y = left_.few_words ? 0.55 : 0.75;
+    if ((approximate(y) <= most_y || !by_apex) && certainly_less(y, most_)) {
+        return edge_sum(left_, q, y, root);
     }
-    const double digits = static_cast<double>(bits);
-    const double near_edge =
-        about_y < 1 ? digits + (1.6 * about_m * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
-    const double downwards = std::min(static_cast<double>(steps), 0.7 * digits / about_y);
-    if (std::min(near_edge, downwards) > most_terms) {
-        return unknown(bits);
-    }
-    if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
-        return edge_series(enclosed_m, m.is_rational() ? std::optional(m.rational()) : std::nullopt,
-                           q, y);
-    }
-    // m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, by parts; and 0 <= I_n <= sqrt(y) for n >= 1.
+    return by_apex ? apex_sum(q) : unknown(q.bits());
+}
+
+/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}; and 0 <= I_n <= sqrt(y) for n >= 1.
+Ball PowerLawIntegral::by_parts(const Ball& q, const Ball& y, const Ball& root) const {
+    const long bits = root.bits();
     const Ball square = q * q;
     Ball sum(0, bits);
     Ball factor(1, bits); ///< without its powers of q
     Ball power(1, bits);
-    Ball n = enclosed_m;
-    for (long k = 0; k < steps; ++k) {
+    Ball n = whole_.n;
+    for (long k = 0; k < steps_; ++k) {
         if (k > 0 && negligible(factor * power, sum)) {
             return sum + from_zero(factor * power * root);
         }
         sum += factor * power * root / n;
         factor *= (n - 1) / n;
-        if (k + 1 < steps) {
+        if (k + 1 < steps_) {
             power *= square;
         }
         n -= 2;
     }
-    if (m.is_rational() && m.rational() == 2 * steps && contains_zero(q)) {
+    if (whole_left_ == 0 && contains_zero(q)) {
         // q^2 asinh(sqrt(y)/q) < q^2 ln(2/q), which grows with q.
         const Ball top(q.upper(), bits);
         const Ball last = q.is_exact() ? Ball(0, bits) : from_zero(top * top * log(2 / top));
         return sum + factor * power * last;
     }
-    return sum + factor * power * square * few(n);
+    return sum + factor * power * square * rest(q, y, root);
+}
+
+Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
+    const long bits = std::max(q.bits(), y.bits());
+    if (about_m_ > most_m) {
+        return unknown(bits);
+    }
+    const Ball root = edgeproof::root(y);
+    if (steps_ == 0) {
+        return rest(q, y, root);
+    }
+    const double about_y = approximate(y);
+    const double digits = static_cast<double>(bits);
+    const double near_edge =
+        about_y < 1 ? digits + (1.6 * about_m_ * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
+    const double downwards = std::min(static_cast<double>(steps_), 0.7 * digits / about_y);
+    if (std::min(near_edge, downwards) > most_terms) {
+        return unknown(bits);
+    }
+    return near_edge < downwards && certainly_less(y, Ball(1, bits)) ? edge_sum(whole_, q, y, root)
+                                                                     : by_parts(q, y, root);
 }
 
 } // namespace edgeproof

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace edgeproof {
@@ -33,10 +34,11 @@ struct Group {
     unsigned long last;
 };
 
-/// What the sum takes, found out on the way up: the terms in doubles, and the groups.
+/// What the sum takes for every number from 0 to x, found out on the way up: the terms in doubles,
+/// and the groups.
 class Summation {
 public:
-    Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x) {
+    Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x), bits_(bits) {
         const double fall = -std::log2(x);
         const double terms = static_cast<double>(bits) / fall;
         const double length = std::min(std::sqrt(terms), largest_fall / fall);
@@ -44,6 +46,9 @@ public:
         ok_ = fall < largest_fall && count_terms(bits) && make_groups();
     }
 
+    [[nodiscard]] bool is_of(const RatioSeries& series, double x, long bits) const {
+        return series == of_ && x == x_ && bits == bits_;
+    }
     [[nodiscard]] bool ok() const { return ok_; }
     [[nodiscard]] std::size_t terms() const { return terms_; }
     [[nodiscard]] std::size_t block() const { return block_; }
@@ -200,8 +205,9 @@ private:
         return true;
     }
 
-    const RatioSeries& of_;
+    RatioSeries of_;
     double x_;
+    long bits_;
     std::size_t block_;
     std::size_t terms_ = 0;
     std::vector<long> log2_weights_;
@@ -213,6 +219,34 @@ private:
     double weight_ = 0;
     bool ok_;
 };
+
+/// What the sum takes for x and a little more: for neighbours the same, which each thread keeps.
+std::shared_ptr<const Summation> summation_of(const RatioSeries& series, double x, long bits) {
+    constexpr double steps = 64; // of an octave, in each half of it
+    constexpr double most_kept = 0.95;
+    constexpr std::size_t slots = 256;
+    constexpr std::size_t most_terms_kept = 1U << 14;
+    if (x > most_kept) {
+        return std::make_shared<const Summation>(series, x, bits);
+    }
+    int exponent = 0;
+    const double above = std::ceil(std::frexp(x, &exponent) * steps);
+    const double most = std::ldexp(above / steps, exponent);
+    thread_local std::vector<std::shared_ptr<const Summation>> kept(slots);
+    std::size_t key = static_cast<std::size_t>(above) + 32 * static_cast<std::size_t>(-exponent);
+    for (const auto& q : series.quotients) {
+        key = 31 * key + static_cast<std::size_t>(q.over + 7 * q.under);
+    }
+    auto& slot = kept[(key + static_cast<std::size_t>(bits)) % slots];
+    if (slot && slot->is_of(series, most, bits)) {
+        return slot;
+    }
+    auto made = std::make_shared<const Summation>(series, most, bits);
+    if (made->terms() <= most_terms_kept) {
+        slot = made;
+    }
+    return made;
+}
 
 } // namespace
 
@@ -226,7 +260,8 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     if (!certainly_positive(x) || !(most_x < largest_argument) || x.relative_accuracy_bits() < 20) {
         return std::nullopt;
     }
-    const Summation plan(*this, most_x * rounded_up, bits);
+    const std::shared_ptr<const Summation> kept = summation_of(*this, most_x * rounded_up, bits);
+    const Summation& plan = *kept;
     if (!plan.ok()) {
         return std::nullopt;
     }

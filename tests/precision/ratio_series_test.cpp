@@ -109,6 +109,19 @@ TEST_CASE("neighbours share what a thread keeps, and have their own sums") {
     }
 }
 
+TEST_CASE("of more series than a thread keeps, each has its own sum") {
+    const Ball x(Real(1) / 16, 120);
+    for (int round = 0; round < 2; ++round) {
+        for (long b = 3; b < 803; b += 2) {
+            CAPTURE(b);
+            const Gauss f{2, 1, b, 3};
+            const auto sum = f.series().sum(x, 120);
+            REQUIRE(sum);
+            CHECK(contains(*sum, f.value(x.with_bits(300)).midpoint()));
+        }
+    }
+}
+
 TEST_CASE("of a ball the series holds the values at all its numbers") {
     const Gauss f{2, 1, 5, 3};
     for (const double at : {0.001, 0.3, 0.9, 0.99}) {

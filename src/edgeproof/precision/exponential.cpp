@@ -57,7 +57,7 @@ public:
         mpz_fdiv_q_2exp(r_.get(), r_.get(), ln_2_bits);
         std::array<unsigned long, exp_tables> at{};
         for (unsigned t = 0; t < exp_tables; ++t) {
-            const mp_bitcnt_t below = bits_ - (t + 1) * exp_step_bits;
+            const mp_bitcnt_t below = bits_ - mp_bitcnt_t{t + 1} * exp_step_bits;
             mpz_fdiv_q_2exp(work_.get(), r_.get(), below);
             at[t] = mpz_get_ui(work_.get());
             mpz_fdiv_r_2exp(r_.get(), r_.get(), below);

@@ -21,8 +21,7 @@ std::size_t most_in_a_word(unsigned long largest) {
 } // namespace
 
 WordSeries::WordSeries(mp_bitcnt_t bits, unsigned zero_bits, bool alternating, std::size_t largest)
-    : bits_(bits), zero_bits_(zero_bits), alternating_(alternating), last_(bits / zero_bits + 1),
-      length_(2) {
+    : bits_(bits), zero_bits_(zero_bits), alternating_(alternating), last_(bits / zero_bits + 1) {
     while (length_ * length_ < last_ && length_ + 2 <= most_in_a_word(largest)) {
         length_ += 2;
     }

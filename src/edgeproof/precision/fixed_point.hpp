@@ -94,9 +94,9 @@ private:
     mp_bitcnt_t bits_;
     unsigned zero_bits_;
     bool alternating_;
-    bool chained_ = false; ///< a block's denominator divides all that follows, too
-    std::size_t last_;     ///< term
-    std::size_t length_;   ///< of a block; even
+    bool chained_ = false;   ///< a block's denominator divides all that follows, too
+    std::size_t last_;       ///< term
+    std::size_t length_ = 2; ///< of a block; even
     std::vector<Block> blocks_;
     std::vector<GmpInteger> powers_; ///< 1, s, ..., s^length
     GmpInteger product_;

@@ -174,7 +174,7 @@ private:
         return most;
     }
     bool make_groups() {
-        constexpr auto largest = static_cast<double>(std::numeric_limits<unsigned long>::max() / 2);
+        constexpr auto largest = static_cast<double>(std::numeric_limits<unsigned long>::max()) / 2;
         std::vector<std::pair<unsigned long, unsigned long>> of_group;
         numerators_.resize(terms());
         std::size_t block_end = block_;

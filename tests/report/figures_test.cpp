@@ -2,7 +2,9 @@
 #include "edgeproof/report/figures_paper.hpp"
 
 #include "edgeproof/precision/text.hpp"
+#include "edgeproof/report/figures_gnuplot.hpp"
 #include "edgeproof/report/figures_residual.hpp"
+#include "edgeproof/report/scratch.hpp"
 
 #include <doctest/doctest.h>
 
@@ -205,6 +207,33 @@ TEST_CASE("residual fit: the tables have the slopes that the legends say") {
         }
         CHECK(relative(*near[n + 1], abs(rest)) < Real("1e-15"));
     }
+}
+
+TEST_CASE("a picture in a file has a white ground; in a page it takes the page's ground and ink") {
+    const auto gnuplot = find_gnuplot();
+    if (!gnuplot) {
+        MESSAGE("skipped: no gnuplot");
+        return;
+    }
+    const PrecisionScope scope(digits);
+    Plot plot;
+    plot.id = "line";
+    plot.title = "t";
+    plot.description = "d";
+    plot.columns = {"x", "y"};
+    plot.curves = {{"y", "a line", {}}};
+    for (int k = 1; k < 4; ++k) {
+        plot.rows.push_back({Real(k), Real(k)});
+    }
+    const Scratch scratch;
+    const std::string file = draw_svg(plot, *gnuplot, scratch.path());
+    const std::string ground = "height=\"400\" fill=\"";
+    CHECK(file.find(ground + "#ffffff\"/>") != std::string::npos);
+    const std::string part = inline_svg(file, plot);
+    CHECK(part.find(ground + "none\"/>") != std::string::npos);
+    CHECK(part.find("#ffffff") == std::string::npos);
+    CHECK(part.find("fill=\"black\"") == std::string::npos);
+    CHECK(part.find("currentColor") != std::string::npos);
 }
 
 TEST_CASE("CSV: notes, names, values to 20 digits, nothing where there is no value") {

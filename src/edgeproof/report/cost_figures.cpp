@@ -156,7 +156,7 @@ Figure work_precision(const CostReport& report, const std::string& scene) {
         "work-precision",
         "What digits cost: " + scene,
         "True digits (by an enclosure, at the worst of the points) against what they take. "
-        "Further left and further up is better. Dashed: double, long double and __float128, "
+        "Further left and further up is better. Dotted: double, long double and __float128, "
         "from left to right.",
         {plot_of("work-precision-evaluations", "digits against evaluations",
                  "For each route that has an integrand, the digits right at the worst point "

@@ -84,7 +84,8 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     constexpr std::size_t line_height = 19;
     const std::size_t key_lines =
         plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
-    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" name {}\n",
+    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" background "
+                          "\"white\" name {}\n",
                           400 + line_height * key_lines, gnuplot_text(element_name(plot.id)));
     script += fmt::format("set output {}\n", gnuplot_text(output));
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));

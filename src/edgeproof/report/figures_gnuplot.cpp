@@ -145,6 +145,7 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
     for (const char* black : {"color=\"black\" ", "color=\"white\" "}) {
         replace_all(out, black, "");
     }
+    replace_element(out, "fill=\"#ffffff\"", "/>", "fill=\"none\"/>"); // the ground
     replace_all(out, "fill=\"black\"", "fill=\"currentColor\"");
     replace_all(out, "fill = 'black'", "fill = 'currentColor'");
     replace_all(out, "stroke='black'", "stroke='currentColor'");

@@ -16,8 +16,8 @@ namespace edgeproof {
 [[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                                    const std::filesystem::path& scratch);
 
-/// The SVG made part of a page: no prolog, ids of its own, and black taken from the text's colour,
-/// so that it can be read on a dark ground.
+/// The SVG made part of a page: no prolog, ids of its own, no ground of its own, and black taken
+/// from the text's colour, so that it can be read on a dark page.
 [[nodiscard]] std::string inline_svg(const std::string& svg, const Plot& plot);
 
 } // namespace edgeproof

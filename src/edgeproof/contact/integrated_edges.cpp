@@ -88,12 +88,14 @@ IntegratedContact::Guess IntegratedContact::guess(const Exact& contact_modulus) 
 
 void IntegratedContact::enclose_edges(const Exact& contact_modulus) {
     const Guess near = guess(contact_modulus);
-    const BudgetError too_few("ball arithmetic at " + std::to_string(bits_) +
-                              " bits does not enclose an edge");
+    const auto too_few = [&] {
+        return BudgetError("ball arithmetic at " + std::to_string(bits_) +
+                           " bits does not enclose an edge");
+    };
     if (load_.kind == Load::Kind::right_edge) {
         const auto b = left_edge_near(a_, near.b);
         if (!b) {
-            throw too_few;
+            throw too_few();
         }
         b_ = *b;
         return;
@@ -121,7 +123,7 @@ void IntegratedContact::enclose_edges(const Exact& contact_modulus) {
             return;
         }
     }
-    throw too_few;
+    throw too_few();
 }
 
 } // namespace edgeproof

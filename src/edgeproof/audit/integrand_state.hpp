@@ -47,13 +47,13 @@ private:
     /// Marks what the divided differences of zeros are made of.
     void mark_slopes();
 
-    void take(std::size_t step);
-    void take_sum(std::size_t step, bool minus);
-    void take_product(std::size_t step);
-    void take_quotient(std::size_t step);
-    void take_power(std::size_t step);
-    void take_root(std::size_t step);
-    void take_function(std::size_t step);
+    void take(std::size_t i);
+    void take_sum(std::size_t i, bool minus);
+    void take_product(std::size_t i);
+    void take_quotient(std::size_t i);
+    void take_power(std::size_t i);
+    void take_root(std::size_t i);
+    void take_function(std::size_t i);
 
     std::string variable_;
     IntegrandMeaning meaning_;

@@ -141,7 +141,7 @@ NaivePrecision with_scale(NaivePrecision precision, const Real& lo, const Real& 
 } // namespace
 
 NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo, const Real& hi,
-                                std::vector<Real> cuts, NaivePrecision precision) {
+                                std::vector<Real> cuts, const NaivePrecision& precision) {
     const PrecisionScope scope(precision.integrand());
     if (lo == hi) {
         return {Real(0), Real(0), true};

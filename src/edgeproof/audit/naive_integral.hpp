@@ -43,7 +43,7 @@ using NaiveIntegrand = std::function<Real(const Real&)>;
 /// Throws DomainError for one that does not settle and grows at an end as no integral bears.
 [[nodiscard]] NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo,
                                               const Real& hi, std::vector<Real> cuts,
-                                              NaivePrecision precision);
+                                              const NaivePrecision& precision);
 
 /// The Cauchy principal value at lo < pole < hi: f(pole + r) + f(pole - r) near it.
 /// Throws DomainError for a pole that is not inside.

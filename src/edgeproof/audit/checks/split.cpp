@@ -36,8 +36,7 @@ struct Left {
 class Splitting {
 public:
     Splitting(const Claim& claim, const AuditContext& context)
-        : claim_(claim), variable_(claim.text("variable")), small_(claim.text("small")),
-          of_(claim.formula("of")) {
+        : variable_(claim.text("variable")), small_(claim.text("small")), of_(claim.formula("of")) {
         for (const Sample& sample : context.samples(claim)) {
             settings_.emplace_back(sample.scene, split_digits);
             texts_.push_back(sample.text());
@@ -101,7 +100,6 @@ private:
         return sum;
     }
 
-    const Claim& claim_;
     std::string variable_;
     std::string small_;
     Expr of_;

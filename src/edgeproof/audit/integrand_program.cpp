@@ -43,9 +43,7 @@ std::optional<Step::Op> operation_of(Builtin f) {
 
 IntegrandSteps::IntegrandSteps(const Expr& f, const std::string& variable,
                                const IntegrandMeaning& meaning)
-    : variable_(variable), meaning_(meaning) {
-    last_ = add(f);
-}
+    : variable_(variable), meaning_(meaning), last_(add(f)) {}
 
 bool IntegrandSteps::holds_variable(const Expr& e) const {
     if (e.kind() == Expr::Kind::symbol) {

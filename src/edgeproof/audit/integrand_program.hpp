@@ -47,13 +47,13 @@ private:
     std::size_t add_call(const Expr& e);
     std::size_t step(IntegrandStep::Op op, const Expr& e, std::vector<std::size_t> args,
                      std::optional<Rational> exponent = std::nullopt);
-    [[nodiscard]] bool is_zero(std::size_t step) const;
+    [[nodiscard]] bool is_zero(std::size_t i) const;
     [[nodiscard]] bool holds_variable(const Expr& e) const;
     const std::string& variable_;
     const IntegrandMeaning& meaning_;
     std::vector<IntegrandStep> steps_;
     std::unordered_map<Expr, std::size_t, ExprHash> known_;
-    std::size_t last_ = 0;
+    std::size_t last_;
 };
 
 } // namespace edgeproof

@@ -5,6 +5,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/cost_page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -91,7 +93,7 @@ void print(const CostReport& report, bool usual) {
     show(effect_table(report));
     std::string where = report.version;
     for (const auto& [name, value] : report.machine) {
-        where += (name == "processor" ? "; " : ", ") + name + " " + value;
+        where += fmt::format("{} {} {}", name == "processor" ? ";" : ",", name, value);
     }
     std::printf("%s\n", where.c_str());
 }

@@ -38,9 +38,9 @@ int expand(const ExpandOptions& o) {
                    "bound",
                    "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};
     if (scene.shear && scene.shear->path == LoadingPath::normal_first) {
-        table.notes.push_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
+        table.notes.emplace_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
     } else if (scene.shear) {
-        table.notes.push_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
+        table.notes.emplace_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
     }
     table.notes.push_back(bound_note(result.plan));
     const ValueColumns value(scene);

@@ -7,7 +7,6 @@
 namespace edgeproof {
 namespace {
 
-constexpr long cover_bits = 64;
 constexpr int most_balls = 600;
 
 /// Covers the upper half of an ellipse; f is real on the real axis, so that the lower follows.

@@ -52,8 +52,8 @@ int extent(const ExtentOptions& o) {
         "crossings: every distance at which the error passes the tolerance; that there are no more "
         "is proved, unless the route says scan: then it is sampled, and the bounds are estimates"};
     if (scene.ask.process_zone) {
-        table.notes.push_back("covers_zone: yes where n terms stay within the tolerance all "
-                              "through the process zone");
+        table.notes.emplace_back("covers_zone: yes where n terms stay within the tolerance all "
+                                 "through the process zone");
     }
     const ValueColumns value(scene);
     table.columns = {{"edge", Column::Kind::text}, {"n", Column::Kind::count}};
@@ -74,7 +74,7 @@ int extent(const ExtentOptions& o) {
         value.add(row, e.measure, false);
         row.push_back(text(e.measure_fraction));
         if (e.covers_zone) {
-            row.push_back(*e.covers_zone ? "yes" : "no");
+            row.emplace_back(*e.covers_zone ? "yes" : "no");
         }
         std::string crossings;
         for (const Vouched& u : e.crossings) {

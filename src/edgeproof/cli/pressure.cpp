@@ -63,12 +63,13 @@ int pressure(const SceneOptions& o) {
     table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
                    "contact modulus; |p - exact| <= p_bound"};
     if (result.plan.terms > 0) {
-        table.notes.push_back(
+        table.notes.emplace_back(
             "local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
     }
     if (result.plan.shear) {
-        table.notes.push_back("q: shear traction under full stick, positive towards +x on the body "
-                              "that Q acts on; the q columns are as those of p");
+        table.notes.emplace_back(
+            "q: shear traction under full stick, positive towards +x on the body "
+            "that Q acts on; the q columns are as those of p");
     }
     table.notes.push_back(bound_note(result.plan));
     table.columns = columns_of(scene, result.plan);

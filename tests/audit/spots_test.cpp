@@ -52,7 +52,7 @@ TEST_CASE("a few that are spread evenly over all come first") {
     using Order = std::vector<std::size_t>;
     CHECK(spread_first(11, 6) == Order{0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9});
     CHECK(spread_first(7, 3) == Order{0, 3, 6, 1, 2, 4, 5});
-    for (const std::size_t first : {0, 1, 4, 9}) {
+    for (const std::size_t first : {0U, 1U, 4U, 9U}) {
         CHECK(spread_first(4, first) == Order{0, 1, 2, 3});
     }
     CHECK(spread_first(0, 6).empty());

@@ -18,7 +18,8 @@ std::string table_command(const std::string& options) {
 /// both, and the next one ends what was left: done is a table without a part file.
 int kill_and_resume(const Folder& folder, int first, int step, const std::string& options) {
     for (int runs = 0;; ++runs) {
-        const double seconds = (first + runs * step * (1 + runs / 20)) / 1e4;
+        const int slower = 1 + runs / 20;
+        const double seconds = (first + runs * step * slower) / 1e4;
         (void)shell_text(folder, "timeout -s KILL " + std::to_string(seconds) + " " +
                                      table_command(options) + " || true");
         if ((std::filesystem::exists(folder.path() / "t.csv") &&

@@ -41,7 +41,7 @@ void fill(PartFile& part) {
 
 std::string all(const PartFile& part) {
     std::string text;
-    for (const std::size_t piece : {0, 1}) {
+    for (const std::size_t piece : {0U, 1U}) {
         for (const PartFile::Entry& entry : part.piece(piece)) {
             text += std::to_string(entry.index) + (entry.mark ? "!" : ".") + entry.text + "|";
         }

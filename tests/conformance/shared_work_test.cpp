@@ -118,7 +118,7 @@ std::string slowly(std::size_t, std::size_t p) {
 } // namespace
 
 TEST_CASE("work shared by several processes is done once, all of it, by all of them") {
-    for (const std::size_t processes : {1, 2, 4}) {
+    for (const std::size_t processes : {1U, 2U, 4U}) {
         const Outcome o = share(processes, 500, slowly, keep_nothing_else);
         CAPTURE(processes);
         CHECK(o.error.empty());
@@ -138,7 +138,7 @@ TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
         }
         return slowly(0, p);
     };
-    for (const std::size_t processes : {1, 2, 4}) {
+    for (const std::size_t processes : {1U, 2U, 4U}) {
         const Outcome o = share(processes, 1000, make, keep_nothing_else);
         CAPTURE(processes);
         CHECK(o.error == "piece 37 is bad; mend it");

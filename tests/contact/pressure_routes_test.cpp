@@ -163,9 +163,11 @@ TEST_CASE("Barber-Mossakovskii beyond a corner: P' grows like the distance to th
     };
     const std::pair<const char*, const char*> points[] = {
         {"1", "7/8"}, {"1", "3/4 + 1e-15"}, {"1/4 + 1e-20", "11e-21"}, {"1/4 + 1e-20", "3e-20"}};
-    for (const auto& [a, u] : points) {
-        CAPTURE(std::string(a));
-        CAPTURE(std::string(u));
+    for (const auto& point : points) {
+        const char* const a = point.first;
+        const char* const u = point.second;
+        CAPTURE(a);
+        CAPTURE(u);
         CHECK(common_digits(pressure(by_rates, a, u, 90), pressure(closed, a, u, 200)) >= 50);
     }
 }

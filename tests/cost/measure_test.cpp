@@ -22,7 +22,7 @@ CostCase usual(const std::string& name) {
     throw Error("no such case: " + name);
 }
 
-std::vector<CostCell> counted(std::vector<CostCase> cases, std::vector<unsigned> digits,
+std::vector<CostCell> counted(const std::vector<CostCase>& cases, std::vector<unsigned> digits,
                               std::size_t points) {
     CostOptions options;
     options.digits = std::move(digits);

@@ -20,7 +20,7 @@ TEST_CASE("escaping: bytes that are no UTF-8 are shown to be none") {
     CHECK(escape_html("a\xFFz") == "a\xEF\xBF\xBDz");
     CHECK(escape_html("\xC3") == "\xEF\xBF\xBD");
     CHECK(escape_html("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD"); // "<" in too many bytes
-    CHECK(escape_html("\xED\xA0\x80").find("\xED") == std::string::npos);
+    CHECK(escape_html("\xED\xA0\x80").find('\xED') == std::string::npos);
 }
 
 TEST_CASE("a template is filled once, and asks for nothing that is not there") {

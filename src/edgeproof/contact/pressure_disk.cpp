@@ -51,7 +51,7 @@ Magnitude largest_change(const Expr& slope, const Ball& x, const Ball& g0, const
     Box s;
     Box change;
     Magnitude most;
-    const Ball step = r / long{2 * across} * Ball(Rational(1025, 1024), box_bits);
+    const Ball step = r / (2L * across) * Ball(Rational(1025, 1024), box_bits);
     for (int i = -across; i < across; ++i) {
         for (int j = 0; j < across; ++j) {
             const int near = i < 0 ? -i - 1 : i;

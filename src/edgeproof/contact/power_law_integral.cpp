@@ -27,19 +27,6 @@ bool negligible(const Ball& x, const Ball& sum) {
            arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
 }
 
-/// n = p/q, where that is made of small numbers.
-struct Words {
-    long p;
-    long q;
-};
-std::optional<Words> words_of(const std::optional<Rational>& n) {
-    constexpr long largest = 1L << 20;
-    if (!n || denominator(*n) > largest || numerator(*n) > largest) {
-        return std::nullopt;
-    }
-    return Words{numerator(*n).convert_to<long>(), denominator(*n).convert_to<long>()};
-}
-
 /// 1 + n/2 + k over k + 1, times x, in place.
 void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
     // A quotient of small numbers: no division of balls.
@@ -71,13 +58,17 @@ long steps_down(const Exact& m, double about_m) {
 
 PowerLawIntegral::Exponent::Exponent(Ball enclosed, std::optional<Rational> exactly)
     : n(std::move(enclosed)), exact(std::move(exactly)) {
-    if (const auto w = words_of(exact)) {
-        by_edge = {{{{2 * w->q, w->p + 2 * w->q, 2 * w->q}, {2, 1, 3}}}};
-        if (w->p < 2 * w->q) {
-            by_apex = {{{{2, 3, 4}, {2 * w->q, 2 * w->q - w->p, 4 * w->q - w->p}}}};
-        }
-        few_words = w->q <= 64;
+    constexpr long largest = 1L << 20;
+    if (!exact || denominator(*exact) > largest || numerator(*exact) > largest) {
+        return;
     }
+    words = {numerator(*exact).convert_to<long>(), denominator(*exact).convert_to<long>()};
+    const auto [over, under] = *words;
+    by_edge = {{{{2 * under, over + 2 * under, 2 * under}, {2, 1, 3}}}};
+    if (over < 2 * under) {
+        by_apex = {{{{2, 3, 4}, {2 * under, 2 * under - over, 4 * under - over}}}};
+    }
+    few_words = under <= 64;
 }
 
 PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
@@ -171,8 +162,12 @@ Ball PowerLawIntegral::apex_sum(const Ball& q) const {
 }
 
 Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) const {
-    if (whole_left_) {
-        return *whole_left_ == 1 ? root : asinh(root / q);
+    if (whole_left_ == 1) {
+        return root;
+    }
+    if (whole_left_ == 0) {
+        // acosh(1/q) = ln((1 + sqrt(y))/q), without the difference that is small near the edge.
+        return log1p((root + y / (1 + q)) / q);
     }
     // Of a wide ball neither series may converge.
     const bool by_apex = certainly_less(q, most_);
@@ -184,7 +179,23 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
     return by_apex ? apex_sum(q) : unknown(q.bits());
 }
 
-/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}; and 0 <= I_n <= sqrt(y) for n >= 1.
+/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, upwards.
+Ball PowerLawIntegral::few_by_parts(const Ball& q, const Ball& y, const Ball& root) const {
+    const long bits = root.bits();
+    const Ball square = q * q;
+    const auto [over, under] = *left_.words;
+    Ball sum = rest(q, y, root);
+    for (long k = 1; k <= steps_; ++k) {
+        const long p = over + 2 * k * under;
+        arb_mul(sum.data(), sum.data(), square.data(), bits);
+        arb_mul_si(sum.data(), sum.data(), p - under, bits);
+        arb_addmul_si(sum.data(), root.data(), under, bits);
+        arb_div_si(sum.data(), sum.data(), p, bits);
+    }
+    return sum;
+}
+
+/// The same downwards, as far as it counts: 0 <= I_n <= sqrt(y) for n >= 1.
 Ball PowerLawIntegral::by_parts(const Ball& q, const Ball& y, const Ball& root) const {
     const long bits = root.bits();
     const Ball square = q * q;
@@ -229,8 +240,12 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
     if (std::min(near_edge, downwards) > most_terms) {
         return unknown(bits);
     }
-    return near_edge < downwards && certainly_less(y, Ball(1, bits)) ? edge_sum(whole_, q, y, root)
-                                                                     : by_parts(q, y, root);
+    if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
+        return edge_sum(whole_, q, y, root);
+    }
+    constexpr long few = 16;
+    return steps_ <= few && left_.words && !contains_zero(q) ? few_by_parts(q, y, root)
+                                                             : by_parts(q, y, root);
 }
 
 } // namespace edgeproof

@@ -29,7 +29,12 @@ private:
         Exponent(Ball enclosed, std::optional<Rational> exactly);
         Ball n;
         std::optional<Rational> exact;
-        /// 2 n = over/under in small numbers.
+        /// n = p/q, where that is made of small numbers.
+        struct Words {
+            long p;
+            long q;
+        };
+        std::optional<Words> words;
         std::optional<RatioSeries> by_edge;
         /// For n < 2.
         std::optional<RatioSeries> by_apex;
@@ -42,6 +47,7 @@ private:
     [[nodiscard]] Ball apex_sum(const Ball& q) const;
     /// I_n of the n that is left, 0 <= n < 2.
     [[nodiscard]] Ball rest(const Ball& q, const Ball& y, const Ball& root) const;
+    [[nodiscard]] Ball few_by_parts(const Ball& q, const Ball& y, const Ball& root) const;
     [[nodiscard]] Ball by_parts(const Ball& q, const Ball& y, const Ball& root) const;
 
     Exponent whole_; ///< m

@@ -30,8 +30,8 @@ int kill_and_resume(const Folder& folder, int first, int step, const std::string
     }
 }
 
-/// Interrupts the table of `recipe(contacts)` as soon as it has a part file; of ever more contacts,
-/// until one is not over first. What it says; nothing if none could be interrupted.
+/// Interrupts the table of tilted_recipe(contacts) as soon as it has a part file; of ever more
+/// contacts, until one is not over first. What it says; nothing if none could be interrupted.
 std::string interrupt_a_table(const Folder& folder, const std::string& options) {
     for (int contacts = 100; contacts < 50000; contacts *= 3) {
         folder.write("r.toml", tilted_recipe(contacts, 40));

@@ -7,6 +7,7 @@
 #include <functional>
 #include <future>
 #include <random>
+#include <string>
 #include <vector>
 
 using namespace edgeproof;
@@ -60,23 +61,26 @@ std::vector<Real> arguments(std::mt19937_64& random, int least, int most) {
     return xs;
 }
 
-/// At digits of few and of many limbs, up to where MPFR's takes over.
-void compare_with_mpfr(Real (*ours)(const Real&), int (*theirs)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
-                       const std::function<std::vector<Real>(std::mt19937_64&)>& numbers) {
+/// The first number, at digits of few and of many limbs and up to where MPFR's takes over, whose
+/// value is farther from MPFR's of more digits than 0.51 units of the last place; else nothing.
+std::string first_far_from_mpfr(Real (*ours)(const Real&),
+                                int (*theirs)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+                                const std::function<std::vector<Real>(std::mt19937_64&)>& numbers) {
     std::mt19937_64 random(20260101);
     for (const unsigned digits :
          {2U, 15U, 34U, 70U, 101U, 170U, 320U, 640U, 1060U, 1300U, 3600U, 3700U}) {
-        CAPTURE(digits);
         const PrecisionScope scope(digits);
         for (const Real& x : numbers(random)) {
-            CAPTURE(x);
             const Real y = ours(x);
             const PrecisionScope more(digits + 20);
             Real exact;
             theirs(exact.backend().data(), x.backend().data(), MPFR_RNDN);
-            CHECK(ulps(y, exact) <= 0.51);
+            if (!(ulps(y, exact) <= 0.51)) {
+                return x.str() + " at " + std::to_string(digits) + " digits";
+            }
         }
     }
+    return {};
 }
 
 } // namespace
@@ -116,12 +120,12 @@ TEST_CASE("the series by blocks comes to the sum of its terms") {
 }
 
 TEST_CASE("the arc tangent beside MPFR's, correctly rounded") {
-    compare_with_mpfr(arc_tangent, mpfr_atan,
-                      [](std::mt19937_64& random) { return arguments(random, 700, 900); });
+    const auto numbers = [](std::mt19937_64& random) { return arguments(random, 700, 900); };
+    CHECK(first_far_from_mpfr(arc_tangent, mpfr_atan, numbers) == "");
 }
 
 TEST_CASE("the exponential less one beside MPFR's, correctly rounded") {
-    compare_with_mpfr(exp_less_one, mpfr_expm1, [](std::mt19937_64& random) {
+    const auto numbers = [](std::mt19937_64& random) {
         std::vector<Real> xs = arguments(random, 700, 12);
         // Where the tables end, and MPFR's takes over.
         for (const int e : {18, 19, 20, 21}) {
@@ -132,11 +136,12 @@ TEST_CASE("the exponential less one beside MPFR's, correctly rounded") {
             }
         }
         return xs;
-    });
+    };
+    CHECK(first_far_from_mpfr(exp_less_one, mpfr_expm1, numbers) == "");
 }
 
 TEST_CASE("the logarithm of one and more beside MPFR's, correctly rounded") {
-    compare_with_mpfr(log_of_one_plus, mpfr_log1p, [](std::mt19937_64& random) {
+    const auto numbers = [](std::mt19937_64& random) {
         std::vector<Real> xs = arguments(random, 700, 900);
         // Where tables are entered: 1 + x at the middle between i/2^8 and the next, and at 3/2 2^e.
         for (const int i : {256, 257, 300, 383, 384, 385, 511}) {
@@ -149,7 +154,8 @@ TEST_CASE("the logarithm of one and more beside MPFR's, correctly rounded") {
         }
         std::erase_if(xs, [](const Real& x) { return !(x > -1); });
         return xs;
-    });
+    };
+    CHECK(first_far_from_mpfr(log_of_one_plus, mpfr_log1p, numbers) == "");
 }
 
 TEST_CASE("what an arc tangent cannot be worked out of as others are") {

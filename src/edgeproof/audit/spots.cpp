@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace edgeproof {
 namespace {
@@ -100,18 +101,19 @@ Spots::Spots(const Claim& claim, const AuditContext& context, unsigned digits, s
             return away_from(x) < away_from(y);
         });
     }
-    std::string last;
+    std::map<std::string, const Setting*> of_scene;
     for (const std::size_t i : spread_first(samples.size(), effort == Effort::full ? most : 0)) {
         const Sample& sample = samples[i];
         if (most != 0 && spots_.size() >= most) {
             break;
         }
         const std::string scene = sample.scene.family + ": " + sample.scene.text();
-        if (settings_.empty() || scene != last) {
-            settings_.push_back(std::make_unique<Setting>(sample.scene, digits, effort));
-            last = scene;
+        const Setting*& known = of_scene[scene];
+        if (known == nullptr) {
+            known = settings_.emplace_back(std::make_unique<Setting>(sample.scene, digits, effort))
+                        .get();
         }
-        const Setting& setting = *settings_.back();
+        const Setting& setting = *known;
         Spot spot{&setting, std::nullopt, {}, sample.scene.family + ": " + sample.text(), sample};
         if (sample.fraction) {
             spot.place = setting.place(sample.edge, *sample.fraction);

@@ -222,7 +222,7 @@ private:
 
 /// What the sum takes for x and a little more: for neighbours the same, which each thread keeps.
 std::shared_ptr<const Summation> summation_of(const RatioSeries& series, double x, long bits) {
-    constexpr double steps = 64; // of an octave, in each half of it
+    constexpr double steps = 64; // from 0 to 1, so that an octave has half as many
     constexpr double most_kept = 0.95;
     constexpr std::size_t slots = 256;
     constexpr std::size_t most_terms_kept = 1U << 14;

@@ -6,11 +6,15 @@
  * With the argument "mapped" the singularities beside the interval are moved away as well:
  * w = d sinh(y), phi = d sinh(y), d their distance. */
 #if __has_include(<flint/acb_calc.h>)
+#include <flint/acb.h>
 #include <flint/acb_calc.h>
 #include <flint/acb_hypgeom.h>
+#include <flint/arb.h>
 #else
+#include <acb.h>
 #include <acb_calc.h>
 #include <acb_hypgeom.h>
+#include <arb.h>
 #endif
 #include <stdio.h>
 #include <stdlib.h>

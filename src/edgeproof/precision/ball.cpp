@@ -3,6 +3,9 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <flint/fmpq.h>
+#include <flint/fmpz.h>
+
 namespace edgeproof {
 namespace {
 

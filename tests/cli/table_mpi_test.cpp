@@ -24,19 +24,23 @@ bool can_run() {
 }
 
 std::string mpirun(int ranks, const std::string& arguments) {
-    // More ranks than cores, and root in a container: both want to be asked for.
-    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " +
+    // More ranks than cores, and root in a container: both want to be asked for. What Open MPI says
+    // of its own accord differs from version to version; the tests read what it starts.
+    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun "
+           "--map-by :OVERSUBSCRIBE -n " +
            std::to_string(ranks) + " '" + program().string() + "' " + arguments;
 }
 
-/// Kills one rank with SIGKILL after that wait (a shell's). What mpirun said.
+/// Kills one rank with SIGKILL after that wait (a shell's). What mpirun said, and its exit status.
 std::string run_and_kill(const Folder& folder, int ranks, int rank, const std::string& wait) {
     return shell_text(
-        folder, "{ " + mpirun(ranks, "table r.toml --out t.csv") + "; } & here=$PWD; " + wait +
-                    "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
-                    " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
-                    "OMPI_COMM_WORLD_RANK=" +
-                    std::to_string(rank) + "; then kill -KILL ${p#/proc/}; fi; done; wait");
+        folder,
+        "{ " + mpirun(ranks, "table r.toml --out t.csv") + "; } & here=$PWD; " + wait +
+            "; for p in /proc/[0-9]*; do if [ \"$(readlink $p/cwd)\" = \"$here\" ]"
+            " && tr '\\0' '\\n' < $p/environ 2>/dev/null | grep -qx "
+            "OMPI_COMM_WORLD_RANK=" +
+            std::to_string(rank) +
+            "; then kill -KILL ${p#/proc/}; fi; done; wait $!; echo \"mpirun ended with $?\"");
 }
 
 } // namespace
@@ -75,7 +79,8 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
             break;
         }
     }
-    CHECK(said.find("exited on signal 9") != std::string::npos);
+    CAPTURE(said);
+    CHECK(has(said, "mpirun ended with 137")); // 128 + SIGKILL
     CHECK(std::filesystem::exists(folder.path() / "t.csv.part"));
     CHECK(shell_text(folder, mpirun(2, "table r.toml --out t.csv")).empty());
     CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml").out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/evidence/honesty.hpp"
+#include "edgeproof/evidence/plain_tanh_sinh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,6 +49,50 @@ TEST_CASE(
     CHECK(row_of(rows, "liar").least_right == 19);
     // Half of the digits are lost to x + node, which the integrator is not told.
     CHECK(row_of(rows, "plain Boost, double").least_right < 12);
+}
+
+TEST_CASE("honesty: at every number of digits, each point has a value or none" *
+          doctest::test_suite("slow")) {
+    // u from 1e-30 to 1/2 at 5 ... 60 digits: x = a - u from far below roundoff to far above it,
+    // where the plain integrator has only some of its nodes apart from the ends.
+    std::vector<HonestyPoint> points;
+    for (HonestyPoint& p : honesty_points()) {
+        if (p.profile == "Hertz" || p.profile == "wedge" || p.profile == "tilted wedge") {
+            points.push_back(std::move(p));
+        }
+    }
+    REQUIRE(points.size() == 36);
+    for (unsigned digits = 5; digits <= 60; digits += digits < 40 ? 5 : 10) {
+        CAPTURE(digits);
+        const auto rows = honesty(points, {}, {.digits = digits});
+        CHECK(rows.size() == 48); // 4 routes, 3 profiles, 4 regimes
+        for (const HonestyRow& row : rows) {
+            CAPTURE(row.route);
+            CHECK(row.points == 3);
+            const bool ours =
+                row.route == "Barber-Mossakovskii" || row.route == "singular integral";
+            CHECK((!ours || (row.none == 0 && row.understated == 0)));
+        }
+    }
+}
+
+TEST_CASE("honesty: plain tanh-sinh over intervals of a few units of the last place") {
+    // The integral of 1/sqrt((s - x)(1 - s)) is pi for every x.
+    for (const unsigned digits : {5U, 6U, 8U, 10U, 20U, 30U}) {
+        const PrecisionScope scope(digits);
+        for (unsigned k = digits - 2; k <= digits + 2; ++k) {
+            CAPTURE(digits);
+            CAPTURE(k);
+            const Real x = 1 - pow(Real(10), -static_cast<int>(k));
+            const auto f = [&](const Real& s) { return Real(1 / sqrt(Real((s - x) * (1 - s)))); };
+            try {
+                const auto r = plain_tanh_sinh<Real>(f, x, Real(1));
+                CHECK((!isfinite(r.value) || r.value < 10)); // some value, however bad
+            } catch (const std::exception&) {
+                CHECK(k >= digits - 2); // it says that it has none
+            }
+        }
+    }
 }
 
 TEST_CASE("honesty: questions and answers of other programs") {

@@ -4,7 +4,7 @@
 #include "edgeproof/audit/check.hpp"
 #include "edgeproof/audit/ledger_family.hpp"
 #include "edgeproof/audit/ledger_names.hpp"
-#include "edgeproof/audit/toml_reader.hpp"
+#include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -17,30 +17,49 @@ namespace {
 
 using Keys = std::vector<std::string_view>;
 
+constexpr long most_lines = 1'000'000'000;
+
+Field read_field(const TomlSection& section, std::string_view key) {
+    Field field;
+    field.line = section.line(key);
+    if (section.is_list(key)) {
+        field.value = section.written_list(key);
+    } else if (section.is_table(key)) {
+        const TomlSection table = section.section(key);
+        Field::Table entries;
+        for (const std::string& name : table.keys()) {
+            entries.emplace_back(name, table.written_list(name));
+        }
+        field.value = std::move(entries);
+    } else {
+        field.value = section.written(key);
+    }
+    return field;
+}
+
 class LedgerReader {
 public:
     LedgerReader(std::string_view text, const std::string& file)
-        : document_(parse_toml(text, file)), file_(file) {}
+        : top_(TomlSection::parse(text, file)), file_(file) {}
 
     Ledger read() {
         ledger_.file = file_;
-        const TomlTable top = document_.top();
-        top.allow({"ledger", "define", "family", "claim"});
-        const TomlTable head = top.table("ledger");
+        top_.allow({"ledger", "define", "family", "claim"});
+        const TomlSection head = top_.section("ledger");
         head.allow({"name", "source"});
-        ledger_.name = head.text("name");
-        ledger_.source = head.text_or("source", "");
-        for (const TomlTable& family : top.tables("family")) {
+        ledger_.name = head.written("name");
+        ledger_.source = head.written_or("source", "");
+        for (const TomlSection& family : top_.sections("family")) {
             ledger_.families.push_back(read_family(family, file_, ledger_.families));
         }
         for (const Family& family : ledger_.families) {
             try_drawing(family, file_, ledger_.families);
         }
-        if (top.has("define")) {
-            ledger_.definitions = read_definitions(ledger_, top.table("define"));
+        if (top_.has("define")) {
+            ledger_.definitions = read_definitions(ledger_, top_.section("define"));
         }
         std::set<std::string> ids;
-        for (const TomlTable& claim : top.tables("claim")) {
+        for (const TomlSection& claim : top_.sections("claim")) {
             read_claim(claim);
             if (!ids.insert(ledger_.claims.back().id).second) {
                 claim.reject("id", "the id " + ledger_.claims.back().id + " stands twice",
@@ -51,12 +70,12 @@ public:
     }
 
 private:
-    void read_claim(const TomlTable& table) {
+    void read_claim(const TomlSection& table) {
         Claim claim;
         claim.file = file_;
         claim.line = table.line();
-        claim.id = table.text("id");
-        claim.kind = table.text("kind");
+        claim.id = table.written("id");
+        claim.kind = table.written("kind");
         const CheckKind* kind = find_check_kind(claim.kind);
         if (kind == nullptr) {
             std::string known;
@@ -74,33 +93,33 @@ private:
         }
         own.insert(own.end(), shared.begin(), shared.end());
         table.allow(own);
-        claim.printed = table.text_or("printed", "");
+        claim.printed = table.written_or("printed", "");
         if (table.has("lines")) {
-            const std::vector<std::string> lines = table.texts("lines");
+            const std::vector<std::size_t> lines = table.counts("lines", 0, most_lines);
             if (lines.size() != 2) {
                 table.reject("lines", "lines of claim " + claim.id + " are not two numbers",
                              "write lines = [FIRST, LAST]");
             }
-            claim.lines = {table.count_in("lines", lines[0]), table.count_in("lines", lines[1])};
+            claim.lines = {lines[0], lines[1]};
         }
         if (table.has("undefined")) {
-            claim.undefined = table.texts("undefined");
+            claim.undefined = table.written_list("undefined");
         }
         for (const std::string_view key : shared) {
             if (table.has(key)) {
-                claim.fields.emplace(std::string(key), table.field(key));
+                claim.fields.emplace(std::string(key), read_field(table, key));
             }
         }
-        for (const TomlTable& part : table.tables_or_none("reading")) {
+        for (const TomlSection& part : table.sections_or_none("reading")) {
             Keys allowed{"text"};
             allowed.insert(allowed.end(), shared.begin(), shared.end());
             part.allow(allowed);
             Claim::Reading reading;
-            reading.text = part.text("text");
+            reading.text = part.written("text");
             reading.line = part.line();
             for (const std::string_view key : shared) {
                 if (part.has(key)) {
-                    reading.fields.emplace(std::string(key), part.field(key));
+                    reading.fields.emplace(std::string(key), read_field(part, key));
                 }
             }
             claim.readings.push_back(std::move(reading));
@@ -187,7 +206,7 @@ private:
         }
     }
 
-    TomlDocument document_;
+    TomlSection top_;
     std::string file_;
     Ledger ledger_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger_family.hpp"
 
-#include "edgeproof/audit/toml_reader.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace {
 
 class FamilyReader {
 public:
-    FamilyReader(const TomlTable& table, const std::string& file) : table_(table), file_(file) {
+    FamilyReader(const TomlSection& table, const std::string& file) : table_(table), file_(file) {
         table_.allow(
             {"name", "profile", "parameters", "knots", "slopes", "u", "count", "points", "union"});
         family_.line = table_.line();
-        family_.name = table_.text("name");
+        family_.name = table_.written("name");
     }
 
     Family read(const std::vector<Family>& above) {
@@ -34,7 +34,7 @@ public:
             return std::move(family_);
         }
         table_.allow({"name", "union", "count"});
-        family_.union_of = table_.texts("union");
+        family_.union_of = table_.written_list("union");
         family_.count = table_.has("count") ? table_.count("count", 1, most_scenes) : 0;
         for (const std::string& member : family_.union_of) {
             if (!is_above(member)) {
@@ -50,7 +50,7 @@ private:
     static constexpr std::size_t most_points = 10000;
 
     void read_own() {
-        family_.profile = table_.text("profile");
+        family_.profile = table_.written("profile");
         const std::size_t longest = read_parameters();
         Symbols with_x = names_;
         with_x.add("x");
@@ -64,7 +64,7 @@ private:
 
     /// Returns the length of the longest list.
     std::size_t read_parameters() {
-        const TomlTable parameters = table_.table("parameters");
+        const TomlSection parameters = table_.section("parameters");
         for (const std::string& name : parameters.keys()) {
             try {
                 names_.add(name);
@@ -75,7 +75,7 @@ private:
         std::size_t longest = 1;
         for (const std::string& name : parameters.keys()) {
             std::vector<Expr> values;
-            for (const std::string& text : parameters.texts(name)) {
+            for (const std::string& text : parameters.written_list(name)) {
                 values.push_back(formula(parameters.line(name), text, names_));
             }
             if (values.empty()) {
@@ -100,7 +100,7 @@ private:
         if (!table_.has("u")) {
             return;
         }
-        for (const std::string& text : table_.texts("u")) {
+        for (const std::string& text : table_.written_list("u")) {
             const Exact u(formula(table_.line("u"), text, {}));
             if (u.sign() <= 0 || Exact(Expr::number(1) - u.expr()).sign() <= 0) {
                 table_.reject("u", "the fraction u = " + text + " is not between 0 and 1",
@@ -113,7 +113,7 @@ private:
     [[nodiscard]] std::vector<Expr> formulas(std::string_view key, const Symbols& symbols) const {
         std::vector<Expr> all;
         if (table_.has(key)) {
-            for (const std::string& text : table_.texts(key)) {
+            for (const std::string& text : table_.written_list(key)) {
                 all.push_back(formula(table_.line(key), text, symbols));
             }
         }
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    const TomlTable& table_;
+    const TomlSection& table_;
     const std::string& file_;
     Symbols names_;
     Family family_;
@@ -137,7 +137,7 @@ private:
 
 } // namespace
 
-Family read_family(const TomlTable& table, const std::string& file,
+Family read_family(const TomlSection& table, const std::string& file,
                    const std::vector<Family>& above) {
     return FamilyReader(table, file).read(above);
 }

@@ -7,11 +7,11 @@
 
 namespace edgeproof {
 
-class TomlTable;
+class TomlSection;
 
 /// A [[family]] of a ledger; `above` are the families that stand above it in the file. Throws
 /// InputError with `file` and the line.
-[[nodiscard]] Family read_family(const TomlTable& table, const std::string& file,
+[[nodiscard]] Family read_family(const TomlSection& table, const std::string& file,
                                  const std::vector<Family>& above);
 
 /// Every scene must be one that the mechanics admits. Throws InputError at the family's line.

@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/ledger.hpp"
 #include "edgeproof/audit/setting.hpp"
-#include "edgeproof/audit/toml_reader.hpp"
+#include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -90,7 +90,8 @@ void put_own_first(Vocabulary& v, const Ledger& ledger, const Claim& claim) {
 
 } // namespace
 
-std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger, const TomlTable& table) {
+std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
+                                                     const TomlSection& table) {
     Symbols symbols = setting_names();
     for (const Family& family : ledger.families) {
         for (const std::string& name : parameters_of(ledger, family)) {
@@ -106,7 +107,7 @@ std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger, const
     }
     std::vector<Vocabulary::Definition> all;
     for (const std::string& key : table.keys()) {
-        all.push_back(definition(key, table.text(key), symbols, ledger.file, table.line(key)));
+        all.push_back(definition(key, table.written(key), symbols, ledger.file, table.line(key)));
     }
     return all;
 }

@@ -7,12 +7,12 @@
 namespace edgeproof {
 
 struct Ledger;
-class TomlTable;
+class TomlSection;
 
 /// The definitions of a ledger's [define]; the bodies may use each other and the parameters of any
 /// family. Throws InputError with the file and the line.
 [[nodiscard]] std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
-                                                                   const TomlTable& table);
+                                                                   const TomlSection& table);
 
 /// All names that the formulas of a claim may use: a setting's, those of its family, its free
 /// variables, what is undefined in print, the ledger's definitions and its own, which come first.

@@ -3,7 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/points.hpp"
-#include "edgeproof/scene/toml_section.hpp"
+#include "edgeproof/io/toml_section.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "edgeproof/evidence/hard_cases.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/toml_section.hpp"
+#include "edgeproof/io/toml_section.hpp"
 
 namespace edgeproof {
 namespace {

@@ -8,12 +8,10 @@
 ///   exact_ball.hpp   exact constants as balls
 ///   vouched.hpp      Vouched: a value, how far it may be off, the route; and as it is printed
 ///   run_scene.hpp    run_scene: the plan carried out, with what was really done
-///   toml_section.hpp strict TOML
 #include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/points.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 #include "edgeproof/scene/scene_file.hpp"
-#include "edgeproof/scene/toml_section.hpp"
 #include "edgeproof/scene/value_route.hpp"
 #include "edgeproof/scene/vouched.hpp"

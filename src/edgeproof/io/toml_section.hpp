@@ -18,7 +18,8 @@ namespace edgeproof {
 /// to quote it, since other readers of the file would cut it off.
 class TomlSection {
 public:
-    /// The top of a file. `file` is what errors name.
+    /// The top of a file. `file` is what errors name. Also refused: a text beyond the limits of
+    /// toml_limits.hpp, and control characters other than tab and newline in a key or a text.
     [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
 
     /// Refuses any other key.
@@ -35,11 +36,18 @@ public:
     [[nodiscard]] const std::string& file() const;
 
     [[nodiscard]] TomlSection section(std::string_view key) const;
+    /// The tables of [[key]] headers, or of a list of inline tables.
+    [[nodiscard]] std::vector<TomlSection> sections(std::string_view key) const;
+    /// None where there is no such key.
+    [[nodiscard]] std::vector<TomlSection> sections_or_none(std::string_view key) const;
     /// A quoted text.
     [[nodiscard]] std::string text(std::string_view key) const;
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
-    /// A quoted text, or a number as it stands in the file.
+    /// A quoted text, true or false, or a number as it stands in the file.
     [[nodiscard]] std::string written(std::string_view key) const;
+    [[nodiscard]] std::string written_or(std::string_view key, std::string_view otherwise) const;
+    /// A list of such; one alone is a list of one.
+    [[nodiscard]] std::vector<std::string> written_list(std::string_view key) const;
     /// An exact constant: quoted ("pi/16") or a number.
     [[nodiscard]] Exact exact(std::string_view key) const;
     /// One of a list, with the line that it stands on.

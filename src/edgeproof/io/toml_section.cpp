@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/toml_section.hpp"
+#include "edgeproof/io/toml_section.hpp"
 
+#include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <toml++/toml.h>
@@ -44,6 +45,52 @@ bool is_number_character(char c) {
            c == '_';
 }
 
+/// Where the character at a column (from 1) begins: toml++ counts characters, not bytes.
+std::size_t byte_of_column(std::string_view line, std::size_t column) {
+    std::size_t at = 0;
+    for (std::size_t before = 1; before < column && at < line.size(); ++before) {
+        ++at;
+        while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U) {
+            ++at;
+        }
+    }
+    return at;
+}
+
+/// Control characters other than tab and newline: they steer the terminal that shows them.
+bool has_control(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool c1 = c == 0xC2U && i + 1 < text.size() &&
+                        static_cast<unsigned char>(text[i + 1]) < 0xA0U; // U+0080 ... U+009F
+        if ((c < 0x20U && c != '\t' && c != '\n' && c != '\r') || c == 0x7FU || c1) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void check_characters(const toml::node& n, const std::string& file) {
+    const auto check = [&](std::string_view text, const toml::source_region& at) {
+        if (has_control(text)) {
+            throw InputError("a control character in a key or a text", "leave it out")
+                .at(file, at.begin.line);
+        }
+    };
+    if (const auto* table = n.as_table()) {
+        for (const auto& [key, value] : *table) {
+            check(key.str(), key.source());
+            check_characters(value, file);
+        }
+    } else if (const auto* array = n.as_array()) {
+        for (const toml::node& element : *array) {
+            check_characters(element, file);
+        }
+    } else if (const auto* text = n.as_string()) {
+        check(text->get(), n.source());
+    }
+}
+
 } // namespace
 
 /// What needs toml++ types.
@@ -63,18 +110,11 @@ struct TomlSection::Access {
     }
     static std::size_t line_of(const toml::node& n) { return n.source().begin.line; }
 
-    /// The number as it stands in the file. (toml++ counts columns in characters, not bytes.)
-    [[nodiscard]] std::string written(const toml::node& n, std::string_view key) const {
+    /// The float as it stands in the file. It must read as the double that toml++ made of it: where
+    /// that fails, the place in the line was wrong, and no number is better than another one.
+    [[nodiscard]] std::string float_text(const toml::node& n, std::string_view key) const {
         const std::string& line = self.source_->lines.at(line_of(n) - 1);
-        std::size_t from = 0;
-        for (std::size_t column = 1; column < n.source().begin.column && from < line.size();) {
-            ++from;
-            while (from < line.size() &&
-                   (static_cast<unsigned char>(line[from]) & 0xC0U) == 0x80U) {
-                ++from;
-            }
-            ++column;
-        }
+        const std::size_t from = byte_of_column(line, n.source().begin.column);
         std::size_t to = from;
         while (to < line.size() && is_number_character(line[to])) {
             ++to;
@@ -84,9 +124,23 @@ struct TomlSection::Access {
         if (!text.empty() && text.front() == '+') {
             text.erase(0, 1);
         }
-        if (text.empty() || text.find_first_of("0123456789") == std::string::npos) {
+        const double read = n.as_floating_point()->get();
+        if (read - read != 0) {
             self.reject(line_of(n), std::string(key) + " is not a finite number",
                         "write a finite number, or a quoted expression");
+        }
+        double again = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), again);
+        if (end != text.data() + text.size() || text.empty() ||
+            (error == std::errc{} && again != read)) {
+            self.reject(line_of(n), std::string(key) + " is a number that cannot be read exactly",
+                        "quote it: \"...\"");
+        }
+        if (significant_digits(text) > most_float_digits) {
+            self.reject(line_of(n),
+                        std::string(key) + " = " + text +
+                            " has more than 15 significant digits as a float",
+                        "quote it: \"" + text + "\"");
         }
         return text;
     }
@@ -101,14 +155,26 @@ struct TomlSection::Access {
             self.reject(line_of(n), std::string(key) + " is not a number",
                         "write a number or a quoted expression such as \"3/2\"");
         }
-        std::string text = written(n, key);
-        if (significant_digits(text) > most_float_digits) {
-            self.reject(line_of(n),
-                        std::string(key) + " = " + text +
-                            " has more than 15 significant digits as a float",
-                        "quote it: \"" + text + "\"");
+        return float_text(n, key);
+    }
+    [[nodiscard]] std::string written(const toml::node& n, std::string_view key) const {
+        if (const auto* b = n.as_boolean()) {
+            return b->get() ? "true" : "false";
         }
-        return text;
+        return scalar(n, key);
+    }
+    [[nodiscard]] std::vector<TomlSection> tables(const toml::node& n, std::string_view key) const {
+        std::vector<TomlSection> list;
+        const auto* array = n.as_array();
+        if (array == nullptr || !std::all_of(array->begin(), array->end(),
+                                             [](const toml::node& e) { return e.is_table(); })) {
+            self.reject(key, std::string(key) + " is no list of sections",
+                        "write [[" + std::string(key) + "]]");
+        }
+        for (const toml::node& element : *array) {
+            list.push_back({self.source_, element.as_table()});
+        }
+        return list;
     }
     [[nodiscard]] Exact exact(const toml::node& n, std::string_view key) const {
         const std::string text = scalar(n, key);
@@ -162,6 +228,10 @@ struct TomlSection::Access {
 };
 
 TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
+    if (text.starts_with("\xEF\xBB\xBF")) { // a byte order mark, which toml++ does not count
+        text.remove_prefix(3);
+    }
+    check_toml_limits(text, file);
     auto source = std::make_shared<Source>();
     source->file = file;
     source->lines = split_lines(text);
@@ -172,6 +242,7 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
                          "write key = \"value\" lines under [section] headers")
             .at(file, error.source().begin.line);
     }
+    check_characters(source->root, file);
     const void* top = &source->root;
     return {std::move(source), top};
 }
@@ -219,12 +290,9 @@ bool TomlSection::is_list(std::string_view key) const {
 }
 std::size_t TomlSection::line() const { return Access{*this}.table().source().begin.line; }
 std::size_t TomlSection::line(std::string_view key) const {
-    for (const auto& [name, node] : Access{*this}.table()) {
-        if (name.str() == key) {
-            return name.source().begin.line;
-        }
-    }
-    return line();
+    const toml::table& table = Access{*this}.table();
+    const auto found = table.find(key);
+    return found == table.end() ? line() : found->first.source().begin.line;
 }
 const std::string& TomlSection::file() const { return source_->file; }
 
@@ -240,6 +308,18 @@ TomlSection TomlSection::section(std::string_view key) const {
     }
     return {source_, found->as_table()};
 }
+std::vector<TomlSection> TomlSection::sections(std::string_view key) const {
+    if (!has(key)) {
+        reject(line(), "there is no [[" + std::string(key) + "]]",
+               "add [[" + std::string(key) + "]]");
+    }
+    return sections_or_none(key);
+}
+std::vector<TomlSection> TomlSection::sections_or_none(std::string_view key) const {
+    const Access access{*this};
+    const toml::node* found = access.table().get(key);
+    return found == nullptr ? std::vector<TomlSection>{} : access.tables(*found, key);
+}
 std::string TomlSection::text(std::string_view key) const {
     const Access access{*this};
     return access.text(access.node(key), key);
@@ -252,7 +332,16 @@ std::vector<std::string> TomlSection::texts(std::string_view key) const {
 }
 std::string TomlSection::written(std::string_view key) const {
     const Access access{*this};
-    return access.scalar(access.node(key), key);
+    return access.written(access.node(key), key);
+}
+std::string TomlSection::written_or(std::string_view key, std::string_view otherwise) const {
+    return has(key) ? written(key) : std::string(otherwise);
+}
+std::vector<std::string> TomlSection::written_list(std::string_view key) const {
+    const Access access{*this};
+    std::vector<std::string> list;
+    access.for_each(key, [&](const toml::node& n) { list.push_back(access.written(n, key)); });
+    return list;
 }
 Exact TomlSection::exact(std::string_view key) const {
     const Access access{*this};

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/toml_section.hpp"
+
+#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+
+namespace {
+
+TomlSection parsed(const std::string& text) { return TomlSection::parse(text, "some.toml"); }
+
+/// The error that f throws, or one that says that it threw none.
+template <class F> InputError error_of(const F& f) {
+    try {
+        f();
+    } catch (const InputError& error) {
+        return error;
+    }
+    return {"nothing was refused", ""};
+}
+InputError refusal(const std::string& text) {
+    return error_of([&] { (void)parsed(text); });
+}
+
+/// `times` copies.
+std::string many(const std::string& text, std::size_t times) {
+    std::string all;
+    for (std::size_t i = 0; i < times; ++i) {
+        all += text;
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a bare number is the text of the file, whatever stands before it on the line") {
+    // Characters of one, two, three and four bytes, a tab, escapes, other numbers.
+    const std::vector<std::string> before{
+        "",       "\"γ\", ",       "\"γγγγ\", ", "'€ uro', ",       "\"😀\", ",     "\t",
+        "\t\t  ", "\"\\u03b3\", ", "1.5, ",      "\"\"\"γ\"\"\", ", "'''\tγ''', ", "-7.25e-3, "};
+    struct Number {
+        const char* written;
+        const char* value;
+    };
+    const Number numbers[] = {
+        {"0.25", "0.25"},         {"+0.25", "0.25"},
+        {"-0.25", "-0.25"},       {"1e3", "1000"},
+        {"2.5E-3", "0.0025"},     {"1_000.5", "1000.5"},
+        {"0.1", "0.1"},           {"1e-30", "1e-30"},
+        {"1e+22", "1e22"},        {"-0.0", "0"},
+        {"6.02e+2_0", "6.02e20"}, {"9.87654321012345e-300", "9.87654321012345e-300"}};
+    for (const std::string& mark : {std::string(), std::string("\xEF\xBB\xBF")}) {
+        for (const std::string& end : {std::string("\n"), std::string("\r\n"), std::string()}) {
+            for (const std::string& text : before) {
+                for (const Number& number : numbers) {
+                    CAPTURE(text);
+                    CAPTURE(number.written);
+                    const std::string file = mark + "k = [" + text + number.written + "]" + end;
+                    CAPTURE(file);
+                    const std::string last = parsed(file).written_list("k").back();
+                    CHECK(parse_decimal(last) == parse_decimal(number.value));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("numbers in inline tables, dotted keys, lists over lines and arrays of tables") {
+    const TomlSection top = parsed("# γ\r\n"
+                                   "t = { name = \"γ\", \"κ\" = 0.25, x.y = 0.125 } # 0.5\r\n"
+                                   "\"Γ\".b.c = 0.75\r\n"
+                                   "list = [ 'γ',\r\n"
+                                   "\t0.1, # γ 0.2\r\n"
+                                   "\t+0.3 ]\r\n"
+                                   "text = '''\r\n"
+                                   "γ = 0.9 \"\"\" '' \r\n"
+                                   "''''\r\n"
+                                   "[[part]] # γ\r\n"
+                                   "v = 1.5\r\n"
+                                   "[[part]]\r\n"
+                                   "v = \"γ\"\r\n"
+                                   "w = 7\r\n");
+    CHECK(top.section("t").written("κ") == "0.25");
+    CHECK(top.section("t").section("x").written("y") == "0.125");
+    CHECK(top.section("Γ").section("b").written("c") == "0.75");
+    CHECK(top.written_list("list") == std::vector<std::string>{"γ", "0.1", "0.3"});
+    CHECK(top.text("text") == "γ = 0.9 \"\"\" '' \n'");
+    const auto parts = top.sections("part");
+    REQUIRE(parts.size() == 2);
+    CHECK(parts[0].exact("v").rational() == Rational(3, 2));
+    CHECK(parts[1].text("v") == "γ");
+    CHECK(parts[1].count("w", 0, 9) == 7);
+    CHECK(parts[0].line() == 10);
+    CHECK(parts[1].line("w") == 14);
+    CHECK(top.keys() == std::vector<std::string>{"t", "Γ", "list", "text", "part"});
+    CHECK(top.sections_or_none("none").empty());
+    CHECK(top.written_or("none", "x") == "x");
+}
+
+TEST_CASE("a float that another reader would cut off is refused with its digits, quoted") {
+    const InputError error =
+        error_of([] { (void)parsed("\n\nk = [\"γ\", 0.12345678901234567]").written_list("k"); });
+    CHECK(std::string(error.what()) ==
+          "some.toml:3: k = 0.12345678901234567 has more than 15 significant digits as a float; "
+          "quote it: \"0.12345678901234567\"");
+    for (const char* none : {"inf", "-inf", "nan", "+nan"}) {
+        const auto read = [&] { (void)parsed("k = " + std::string(none)).written("k"); };
+        CHECK(error_of(read).problem() == "k is not a finite number");
+    }
+}
+
+TEST_CASE("what is missing, or of another kind, is refused with the line") {
+    const TomlSection top = parsed("a = 1\nb = [1, 2]\n[c]\nd = \"x\"\n[[e]]\n");
+    const auto line_of = [](const auto& f) { return error_of(f).line(); };
+    CHECK(line_of([&] { (void)top.text("a"); }) == 1);
+    CHECK(line_of([&] { (void)top.section("b"); }) == 2);
+    CHECK(line_of([&] { (void)top.sections("b"); }) == 2);
+    CHECK(line_of([&] { (void)top.sections("c"); }) == 3);
+    CHECK(line_of([&] { (void)top.section("c").text("z"); }) == 3);
+    CHECK(line_of([&] { (void)top.section("c").count("d", 0, 9); }) == 4);
+    CHECK(line_of([&] { (void)top.written("e"); }) == 5);
+    CHECK(line_of([&] { top.allow({"a", "b", "c"}); }) == 5);
+    CHECK(line_of([&] { (void)top.section("z"); }) == 1);
+}
+
+TEST_CASE("depth: whatever nests deeper than a person writes is refused before it is parsed") {
+    for (const std::size_t deep : {std::size_t{32}, std::size_t{300}, std::size_t{50'000}}) {
+        const std::vector<std::string> all{
+            many("a.", deep) + "a = 1",
+            "[" + many("a.", deep) + "a]",
+            "[[" + many("a.", deep) + "a]]",
+            many("\"a\" . ", deep) + "a = 1",
+            many("'.'\t.\t", deep) + "a = 1",
+            "k = { " + many("a.", deep) + "a = 1 }",
+            "k = " + many("[", deep + 1) + many("]", deep + 1),
+            "k = " + many("[\n# ]]]\n", deep + 1) + many("]", deep + 1),
+            "k = " + many("{ a = ", deep + 1) + "1" + many("}", deep + 1),
+            "s = \"\"\"\\\"\"\"\"\nk = " + many("[", deep + 1)};
+        for (const std::string& text : all) {
+            CAPTURE(text.substr(0, 40));
+            const InputError error = refusal("x = 1 # a comment\n" + text);
+            CHECK(error.problem().find("32 levels deep") != std::string::npos);
+            CHECK(error.line() >= 2);
+            CHECK(std::string(error.what()).size() < 300);
+        }
+    }
+}
+
+TEST_CASE("depth: dots and brackets in texts and comments are none, and 31 levels are read") {
+    const std::string dots = many(".", 200) + many("[{", 100);
+    CHECK(parsed("k = \"" + dots + "\"").text("k").size() == 400);
+    CHECK(parsed("k = '" + dots + "' # " + dots + "\nl = 1").written("l") == "1");
+    CHECK(parsed("k = \"\"\"" + dots + "\\\"\"\" \\\\\"\"\"\"\" # \"").text("k").size() == 407);
+    CHECK(parsed("k = '''" + dots + "'' \n\\'''''\nl = 2").written("l") == "2");
+    CHECK(parsed("\"" + dots + "\" = 3").written(dots) == "3");
+    CHECK(parsed("k = [" + many("0.5, 0.25,\n", 100) + "]").written_list("k").size() == 200);
+    TomlSection section = parsed(many("a.", 31) + "k = 1");
+    for (int level = 0; level < 31; ++level) {
+        section = section.section("a");
+    }
+    CHECK(section.written("k") == "1");
+    CHECK_NOTHROW((void)parsed("k = " + many("[", 32) + many("]", 32)));
+}
+
+TEST_CASE("the line of what nests too deep is that of the bracket") {
+    const std::string deep = "k = " + many("[", 40);
+    CHECK(refusal("a = '''\n\n\n'''\n" + deep).line() == 5);
+    CHECK(refusal("a = \"\"\"\\\n\n\"\"\"\n" + deep).line() == 4);
+    CHECK(refusal("a = 1\r\nb = \"\\\"\" # \"\r\n" + deep).line() == 3);
+}
+
+TEST_CASE("a file of more than 10 MB is refused, one of less is read") {
+    CHECK(refusal(many("# 45678\n", most_toml_bytes / 8 + 1)).problem().find("bytes") !=
+          std::string::npos);
+    CHECK(parsed(many("# 4567\n", 100'000) + "k = 1").line("k") == 100'001);
+}
+
+TEST_CASE("control characters are refused with their line, as escapes too") {
+    for (const char* text : {"k = 1\nl = \"\\u001b[31m\"", "k = 1\nl = [ [ \"\\u0007\" ] ]",
+                             "k = 1\n\"\\u009b1m\" = 2", "k = 1\nl = { m = \"\\u007f\" }",
+                             "k = 1\nl = \"\\b\"", "k = 1\nl = \"\x1b[31m\""}) {
+        CAPTURE(text);
+        CHECK(refusal(text).line() == 2);
+    }
+    CHECK(parsed("k = \"a\\tb\\nγ\\u00a0\"").text("k") == "a\tb\nγ\u00a0");
+}
+
+TEST_CASE("what is no TOML is refused in one line with its place") {
+    for (const char* text : {"[a\n", "a = \n", "a = 1\na = 2", "= 1", "a = 'x", "a = \"\\q\"",
+                             "a = 99999999999999999999", "a = 1 b = 2", "\xff", "a.b = 1\na = 2"}) {
+        CAPTURE(text);
+        const InputError error = refusal(text);
+        CHECK(error.problem().substr(0, 9) == "not TOML:");
+        CHECK(error.line() >= 1);
+        CHECK_FALSE(error.instead().empty());
+        CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    }
+}

@@ -158,11 +158,12 @@ TEST_CASE("where no tilt exists, the error says why") {
     fails(punch, "1", "-1.5", "mirror the scene");
     fails(punch, "1", "0", "between -t P and 0");
     fails(punch, "1", "1/2", "between -t P and 0");
-    fails(punch, "0", "-1/2", "not positive");
-    fails(punch, "-1", "-1/2", "not positive");
+    fails(punch, "0", "-1/2", "the normal force P = 0 is not positive");
+    fails(punch, "-1", "-1/2", "the normal force P = -1 is not positive");
     fails(TiltedPunch::flat_and_rounded(exact("0"), exact("2")), "1", "0", "t = 0");
-    fails(TiltedPunch::flat_and_rounded(exact("1"), exact("-2")), "1", "0", "R");
-    fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi");
+    fails(TiltedPunch::flat_and_rounded(exact("1"), exact("-2")), "1", "0",
+          "the radius R = -2 is not positive");
+    fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi = 0 is not");
 }
 
 TEST_CASE("the tilt is enclosed, narrowly, and the enclosure holds what it was made from") {

@@ -157,7 +157,11 @@ Interval exp(const Interval& x) { return clipped(rise(x, exp), from_on(0)); }
 Interval log(const Interval& x) { return rise(clipped(x, from_on(0)), log); }
 Interval sin(const Interval& x) { return clipped(wave(x, sin), between(-1, 1)); }
 Interval cos(const Interval& x) { return clipped(wave(x, cos), between(-1, 1)); }
-Interval tan(const Interval& x) { return wave(x, tan); }
+Interval tan(const Interval& x) {
+    // Finite over a whole ball: no pole is in it, and between poles tan rises.
+    const Interval whole = wave(x, tan);
+    return whole.is_finite() ? rise(x, tan) : whole;
+}
 Interval asin(const Interval& x) { return rise(clipped(x, between(-1, 1)), asin); }
 Interval acos(const Interval& x) { return fall(clipped(x, between(-1, 1)), acos); }
 Interval atan(const Interval& x) { return rise(x, atan); }

@@ -31,7 +31,7 @@ TEST_CASE("spoilt files: of every kind, each unlike the right one, the same from
         CHECK(spoilt.text != right);
         CHECK_FALSE(spoilt.what.empty());
     }
-    CHECK(kinds.size() == 24);
+    CHECK(kinds.size() == 26);
     const auto again = corruptions(csv, 5, 100);
     CHECK(again[99].text == list[99].text);
     CHECK(corruptions(csv, 6, 100)[0].text + corruptions(csv, 6, 100)[1].text !=

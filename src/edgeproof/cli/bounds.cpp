@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/bounds_tables.hpp"
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/program.hpp"
 #include "edgeproof/conformance/text_file.hpp"
@@ -188,14 +189,22 @@ int honesty_of_routes(const HonestyChoice& o) {
                               script.string());
             continue;
         }
-        if (run_program(peer.needs, "", script_seconds, &interrupted()).exit_code != 0) {
+        const auto run = [&](const std::string& command, const std::string& input) {
+            ProgramCall call = shell_call(command);
+            call.input = input;
+            call.seconds = script_seconds;
+            call.stop = &interrupted();
+            call.said = ProgramMessages();
+            return run_program(call);
+        };
+        if (run(peer.needs, "").exit_code != 0) {
             skipped.push_back(std::string(peer.name) + " is left out: its interpreter is not here");
             continue;
         }
-        const ProgramRun run =
-            run_program("sh -c " + shell_quoted(peer.run) + " " + shell_quoted(script.string()),
-                        integral_questions(points, options.digits), script_seconds, &interrupted());
-        others.emplace_back(peer.name, integral_answers(run.output));
+        const ProgramRun answered =
+            run("sh -c " + shell_quoted(peer.run) + " " + shell_quoted(script.string()),
+                integral_questions(points, options.digits));
+        others.emplace_back(peer.name, integral_answers(answered.output));
     }
     std::vector<HonestyRow> rows;
     {

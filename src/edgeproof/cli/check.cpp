@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/check_kinds.hpp"
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/interview.hpp"
 #include "edgeproof/conformance/recipe.hpp"
@@ -13,15 +14,17 @@
 #include "edgeproof/report/reference_table.hpp"
 
 #include <cstdio>
+#include <functional>
 #include <iostream>
-#include <iterator>
 #include <memory>
+#include <vector>
 
 namespace edgeproof::cli {
 namespace {
 
 constexpr double most_digits_of_a_check = 10'000;
 constexpr double most_ulps = 1e300;
+constexpr std::size_t most_bytes_read = 1'000'000'000; // a pipe need not end
 
 struct CheckOptions {
     std::string answers;
@@ -68,12 +71,26 @@ Target target_of(const CheckOptions& o) {
     return target;
 }
 
-Csv read_answers(const CheckOptions& o) {
-    if (o.answers != "-") {
-        return parse_csv(read_text(o.answers, "file of answers (CSV)"), o.answers);
+std::string read_stdin() {
+    std::string text;
+    std::vector<char> buffer(1'000'000);
+    while (std::cin.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
+           std::cin.gcount() > 0) {
+        text.append(buffer.data(), static_cast<std::size_t>(std::cin.gcount()));
+        if (text.size() > most_bytes_read) {
+            throw InputError("there are more than " + std::to_string(most_bytes_read) +
+                                 " bytes of answers",
+                             "check them in parts")
+                .at("stdin", 0);
+        }
     }
-    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    return parse_csv(text, "stdin");
+    return text;
+}
+
+Csv read_answers(const CheckOptions& o) {
+    const bool piped = o.answers == "-";
+    return parse_csv(piped ? read_stdin() : read_text(o.answers, "file of answers (CSV)"),
+                     piped ? "stdin" : o.answers, {.keep_faults = true});
 }
 
 /// Asks a program; what it answers is never bad input, only wrong.
@@ -91,6 +108,8 @@ Answers ask_program(const CheckOptions& o) {
     }
     options.lines = o.lines == "json" ? Lines::json : Lines::csv;
     options.stop = &interrupted();
+    ProgramMessages messages;
+    options.said = std::ref(messages);
     Progress progress("answers");
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     const Recipe recipe = read_recipe(o.answers);
@@ -142,7 +161,8 @@ int check(const CheckOptions& o) {
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);
     }
-    std::fputs(conformance_text(result, errors).c_str(), stdout);
+    const std::string text = conformance_text(result, errors);
+    std::fwrite(text.data(), 1, text.size(), stdout);
     return result.pass() ? 0 : 1;
 }
 
@@ -155,8 +175,8 @@ void add_check(CLI::App& app, int& code) {
                     "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
                     "with --exec and --self-test the recipe");
     sub->add_option("--recipe", o->recipe,
-                    "what was asked: names what is missing, twice, out of order; rows may then "
-                    "hold id and value alone");
+                    "what was asked: names what is missing or twice; rows may then stand in any "
+                    "order and hold id and value alone");
     sub->add_option("--exec", o->command,
                     "run this command: it reads the questions and writes rows with id and value");
     sub->add_option("--lines", o->lines, "with --exec: speak csv, or json (an object a line)")

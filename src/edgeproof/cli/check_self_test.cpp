@@ -34,7 +34,7 @@ std::string complaint(const Questions& asked, const std::string& text,
     Conformance result;
     result.target.ulps = 0.5;
     try {
-        result.answers = answers_to(asked, parse_csv(text, "answers"));
+        result.answers = answers_to(asked, parse_csv(text, "answers", {.keep_faults = true}));
         result.agreements = compare(result.answers, result.target, options);
     } catch (const Stopped&) {
         throw;

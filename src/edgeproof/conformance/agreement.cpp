@@ -77,6 +77,12 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
     return u > length / 2 ? Regime::far_field : Regime::interior;
 }
 
+/// Of a point that has no reference.
+bool is_outside(const Question& q, const Sizes& sizes) {
+    const double u = q.u ? q.u->to<double>() : 0;
+    return q.u && !(u > 0 && u < sizes.a + sizes.b);
+}
+
 /// What a value of that kind is to be measured by where it is zero itself.
 double scale_of(const Wanted& wanted, const Sizes& s) {
     const double length = s.a + s.b;
@@ -151,7 +157,8 @@ std::vector<std::size_t> to_condition(const Agreements& agreements) {
     std::vector<std::size_t> which;
     const bool all = agreements.cases.size() <= most_conditioned;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        if (all || !agreements.cases[i].pass) {
+        const CaseAgreement& held = agreements.cases[i];
+        if (held.no_reference.empty() && (all || !held.pass)) {
             which.push_back(i);
         }
     }
@@ -175,9 +182,11 @@ std::string regime_name(Regime regime) {
     case Regime::coefficient:
         return "coefficient";
     case Regime::contact:
+        return "contact";
+    case Regime::outside:
         break;
     }
-    return "contact";
+    return "outside";
 }
 
 unsigned reference_digits(const Target& target) {
@@ -190,11 +199,24 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
     result.digits = reference_digits(target);
     options.digits = {result.digits, Rounding::nearest, false};
     const Questions& questions = answers.questions;
-    result.references = references(questions, options);
+    const auto found = references_or_why(questions, options);
+    if (!found.empty() && std::none_of(found.begin(), found.end(),
+                                       [](const ReferenceOrWhy& r) { return r.reference; })) {
+        (void)references(questions, options); // throws the first
+    }
     const auto sizes = sizes_of(questions, options);
     for (std::size_t i = 0; i < questions.list.size(); ++i) {
         const Question& q = questions.list[i];
         const Sizes& s = sizes[q.contact];
+        result.references.push_back(found[i].reference.value_or(Reference{}));
+        if (!found[i].reference) {
+            CaseAgreement& none = result.cases.emplace_back();
+            none.ulps = std::numeric_limits<double>::infinity();
+            none.no_reference = found[i].why;
+            none.regime =
+                is_outside(q, s) ? Regime::outside : regime_of(q, questions.contacts[q.contact], s);
+            continue;
+        }
         result.cases.push_back(held(answers.given[i], result.references[i], scale_of(q.wanted, s),
                                     target, result.digits));
         result.cases.back().regime = regime_of(q, questions.contacts[q.contact], s);
@@ -205,7 +227,8 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
     for (std::size_t i = 0; i < result.cases.size(); ++i) {
         CaseAgreement& held = result.cases[i];
         held.conditioning = conditions[i];
-        held.explained = answers.given[i].state == Answer::State::number && conditions[i] &&
+        held.explained = held.no_reference.empty() &&
+                         answers.given[i].state == Answer::State::number && conditions[i] &&
                          held.relative <= explained_by_conditioning * conditions[i]->moved;
         held.pass = held.pass || (held.explained && target.forgives());
     }

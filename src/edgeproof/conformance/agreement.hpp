@@ -19,7 +19,8 @@ enum class Regime {
     far_field,   ///< any other point nearer to the other edge than to its own
     interior,    ///< any other point
     coefficient, ///< c_k, s_k, extent_k, measure_k
-    contact      ///< a, b, P, M, alpha
+    contact,     ///< a, b, P, M, alpha
+    outside      ///< a point outside the contact: there is nothing to compare with
 };
 [[nodiscard]] std::string regime_name(Regime regime);
 
@@ -48,13 +49,16 @@ struct CaseAgreement {
     std::optional<Conditioning> conditioning = {};
     bool explained = false; ///< by the conditioning: off by at most 8 times what that moves
     std::string reference;  ///< as printed, for the report
+    /// Why there is no reference, where there is none: then nothing is compared, and nothing
+    /// passes.
+    std::string no_reference = {};
 };
 
 struct Agreements {
-    std::vector<CaseAgreement> cases; ///< one a question
-    std::vector<Reference> references;
-    std::size_t estimates = 0; ///< references without a proved bound
-    unsigned digits = 0;       ///< of the references
+    std::vector<CaseAgreement> cases;  ///< one a question
+    std::vector<Reference> references; ///< one a question; empty where there is none
+    std::size_t estimates = 0;         ///< references without a proved bound
+    unsigned digits = 0;               ///< of the references
 };
 
 inline constexpr std::size_t most_conditioned = 5000;
@@ -66,7 +70,8 @@ inline constexpr std::size_t most_conditioned = 5000;
 /// A reference that is zero is compared on the scale that P and L = a + b give it: P for a force, P
 /// L for M, P/L for a traction, P/L^(k + 3/2) for c_k, and so on. The conditioning is computed for
 /// every case while they are at most most_conditioned, beyond that for those that miss the target.
-/// Throws as references() does.
+/// A point outside the contact has no reference; where none has one, and for a contact that is
+/// none, it throws as references() does.
 [[nodiscard]] Agreements compare(const Answers& answers, const Target& target,
                                  ReferenceOptions options);
 

@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers.hpp"
 
+#include "edgeproof/conformance/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace edgeproof {
 namespace {
 
 constexpr std::size_t longest_shown = 40;
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
-
-bool is_hexadecimal(const std::string& text) {
-    const std::size_t at = text.starts_with('-') ? 1 : 0;
-    return text.compare(at, 2, "0x") == 0 &&
-           text.find_first_not_of("0123456789abcdef.px+-", at) == std::string::npos;
-}
 
 /// Reads rows into questions; equal parameters make one contact.
 class Echo {
@@ -102,15 +88,12 @@ private:
     [[nodiscard]] Exact point_of(const Csv::Row& row) const {
         const std::string text = u_ ? row.cells[*u_] : "";
         try {
+            // A point outside the contact is a row without a reference, no reason to stop.
             Exact u = Exact::parse(text);
-            if (u.sign() > 0) {
-                return u;
-            }
+            return u;
         } catch (const Error& error) {
             reject(row, "u = '" + text + "' is no number", "repeat the u of the question");
         }
-        reject(row, "u = " + text + " is not inside the contact",
-               "give distances from the edge, 0 < u < a + b");
     }
 
     const Csv& csv_;
@@ -137,30 +120,94 @@ Columns columns_of(const Csv& csv) {
     const auto value = csv.column("value");
     if (!id || !value) {
         throw InputError(std::string("there is no column ") + (id ? "value" : "id"),
-                         "answer the questions of `edgeproof points` and add a column value")
+                         "answer the questions of `edgeproof points` and add a column value; "
+                         "commas, semicolons or tabs separate columns")
             .at(csv.file, csv.header.line);
+    }
+    std::set<std::string_view> names;
+    for (const std::string& name : csv.header.cells) {
+        if (!name.empty() && !names.insert(name).second) {
+            throw InputError("two columns are called " + name.substr(0, longest_shown),
+                             "give each column a name of its own")
+                .at(csv.file, csv.header.line);
+        }
     }
     return {*id, *value};
 }
 
-/// A row of as many cells as the header has, or a fault.
+/// The answers with points for decimal commas where commas do not separate: a spreadsheet of such a
+/// country writes all numbers so. Ids and texts stay as they are.
+Csv with_decimal_points(Csv csv) {
+    const auto id = csv.column("id");
+    if (csv.separator == ',') {
+        return csv;
+    }
+    for (Csv::Row& row : csv.rows) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if (i != id) {
+                row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
+            }
+        }
+    }
+    return csv;
+}
+
+/// A row that can be read, of as many cells as the header has, or a fault.
 bool whole(const Csv& csv, const Csv::Row& row, std::vector<std::string>& faults) {
     const std::size_t needed = csv.header.cells.size();
-    if (row.cells.size() == needed) {
+    if (row.fault.empty() && row.cells.size() == needed) {
         return true;
     }
     const std::string begins = row.cells.front().substr(0, longest_shown);
-    faults.push_back(place(csv, row.line) + "garbage: " + std::to_string(row.cells.size()) +
-                     " cells, not " + std::to_string(needed) + ": \"" + begins + "\"");
+    const bool commas = csv.separator == ',' && row.cells.size() > needed;
+    faults.push_back(place(csv, row.line) + "garbage: " +
+                     (!row.fault.empty() ? row.fault
+                                         : std::to_string(row.cells.size()) + " cells, not " +
+                                               std::to_string(needed)) +
+                     ": \"" + begins + "\"" +
+                     (row.fault.empty() && commas ? " (decimal commas? write points, or separate "
+                                                    "by semicolons)"
+                                                  : ""));
     return false;
 }
 
-/// But for the rounding of u, in single precision at worst.
-bool same_question(const Question& echoed, const Question& asked) {
+/// Whether a repeated number is the one that was asked, but for its rounding, in single precision
+/// at worst.
+bool same_number(const Exact& echoed, const Exact& asked) {
     constexpr double rounding = 1e-6;
-    const double u = asked.u ? asked.u->to<double>() : 0;
+    if (echoed.text() == asked.text()) {
+        return true;
+    }
+    return std::abs(echoed.to<double>() / asked.to<double>() - 1) <= rounding;
+}
+
+bool same_parameter(const Parameter& echoed, const Parameter& asked) {
+    if (echoed.text == asked.text || is_word_key(asked.key)) {
+        return echoed.text == asked.text;
+    }
+    const auto items = [&](const Parameter& p) {
+        return is_list_key(p.key) ? list_items(p.text) : std::vector<std::string>{p.text};
+    };
+    const auto ours = items(asked);
+    const auto theirs = items(echoed);
+    return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                      [](const std::string& x, const std::string& y) {
+                          return x == y || same_number(Exact::parse(x), Exact::parse(y));
+                      });
+}
+
+bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
+    return std::is_permutation(echoed.parameters.begin(), echoed.parameters.end(),
+                               asked.parameters.begin(), asked.parameters.end(),
+                               [](const Parameter& x, const Parameter& y) {
+                                   return x.key == y.key && same_parameter(x, y);
+                               });
+}
+
+bool same_question(const Question& echoed, const Question& asked) {
     return echoed.wanted == asked.wanted && echoed.edge == asked.edge &&
-           (u == 0 || std::abs(echoed.u->to<double>() / u - 1) <= rounding);
+           (!asked.u || same_number(*echoed.u, *asked.u)) &&
+           (!asked.tolerance || same_number(*echoed.tolerance, *asked.tolerance));
 }
 
 } // namespace
@@ -168,38 +215,27 @@ bool same_question(const Question& echoed, const Question& asked) {
 Answer read_answer(std::string_view given) {
     Answer answer;
     answer.text = std::string(given);
-    std::string text = lower(given);
-    if (text.starts_with('+')) {
-        text.erase(0, 1);
-    }
-    const std::string unsigned_text = text.starts_with('-') ? text.substr(1) : text;
-    if (text.empty()) {
-        answer.state = Answer::State::missing;
-    } else if (unsigned_text.starts_with("nan")) {
+    WrittenNumber number = written_number(given);
+    switch (number.kind) {
+    case WrittenNumber::Kind::number:
+        answer.state = Answer::State::number;
+        answer.value = std::move(number.value);
+        break;
+    case WrittenNumber::Kind::nan:
         answer.state = Answer::State::nan;
-    } else if (unsigned_text == "inf" || unsigned_text == "infinity") {
+        break;
+    case WrittenNumber::Kind::infinite:
         answer.state = Answer::State::infinite;
-    } else if (is_hexadecimal(text)) {
-        char* end = nullptr;
-        const double x = std::strtod(text.c_str(), &end);
-        const bool read = *end == '\0' && std::isfinite(x);
-        answer.state = read ? Answer::State::number : Answer::State::garbage;
-        answer.value = read ? Rational(x) : Rational(0);
-    } else {
-        std::replace(text.begin(), text.end(), 'd', 'e');
-        answer.state = Answer::State::garbage;
-        try {
-            if (text.find('/') == std::string::npos) {
-                answer.value = parse_decimal(text);
-                answer.state = Answer::State::number;
-            }
-        } catch (const InputError&) { // garbage then
-        }
+        break;
+    case WrittenNumber::Kind::other:
+        answer.state = given.empty() ? Answer::State::missing : Answer::State::garbage;
+        break;
     }
     return answer;
 }
 
-Answers echoed_answers(const Csv& csv) {
+Answers echoed_answers(const Csv& given) {
+    const Csv csv = with_decimal_points(given);
     const Columns columns = columns_of(csv);
     Answers answers;
     answers.questions.file = csv.file;
@@ -241,7 +277,8 @@ Answers echoed_answers(const Csv& csv) {
     return answers;
 }
 
-Answers answers_to(const Questions& asked, const Csv& csv) {
+Answers answers_to(const Questions& asked, const Csv& given) {
+    const Csv csv = with_decimal_points(given);
     const Columns columns = columns_of(csv);
     Answers answers;
     answers.questions = asked;
@@ -252,6 +289,7 @@ Answers answers_to(const Questions& asked, const Csv& csv) {
     for (std::size_t i = 0; i < asked.list.size(); ++i) {
         index.emplace(asked.list[i].id, i);
     }
+    std::map<std::pair<std::size_t, std::size_t>, bool> same_contacts;
     std::size_t next = 0;
     for (const Csv::Row& row : csv.rows) {
         if (!whole(csv, row, answers.faults)) {
@@ -272,17 +310,26 @@ Answers answers_to(const Questions& asked, const Csv& csv) {
                                      std::to_string(answer.line));
             continue;
         }
-        if (i < next) {
-            answers.faults.push_back(place(csv, row.line) + id + " is out of order");
-        }
+        answers.out_of_order += i < next ? 1 : 0; // its id says what it answers
         next = std::max(next, i + 1);
         answer = read_answer(row.cells[columns.value]);
         answer.line = row.line;
         if (echo.possible()) {
-            answers.questions.list[i] = echo.read(row, id);
-            if (!same_question(answers.questions.list[i], asked.list[i])) {
+            const Question& echoed = answers.questions.list[i] = echo.read(row, id);
+            if (!same_question(echoed, asked.list[i])) {
                 answers.faults.push_back(place(csv, row.line) + id +
-                                         " repeats another quantity, edge or u than was asked");
+                                         " repeats another quantity, edge, u or tolerance than was "
+                                         "asked");
+            }
+            const auto [known, is_new] =
+                same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
+            if (is_new) {
+                known->second = same_contact(answers.questions.contacts[echoed.contact],
+                                             asked.contacts[asked.list[i].contact]);
+            }
+            if (!known->second) {
+                answers.faults.push_back(place(csv, row.line) + id +
+                                         " repeats another contact than was asked");
             }
         }
     }

@@ -20,26 +20,29 @@ struct Answer {
     std::size_t line = 0; ///< of the answers; 0: there is no row
 };
 
-/// What a program wrote for a number: a decimal, with E or D for the exponent, or a hexadecimal
-/// float; "nan", "inf", nothing, or garbage. Never throws.
+/// What a program wrote for a number (number_text.hpp has the grammar): a decimal, with E or D for
+/// the exponent, or a hexadecimal float; "nan", "inf", nothing, or garbage. Never throws.
 [[nodiscard]] Answer read_answer(std::string_view given);
 
 /// Answers beside the questions that they answer, and what is wrong with them as a whole.
 struct Answers {
     Questions questions;
     std::vector<Answer> given; ///< one a question
-    /// Rows that answer nothing, twice or out of order, a sentence each with file and line.
+    /// Rows that answer nothing, or twice, a sentence each with file and line.
     std::vector<std::string> faults;
+    std::size_t out_of_order = 0; ///< rows behind one that was asked later; no fault
 };
 
 /// Answers that repeat the questions (the columns of `edgeproof points` and `value`): each is taken
 /// to answer what its own row says. Questions that are missing are told by the note `questions:`.
-/// Throws InputError where there is no column id, value or quantity, and for a row whose parameters
-/// make no contact.
+/// Rows that cannot be read are faults. Where commas do not separate, numbers may have a decimal
+/// comma. Throws InputError where there is no column id, value or quantity, where two have one
+/// name, and for a row whose parameters make no contact.
 [[nodiscard]] Answers echoed_answers(const Csv& csv);
 
-/// The same held against what was asked: ids that were not asked, that are missing, twice or out of
-/// order are faults. Rows may repeat the question, or give id and value alone.
+/// The same held against what was asked: ids that were not asked, that are missing or twice, and
+/// rows that repeat another question or contact than was asked are faults. Rows may stand in any
+/// order, and repeat the question, or give id and value alone.
 [[nodiscard]] Answers answers_to(const Questions& asked, const Csv& csv);
 
 } // namespace edgeproof

@@ -8,6 +8,7 @@
 ///   piece_work.hpp     pieces done on several threads
 ///   shared_work.hpp    pieces done by several processes (processes.hpp), one of which leads
 ///   reference.hpp      references: the answers, by threads, the same on any number of them
+///   number_text.hpp    the one grammar of numbers in answers
 ///   answers.hpp        what another program answered, whatever that is
 ///   program.hpp        another program run, text in and text out
 ///   interview.hpp      a program asked batch by batch, in CSV or JSON lines, however it ends
@@ -28,6 +29,7 @@
 #include "edgeproof/conformance/csv.hpp"
 #include "edgeproof/conformance/interview.hpp"
 #include "edgeproof/conformance/misreading.hpp"
+#include "edgeproof/conformance/number_text.hpp"
 #include "edgeproof/conformance/piece_work.hpp"
 #include "edgeproof/conformance/processes.hpp"
 #include "edgeproof/conformance/program.hpp"

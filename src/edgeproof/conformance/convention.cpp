@@ -189,7 +189,8 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     std::vector<std::size_t> failing;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
         const bool number = answers.given[i].state == Answer::State::number;
-        if (number && agreements.cases[i].digits < least_digits &&
+        if (number && agreements.cases[i].no_reference.empty() &&
+            agreements.cases[i].digits < least_digits &&
             !contains_zero(agreements.references[i].value.value)) {
             failing.push_back(i);
         }

@@ -20,6 +20,21 @@ namespace {
 constexpr std::size_t digits_of_a_double = 15;
 constexpr std::size_t most_attempts = 1000;
 
+// They stand for quotes that a cell must not have, until it is written.
+const std::string quote_begins = "\x01";
+const std::string quote_ends = "\x02";
+
+std::string with_text_behind_quotes(std::string text) {
+    for (const auto& [mark, written] :
+         {std::pair{quote_begins, "\""}, std::pair{quote_ends, "\"999"}}) {
+        const std::size_t at = text.find(mark);
+        if (at != std::string::npos) {
+            text.replace(at, mark.size(), written);
+        }
+    }
+    return text;
+}
+
 class Spoiler {
 public:
     Spoiler(const Csv& right, std::uint64_t seed) : right_(right), random_(seed) {
@@ -40,8 +55,8 @@ public:
         const auto& [name, change] = kinds()[kind % kinds().size()];
         for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
             Csv csv = right_;
-            const std::string what = change(*this, csv);
-            std::string text = csv_text(csv);
+            const std::string what = with_text_behind_quotes(change(*this, csv));
+            std::string text = with_text_behind_quotes(csv_text(csv));
             if (!what.empty() && cut_ > 0) {
                 text.resize(std::exchange(cut_, 0));
             }
@@ -132,12 +147,6 @@ private:
         std::swap(value(csv, r), value(csv, other));
         return value(csv, r) == value(csv, other) ? "" : told(csv, r);
     }
-    std::string reordered(Csv& csv) {
-        const std::size_t r = row(csv);
-        const std::size_t other = row(csv);
-        std::swap(csv.rows[r], csv.rows[other]);
-        return r == other ? "" : right_.rows[r].cells[id_];
-    }
     /// The values of the same question at the two edges.
     std::string other_edge(Csv& csv) {
         const std::size_t r = row(csv);
@@ -193,9 +202,15 @@ private:
     /// Cut anywhere behind the header, but for the last line's end and its digits beyond the 15th.
     std::string truncated(Csv& csv) {
         const std::size_t size = csv_text(csv).size();
-        const std::size_t header = csv_text({{}, {}, csv.header, {}}).size();
+        const std::size_t header = header_text(csv).size();
         cut_ = header + below(size - header - 5);
         return "after " + std::to_string(cut_) + " bytes";
+    }
+
+    static std::string header_text(const Csv& csv) {
+        Csv alone;
+        alone.header = csv.header;
+        return csv_text(alone);
     }
 
     const Csv& right_;
@@ -227,7 +242,6 @@ const std::vector<std::pair<std::string, Spoiler::Change>>& Spoiler::kinds() {
         {"one power of ten", one([](const std::string& v) { return text(number(v) * 10); })},
         {"values shifted by a row", [](S s, Csv& csv) { return s.shifted(csv); }},
         {"two values exchanged", [](S s, Csv& csv) { return s.exchanged(csv); }},
-        {"two rows out of order", [](S s, Csv& csv) { return s.reordered(csv); }},
         {"left and right exchanged", [](S s, Csv& csv) { return s.other_edge(csv); }},
         {"single precision in one value",
          one([single](const std::string& v) { return text(single(number(v))); })},
@@ -246,6 +260,10 @@ const std::vector<std::pair<std::string, Spoiler::Change>>& Spoiler::kinds() {
         {"inf", one([](const std::string&) { return "-inf"; })},
         {"an empty value", one([](const std::string&) { return ""; })},
         {"garbage", one([](const std::string& v) { return v + " MPa"; })},
+        {"two signs", one([](const std::string& v) { return "+-" + v; })},
+        {"a NUL byte", one([](const std::string& v) { return v + '\0'; })},
+        {"text behind a closing quote",
+         one([](const std::string& v) { return quote_begins + v + quote_ends; })},
         {"a decimal comma", one([](std::string v) {
              const std::size_t point = v.find('.');
              return point == std::string::npos ? v : v.replace(point, 1, ",");

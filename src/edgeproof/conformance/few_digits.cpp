@@ -64,7 +64,8 @@ std::vector<Convention> infer_few_digits(const Answers& answers, const Agreement
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
         const Answer& answer = answers.given[i];
         const CaseAgreement& held = agreements.cases[i];
-        const bool number = answer.state == Answer::State::number && answer.value != 0;
+        const bool number =
+            answer.state == Answer::State::number && answer.value != 0 && held.no_reference.empty();
         const unsigned written = number ? digits_written(answer.text) : 0;
         const bool cut = number && written > 0 && written < full_digits && !held.pass &&
                          is_cut(answer, agreements.references[i], written);

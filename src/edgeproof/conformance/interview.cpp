@@ -7,21 +7,28 @@
 #include <algorithm>
 #include <deque>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t hopeless_runs = 3;
+constexpr std::size_t hopeless_questions = 3;
+// What a run may write, and what is kept of it: generous to long answers, and bounded.
+constexpr std::size_t bytes_of_a_run = 1'000'000;
+constexpr std::size_t bytes_an_answer = 128'000;
+constexpr std::size_t most_bytes = 200'000'000;
+constexpr std::size_t rows_of_a_run = 1000;
 const std::string program_name = "the program";
 
 using Batch = std::vector<std::size_t>;
 
-Csv rows_of(const std::string& output, Lines lines, const std::string& name) {
+Csv rows_of(const std::string& output, Lines lines, const std::string& name,
+            std::size_t most_rows) {
     if (lines == Lines::json) {
-        return parse_json_lines(output, name);
+        return parse_json_lines(output, name, most_rows);
     }
-    Csv csv = parse_csv(output, name);
+    Csv csv = parse_csv(output, name, {true, most_rows});
     const auto id = csv.column("id");
     const auto value = csv.column("value");
     if (id && value) {
@@ -69,7 +76,7 @@ public:
 
 private:
     bool given_up() {
-        const bool hopeless = !answered_ && bad_runs_ >= hopeless_runs;
+        const bool hopeless = !answered_ && ended_by_ >= hopeless_questions;
         if (!hopeless && runs_ < options_.runs) {
             return false;
         }
@@ -95,14 +102,25 @@ private:
         const std::string text =
             options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
         ++runs_;
-        const ProgramRun run = run_program(options_.command, text, options_.seconds, options_.stop);
+        ProgramRun run = run_program(call_for(batch.size(), text));
         const std::string name =
             several_ || runs_ > 1 ? program_name + ", run " + std::to_string(runs_) : program_name;
         const std::string ending = run.ending();
+        if (!ending.empty()) {
+            // It may have ended within a number: what is left of that is another number.
+            run.output.resize(run.output.rfind('\n') + 1); // npos + 1 is 0
+        }
         Answers answers;
         answers.given.resize(batch.size());
         try {
-            answers = answers_to(part, rows_of(run.output, options_.lines, name));
+            const std::size_t most_rows = rows_of_a_run + 2 * batch.size();
+            const Csv rows = rows_of(run.output, options_.lines, name, most_rows);
+            answers = answers_to(part, rows);
+            if (rows.cut) {
+                answers.faults.push_back(name + ": more than " + std::to_string(most_rows) +
+                                         " rows to " + std::to_string(batch.size()) +
+                                         " questions; the rest is not read");
+            }
         } catch (const InputError& error) {
             if (ending.empty()) {
                 answers.faults.emplace_back(error.what());
@@ -116,29 +134,63 @@ private:
                 answers_.given[batch[k]] = answers.given[k];
             }
         }
+        answers_.out_of_order += answers.out_of_order;
         std::move(answers.faults.begin(), answers.faults.end(),
                   std::back_inserter(answers_.faults));
         const bool some = left.size() < batch.size();
         answered_ = answered_ || some;
+        keeps_back_ = keeps_back_ || (some && batch.size() == 1 && suspect_ == batch.front());
         if (ending.empty()) {
             return; // what is left is missing
         }
-        ++bad_runs_;
         last_ending_ = ending;
         if (left.empty()) {
             answers_.faults.push_back(program_name + " " + ending + ", all answered");
         } else if (batch.size() == 1) {
+            ++ended_by_;
             Answer& answer = answers_.given[left.front()];
             answer.state = Answer::State::died;
             answer.text = ending;
         } else {
-            // It wrote as it went: then the first without an answer ended it. Or it did not.
-            const std::size_t first = some ? 1 : (left.size() + 1) / 2;
-            const auto middle = left.begin() + static_cast<long>(first);
-            if (middle != left.end()) {
-                open_.push_front(Batch(middle, left.end()));
+            divide(left, some);
+        }
+    }
+
+    ProgramCall call_for(std::size_t questions, const std::string& text) const {
+        ProgramCall call = shell_call(options_.command);
+        call.input = text;
+        call.seconds = options_.seconds;
+        call.most_output = std::min(bytes_of_a_run + bytes_an_answer * questions, most_bytes);
+        call.stop = options_.stop;
+        call.said = options_.said;
+        return call;
+    }
+
+    /// What a run that ended badly has not answered is asked again, in smaller batches.
+    void divide(const Batch& left, bool some) {
+        if (!answered_ && ended_by_ == 0 && left.size() > hopeless_questions) {
+            // Does it answer anything at all? The first, the last and the middle one tell.
+            const std::size_t middle = left.size() / 2;
+            halve(Batch(left.begin() + 1, left.begin() + static_cast<long>(middle)),
+                  Batch(left.begin() + static_cast<long>(middle) + 1, left.end() - 1));
+            for (const std::size_t i : {left[middle], left.back(), left.front()}) {
+                open_.push_front({i});
             }
-            open_.push_front(Batch(left.begin(), middle));
+            return;
+        }
+        // One that writes as it goes was ended by the first without an answer. One that keeps its
+        // answers back tells nothing: from when that is seen on, halves.
+        const bool as_it_goes = some && !keeps_back_;
+        const std::size_t first = as_it_goes ? 1 : (left.size() + 1) / 2;
+        const auto middle = left.begin() + static_cast<long>(first);
+        suspect_ = as_it_goes ? std::optional(left.front()) : std::nullopt;
+        halve(Batch(left.begin(), middle), Batch(middle, left.end()));
+    }
+    void halve(Batch first, Batch second) {
+        for (Batch* half : {&second, &first}) {
+            if (!half->empty()) {
+                open_.push_front(std::move(*half));
+            }
         }
     }
 
@@ -149,7 +201,9 @@ private:
     bool several_ = false;
     bool answered_ = false;
     std::size_t runs_ = 0;
-    std::size_t bad_runs_ = 0;
+    std::size_t ended_by_ = 0; ///< questions that ended it, asked alone
+    std::optional<std::size_t> suspect_;
+    bool keeps_back_ = false;
     std::string last_ending_;
 };
 

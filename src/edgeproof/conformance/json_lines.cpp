@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgeproof {
 namespace {
@@ -25,9 +26,17 @@ public:
     bool number_float(number_float_t, const string_t& text) override { return take(text); }
     bool string(string_t& text) override { return take(text); }
     bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return ++depth_ == 1 || take("an object"); }
+    bool start_object(std::size_t) override {
+        const bool good = depth_ == 0 || take("an object");
+        ++depth_;
+        return good;
+    }
     bool end_object() override { return depth_-- > 0; }
-    bool start_array(std::size_t) override { return ++depth_ > 1 && take("a list"); }
+    bool start_array(std::size_t) override {
+        const bool good = take("a list");
+        ++depth_;
+        return good;
+    }
     bool end_array() override { return depth_-- > 0; }
     bool key(string_t& name) override {
         if (depth_ == 1) {
@@ -40,15 +49,21 @@ public:
     }
 
 private:
+    /// A value of the object itself, not of one within it. False: there is no object, or it has
+    /// the value twice.
     bool take(const std::string& text) {
-        if (key_ == "id" && !has_id) {
-            id = text;
-            has_id = true;
-        } else if (key_ == "value" && !has_value) {
-            value = text;
-            has_value = true;
+        if (depth_ != 1) {
+            return depth_ > 1;
         }
-        return depth_ > 0;
+        if (key_ == "id") {
+            id = text;
+            return !std::exchange(has_id, true);
+        }
+        if (key_ == "value") {
+            value = text;
+            return !std::exchange(has_value, true);
+        }
+        return true;
     }
     std::string key_;
     int depth_ = 0;
@@ -98,7 +113,7 @@ std::string json_lines(const Questions& questions) {
     return out;
 }
 
-Csv parse_json_lines(std::string_view text, const std::string& file) {
+Csv parse_json_lines(std::string_view text, const std::string& file, std::size_t most_rows) {
     Csv csv;
     csv.file = file;
     csv.header = {1, {"id", "value"}};
@@ -110,6 +125,10 @@ Csv parse_json_lines(std::string_view text, const std::string& file) {
         ++number;
         if (line.find_first_not_of(" \t\r") == std::string::npos) {
             continue;
+        }
+        if (csv.rows.size() >= most_rows) {
+            csv.cut = true;
+            break;
         }
         JsonRow row;
         if (read(line, row) || read(with_quotes(line), row)) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -20,7 +21,7 @@ using convention_rule::least_digits;
 using convention_rule::least_rows;
 using convention_rule::most_digits;
 
-constexpr std::size_t most_rows_of_a_family = 60; // of a family: enough to tell
+constexpr std::size_t most_rows_of_a_family = 60; // enough to tell which readings to hold to all
 constexpr unsigned reading_digits = 30;
 
 using Parameters = std::vector<Parameter>;
@@ -157,7 +158,7 @@ public:
         std::map<std::string, std::size_t> taken;
         for (const std::size_t i : failing) {
             const std::string family = family_name(answers.questions.list[i].wanted);
-            ++failing_[family];
+            failing_[family].push_back(i);
             if (taken[family]++ < most_rows_of_a_family) {
                 sample_.push_back(i);
             }
@@ -165,11 +166,38 @@ public:
     }
 
     void look(const Reading& reading, std::vector<Convention>& found) {
+        say(
+            reading.relation, reading.hint,
+            [&](const std::vector<std::size_t>& which) { return held_to(reading, which); }, found);
+    }
+
+    /// The answer is ours over the length of the contact, or times it.
+    void look_at_lengths(std::vector<Convention>& found) {
+        for (const int power : {-1, 1}) {
+            say(
+                power < 0 ? "ours over a + b" : "ours times a + b",
+                power < 0 ? "a mean pressure for a force per unit length? P is the force"
+                          : "a force per unit length for a pressure? p and q are tractions",
+                [&](const std::vector<std::size_t>& which) {
+                    return held_to_lengths(power, which);
+                },
+                found);
+        }
+    }
+
+private:
+    /// The rows of each family that fit.
+    struct Held {
+        std::map<std::string, Rows> families;
+        std::vector<std::size_t> fitting;
+    };
+
+    Held held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
         Questions otherwise;
         otherwise.file = answers_.questions.file;
         std::map<std::size_t, std::optional<std::size_t>> contacts;
         std::vector<std::size_t> of;
-        for (const std::size_t i : sample_) {
+        for (const std::size_t i : which) {
             Question q = answers_.questions.list[i];
             Parameters parameters = answers_.questions.contacts[q.contact].parameters;
             try {
@@ -193,77 +221,73 @@ public:
             of.push_back(i);
         }
         const auto values = references_where_any(otherwise, options_);
-        std::map<std::string, Rows> families;
-        std::vector<std::size_t> fitting;
+        Held result;
         for (std::size_t k = 0; k < of.size(); ++k) {
             if (values[k] && !contains_zero(values[k]->value.value)) {
-                hold(of[k], values[k]->value.value.midpoint(), families, fitting);
+                hold(of[k], values[k]->value.value.midpoint(), result);
             }
         }
-        say(reading.relation, reading.hint, families, fitting, found);
+        return result;
     }
 
-    /// The answer is ours over the length of the contact, or times it.
-    void look_at_lengths(std::vector<Convention>& found) {
+    Held held_to_lengths(int power, const std::vector<std::size_t>& which) const {
         Questions sizes;
         sizes.file = answers_.questions.file;
         sizes.contacts = answers_.questions.contacts;
-        for (const std::size_t i : sample_) {
+        for (const std::size_t i : which) {
             const Question& q = answers_.questions.list[i];
             for (const auto kind : {Wanted::Kind::a, Wanted::Kind::b}) {
                 sizes.list.push_back({"", q.contact, {kind}, Edge::right, {}, {}, q.line});
             }
         }
         const auto values = references_where_any(sizes, options_);
-        for (const int power : {-1, 1}) {
-            std::map<std::string, Rows> families;
-            std::vector<std::size_t> fitting;
-            for (std::size_t k = 0; k < sample_.size(); ++k) {
-                const std::size_t i = sample_[k];
-                if (explained_.contains(i) || !values[2 * k] || !values[2 * k + 1]) {
-                    continue;
-                }
-                const Real length = values[2 * k]->value.value.midpoint() +
-                                    values[2 * k + 1]->value.value.midpoint();
-                const Real ours = agreements_.references[i].value.value.midpoint();
-                hold(i, power < 0 ? Real(ours / length) : Real(ours * length), families, fitting);
+        Held result;
+        for (std::size_t k = 0; k < which.size(); ++k) {
+            const std::size_t i = which[k];
+            if (explained_.contains(i) || !values[2 * k] || !values[2 * k + 1]) {
+                continue;
             }
-            say(power < 0 ? "ours over a + b" : "ours times a + b",
-                power < 0 ? "a mean pressure for a force per unit length? P is the force"
-                          : "a force per unit length for a pressure? p and q are tractions",
-                families, fitting, found);
+            const Real length =
+                values[2 * k]->value.value.midpoint() + values[2 * k + 1]->value.value.midpoint();
+            const Real ours = agreements_.references[i].value.value.midpoint();
+            hold(i, power < 0 ? Real(ours / length) : Real(ours * length), result);
         }
+        return result;
     }
 
-private:
-    void hold(std::size_t i, const Real& other, std::map<std::string, Rows>& families,
-              std::vector<std::size_t>& fitting) const {
+    void hold(std::size_t i, const Real& other, Held& held) const {
         const Real ours = agreements_.references[i].value.value.midpoint();
         if (other == 0 || digits_between(ours, other) >= least_digits) {
             return; // the same, however it is read
         }
         const Real value = Ball(answers_.given[i].value, 256).midpoint();
-        Rows& rows = families[family_name(answers_.questions.list[i].wanted)];
+        Rows& rows = held.families[family_name(answers_.questions.list[i].wanted)];
         ++rows.count;
         const double digits = digits_between(value, other);
         if (digits >= least_digits) {
             ++rows.fit;
             rows.digits = std::min(rows.digits, digits);
-            fitting.push_back(i);
+            held.fitting.push_back(i);
         }
     }
-    void say(const char* relation, const char* hint, const std::map<std::string, Rows>& families,
-             const std::vector<std::size_t>& fitting, std::vector<Convention>& found) {
-        for (const auto& [family, rows] : families) {
-            if (!enough(rows.fit, rows.count)) {
+    /// What fits the sample of a family is held to every failing row of it, so that the counts are
+    /// true.
+    template <class HoldTo>
+    void say(const char* relation, const char* hint, const HoldTo& hold_to,
+             std::vector<Convention>& found) {
+        const Held of_the_sample = hold_to(sample_);
+        for (const auto& [family, sampled] : of_the_sample.families) {
+            if (!enough(sampled.fit, sampled.count)) {
                 continue;
             }
-            found.push_back({family, relation, rows.digits, rows.fit, failing_.at(family), hint});
-            for (const std::size_t i : fitting) {
-                if (family_name(answers_.questions.list[i].wanted) == family) {
-                    explained_.emplace(i, true);
-                }
+            const Held all = hold_to(failing_.at(family));
+            const auto rows = all.families.find(family);
+            if (rows == all.families.end() || !enough(rows->second.fit, rows->second.count)) {
+                continue;
             }
+            found.push_back({family, relation, rows->second.digits, rows->second.fit,
+                             failing_.at(family).size(), hint});
+            explained_.insert(all.fitting.begin(), all.fitting.end());
         }
     }
 
@@ -271,8 +295,8 @@ private:
     const Agreements& agreements_;
     ReferenceOptions options_;
     std::vector<std::size_t> sample_;
-    std::map<std::string, std::size_t> failing_;
-    std::map<std::size_t, bool> explained_;
+    std::map<std::string, std::vector<std::size_t>> failing_;
+    std::set<std::size_t> explained_;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,11 +17,14 @@
 #include <cstring>
 #include <utility>
 
+extern char** environ; // NOLINT: POSIX names it so
+
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t most_output = 200'000'000;
 constexpr int look_every_ms = 100;
+constexpr int look_for_the_end_every_ms = 2;
+constexpr std::size_t most_at_once = 1'000'000; // bytes read before the time is looked at
 
 [[noreturn]] void cannot(const char* what) {
     throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
@@ -39,6 +43,7 @@ public:
         fd_ = -1;
     }
     [[nodiscard]] int get() const { return fd_; }
+    [[nodiscard]] int release() { return std::exchange(fd_, -1); }
 
 private:
     int fd_;
@@ -74,12 +79,13 @@ public:
     Child& operator=(const Child&) = delete;
     ~Child() {
         if (pid_ > 0) {
-            end();
-            (void)wait();
+            (void)end_all();
         }
     }
-    void end() const { ::kill(-pid_, SIGKILL); }
-    int wait() {
+    /// Ends what is left of its group, the child included, and gives the child's status. The group
+    /// keeps its number until the child has been waited for: nobody else can be hit.
+    int end_all() {
+        ::kill(-pid_, SIGKILL);
         int status = 0;
         while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
         }
@@ -105,23 +111,49 @@ std::pair<int, int> make_pipe() {
     return {ends[0], ends[1]};
 }
 
-pid_t start(const std::string& command, int in, int out) {
-    const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
-    const pid_t pid = ::fork();
-    if (pid < 0) {
-        cannot("start a program");
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    pointers.reserve(texts.size() + 1);
+    for (std::string& text : texts) {
+        pointers.push_back(text.data());
     }
-    if (pid == 0) {
-        ::setpgid(0, 0);
-        sigset_t none;
-        sigemptyset(&none);
-        ::sigprocmask(SIG_SETMASK, &none, nullptr);
-        ::dup2(in, STDIN_FILENO);
-        ::dup2(out, STDOUT_FILENO);
-        ::execv("/bin/sh", const_cast<char* const*>(arguments));
-        ::_exit(127);
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Starts it in a process group of its own, with no signal held back or ignored.
+pid_t start(const ProgramCall& call, int in, int out, int err) {
+    std::vector<std::string> arguments = call.arguments;
+    std::vector<std::string> environment = call.environment.value_or(std::vector<std::string>{});
+    const std::vector<char*> argv = pointers_to(arguments);
+    const std::vector<char*> variables = pointers_to(environment);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        sigaddset(&usual, signal);
     }
-    ::setpgid(pid, pid); // whoever comes first
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK |
+                                              POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    pid_t pid = 0;
+    const int failed = ::posix_spawn(&pid, argv.front(), &actions, &attributes, argv.data(),
+                                     call.environment ? variables.data() : environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) {
+        throw Error("cannot start " + call.arguments.front() + ": " + std::strerror(failed));
+    }
     return pid;
 }
 
@@ -140,23 +172,58 @@ bool feed(int fd, const std::string& input, std::size_t& at) {
     return false;
 }
 
-/// Reads what there is without waiting. False at the end.
-bool drain(int fd, std::string& output) {
+/// Hands on what there is to read, up to most_at_once, without waiting. False at the end.
+template <class Take> bool drain(int fd, const Take& take) {
     std::array<char, 65536> buffer{};
-    for (;;) {
+    for (std::size_t taken = 0; taken < most_at_once;) {
         const ssize_t n = ::read(fd, buffer.data(), buffer.size());
         if (n > 0) {
-            output.append(buffer.data(), static_cast<std::size_t>(n));
-            if (output.size() > most_output) {
-                return true;
-            }
+            taken += static_cast<std::size_t>(n);
+            take(std::string_view(buffer.data(), static_cast<std::size_t>(n)));
         } else if (n < 0 && errno == EAGAIN) {
             return true;
         } else if (n == 0 || errno != EINTR) {
             return false;
         }
     }
+    return true;
 }
+
+/// What the program writes.
+class Listener {
+public:
+    Listener(int out, int err, const ProgramCall& call, ProgramRun& run)
+        : out_(out), err_(err), call_(call), run_(run) {
+        ::fcntl(out, F_SETFL, O_NONBLOCK);
+        ::fcntl(err, F_SETFL, O_NONBLOCK);
+    }
+    void read() {
+        const auto keep = [&](std::string_view text) {
+            const std::size_t room = call_.most_output - run_.output.size();
+            run_.output.append(text.substr(0, room));
+            run_.too_much = run_.too_much || text.size() > room;
+        };
+        const auto hand_on = [&](std::string_view text) {
+            if (call_.said) {
+                call_.said(text);
+            }
+        };
+        if (out_.get() >= 0 && !drain(out_.get(), keep)) {
+            out_.close();
+        }
+        if (err_.get() >= 0 && !drain(err_.get(), hand_on)) {
+            err_.close();
+        }
+    }
+    [[nodiscard]] int out() const { return out_.get(); }
+    [[nodiscard]] int err() const { return err_.get(); }
+
+private:
+    Descriptor out_;
+    Descriptor err_;
+    const ProgramCall& call_;
+    ProgramRun& run_;
+};
 
 } // namespace
 
@@ -173,53 +240,63 @@ std::string ProgramRun::ending() const {
     return exit_code != 0 ? "ended with exit code " + std::to_string(exit_code) : "";
 }
 
-ProgramRun run_program(const std::string& command, const std::string& input, double seconds,
-                       const std::atomic<bool>* stop) {
+ProgramCall shell_call(const std::string& command) {
+    ProgramCall call;
+    call.arguments = {"/bin/sh", "-c", command};
+    return call;
+}
+
+ProgramRun run_program(const ProgramCall& call) {
     using Clock = std::chrono::steady_clock;
-    const auto last = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto begun = Clock::now();
+    const auto late = [&] {
+        return std::chrono::duration<double>(Clock::now() - begun).count() >= call.seconds;
+    };
     const NoBrokenPipe guard;
-    const auto [their_in, our_out] = make_pipe();
-    Descriptor reads(their_in);
-    Descriptor writes(our_out);
-    const auto [our_in, their_out] = make_pipe();
-    Descriptor answers(our_in);
-    Descriptor theirs(their_out);
-    Child child(start(command, reads.get(), theirs.get()));
-    reads.close();
-    theirs.close();
-    ::fcntl(writes.get(), F_SETFL, O_NONBLOCK);
-    ::fcntl(answers.get(), F_SETFL, O_NONBLOCK);
+    const auto [their_in, our_in] = make_pipe();
+    Descriptor theirs_in(their_in);
+    Descriptor writes(our_in);
+    const auto [our_out, their_out] = make_pipe();
     ProgramRun run;
+    Descriptor theirs_out(their_out);
+    Descriptor ours_out(our_out);
+    const auto [our_err, their_err] = make_pipe();
+    Descriptor theirs_err(their_err);
+    Descriptor ours_err(our_err);
+    Child child(start(call, their_in, their_out, their_err));
+    theirs_in.close();
+    theirs_out.close();
+    theirs_err.close();
+    Listener listener(ours_out.release(), ours_err.release(), call, run);
+    ::fcntl(writes.get(), F_SETFL, O_NONBLOCK);
     std::size_t written = 0;
-    for (bool open = true; open;) {
-        if (writes.get() >= 0 && !feed(writes.get(), input, written)) {
+    while (!run.too_much && !run.timed_out) {
+        if (writes.get() >= 0 && !feed(writes.get(), call.input, written)) {
             writes.close();
         }
-        open = drain(answers.get(), run.output);
-        run.too_much = run.output.size() > most_output;
-        run.timed_out = open && Clock::now() >= last;
-        if (stop != nullptr && *stop) {
+        // Its end is looked for before its output, which is then complete. Who it left behind may
+        // keep the pipes open: that is not waited for.
+        const bool ended = child.ended();
+        listener.read();
+        if (call.stop != nullptr && *call.stop) {
             throw Stopped("interrupted: nothing is written");
         }
-        if (run.too_much || run.timed_out) {
-            child.end();
+        if (ended) {
             break;
         }
-        if (open) {
-            std::array<pollfd, 2> ends{pollfd{answers.get(), POLLIN, 0},
-                                       pollfd{writes.get(), POLLOUT, 0}};
-            ::poll(ends.data(), writes.get() >= 0 ? 2U : 1U, look_every_ms);
-        }
+        run.timed_out = late();
+        std::array<pollfd, 3> ends{pollfd{listener.out(), POLLIN, 0},
+                                   pollfd{listener.err(), POLLIN, 0},
+                                   pollfd{writes.get(), POLLOUT, 0}};
+        const bool silent = listener.out() < 0;
+        ::poll(ends.data(), ends.size(), silent ? look_for_the_end_every_ms : look_every_ms);
     }
-    // It may have closed its output and linger.
-    while (!run.too_much && !run.timed_out && !child.ended()) {
-        if (Clock::now() >= last) {
-            run.timed_out = true;
-            child.end();
-        }
-        ::poll(nullptr, 0, 1);
+    const bool killed = run.too_much || run.timed_out;
+    const int status = child.end_all();
+    if (!killed) {
+        // A pipe holds less than is read at once: all of what it wrote is here now.
+        listener.read();
     }
-    const int status = child.wait();
     run.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     return run;

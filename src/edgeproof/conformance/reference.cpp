@@ -219,6 +219,32 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
     return results;
 }
 
+std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
+                                              const ReferenceOptions& options) {
+    std::vector<ReferenceOrWhy> results(questions.list.size());
+    const std::vector<Piece> pieces = pieces_of(questions);
+    Count count(options, questions.list.size());
+    work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
+        throw_if_stopped(options.stop);
+        Answering answering(questions, pieces[p], options.digits);
+        for (const std::size_t i : pieces[p]) {
+            throw_if_stopped(options.stop);
+            try {
+                results[i].reference = answering.answer(i);
+            } catch (const InputError& error) {
+                if (!questions.list[i].wanted.at_point()) {
+                    throw;
+                }
+                results[i].why = error.problem();
+            } catch (const BudgetError& error) {
+                results[i].why = error.what();
+            }
+            count.one();
+        }
+    });
+    return results;
+}
+
 std::vector<std::optional<Reference>> references_where_any(const Questions& questions,
                                                            const ReferenceOptions& options) {
     std::vector<std::optional<Reference>> results(questions.list.size());

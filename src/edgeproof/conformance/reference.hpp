@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace edgeproof {
@@ -41,6 +42,16 @@ public:
 /// The same with nothing where there is no answer. Throws Stopped.
 [[nodiscard]] std::vector<std::optional<Reference>>
 references_where_any(const Questions& questions, const ReferenceOptions& options);
+
+/// A reference, or why there is none.
+struct ReferenceOrWhy {
+    std::optional<Reference> reference;
+    std::string why; ///< a point outside the contact, a budget that ran out
+};
+/// The same with the reason for each that has none. Throws as references() does for a contact that
+/// is none; Stopped.
+[[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
+                                                            const ReferenceOptions& options);
 
 /// The same one after another in this thread. `one` is called after each.
 [[nodiscard]] std::vector<Reference> references_in_turn(const Questions& questions,

@@ -47,7 +47,8 @@ Plot agreement_plot(const Conformance& c) {
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         const Question& q = c.answers.questions.list[i];
         const CaseAgreement& held = c.agreements.cases[i];
-        if (!q.wanted.at_point() || c.answers.given[i].state != Answer::State::number) {
+        if (!q.wanted.at_point() || !held.no_reference.empty() ||
+            c.answers.given[i].state != Answer::State::number) {
             continue;
         }
         std::vector<std::optional<Real>> row(4);

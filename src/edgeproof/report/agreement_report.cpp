@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/agreement_report.hpp"
 
+#include "edgeproof/conformance/number_text.hpp"
+#include "edgeproof/report/visible_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,6 +37,9 @@ std::string shortened(const std::string& text) {
 std::string complaint(const Conformance& c, std::size_t i) {
     const Answer& answer = c.answers.given[i];
     const CaseAgreement& held = c.agreements.cases[i];
+    if (!held.no_reference.empty() && answer.line != 0) {
+        return "nothing to compare with: " + held.no_reference;
+    }
     switch (answer.state) {
     case Answer::State::missing:
         return answer.line == 0 ? "missing" : "missing: the value is empty";
@@ -42,7 +48,8 @@ std::string complaint(const Conformance& c, std::size_t i) {
     case Answer::State::infinite:
         return "inf";
     case Answer::State::garbage:
-        return "garbage: \"" + shortened(answer.text) + "\"";
+        return "garbage: \"" + shortened(answer.text) + "\"" +
+               (with_decimal_point(answer.text) ? " (a decimal comma; write a point)" : "");
     case Answer::State::died:
         return "the program " + answer.text;
     case Answer::State::number:
@@ -79,7 +86,7 @@ std::map<Regime, Tally> tallies_of(const Conformance& c) {
         Tally& t = tallies[held.regime];
         ++t.rows;
         t.failed += c.failed(i) ? 1 : 0;
-        if (c.answers.given[i].state != Answer::State::number) {
+        if (c.answers.given[i].state != Answer::State::number || !held.no_reference.empty()) {
             continue;
         }
         t.digits.push_back(held.digits);
@@ -107,7 +114,7 @@ std::string regimes_text(const Conformance& c) {
                 "{:>9}{:>8}{:>11}{:>9}  {}", digits_text(*middle, c.agreements.digits),
                 digits_text(worst.digits, c.agreements.digits), ulps_text(worst.ulps),
                 worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
-                c.answers.questions.list[*t.worst].id);
+                visible_text(c.answers.questions.list[*t.worst].id));
         }
         out += "\n";
     }
@@ -134,7 +141,7 @@ std::string convention_text(const Convention& k) {
 
 std::string xml(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : visible_text(text)) {
         switch (c) {
         case '&':
             out += "&amp;";
@@ -149,11 +156,62 @@ std::string xml(const std::string& text) {
             out += "&quot;";
             break;
         default:
-            // XML 1.0 has no other control characters.
-            out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+            out += c;
         }
     }
     return out;
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// Every question is in one of the first four; the faults are of the rows as a whole.
+struct Counts {
+    std::size_t failures = 0; ///< answers that are not within the target
+    std::size_t missing = 0;
+    std::size_t ended = 0; ///< questions that ended the program
+    std::size_t nothing_to_compare_with = 0;
+    std::size_t answers = 0; ///< rows to questions, whatever stands in them
+};
+Counts counts_of(const Conformance& c) {
+    Counts n;
+    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
+        const Answer& answer = c.answers.given[i];
+        if (answer.state == Answer::State::died) {
+            ++n.ended;
+        } else if (answer.line == 0) {
+            ++n.missing;
+        } else {
+            ++n.answers;
+            const bool comparable = c.agreements.cases[i].no_reference.empty();
+            n.nothing_to_compare_with += comparable ? 0 : 1;
+            n.failures += comparable && c.failed(i) ? 1 : 0;
+        }
+    }
+    return n;
+}
+
+std::string outcome_text(const Conformance& c) {
+    const Counts n = counts_of(c);
+    std::string text = fmt::format("{}: {}, {}", c.pass() ? "pass" : "FAIL",
+                                   counted(n.answers, "answer", "answers"),
+                                   counted(n.failures, "failure", "failures"));
+    if (n.missing > 0) {
+        text += fmt::format(", {} missing", n.missing);
+    }
+    if (n.ended > 0) {
+        text += ", " + counted(n.ended, "question that ended the program",
+                               "questions that ended the program");
+    }
+    if (n.nothing_to_compare_with > 0) {
+        text += fmt::format(", {} without a reference", n.nothing_to_compare_with);
+    }
+    if (!c.answers.faults.empty()) {
+        text += ", " + counted(c.answers.faults.size(), "fault of the rows or the program",
+                               "faults of the rows or the program");
+    }
+    return text;
 }
 
 } // namespace
@@ -176,11 +234,12 @@ bool Conformance::pass() const {
 
 std::string conformance_text(const Conformance& c, std::size_t errors) {
     std::string out;
-    std::size_t failures = 0;
+    std::size_t shown = 0;
     std::size_t hidden = 0;
     const auto complain = [&](const std::string& line) {
-        if (failures++ < errors) {
-            out += line + "\n";
+        if (shown < errors) {
+            ++shown;
+            out += visible_text(line) + "\n";
         } else {
             ++hidden;
         }
@@ -204,10 +263,12 @@ std::string conformance_text(const Conformance& c, std::size_t errors) {
         out += fmt::format("{} of the references are estimates, without a proved bound\n",
                            c.agreements.estimates);
     }
+    if (c.answers.out_of_order > 0) {
+        out += fmt::format("{} in another order than asked: their ids tell what they answer\n",
+                           counted(c.answers.out_of_order, "row stands", "rows stand"));
+    }
     out += fmt::format("target: {}\n", target_text(c.target));
-    out += fmt::format("{}: {} answers, {} failures\n", c.pass() ? "pass" : "FAIL",
-                       c.agreements.cases.size(), failures);
-    return out;
+    return out + outcome_text(c) + "\n";
 }
 
 std::string conformance_junit(const Conformance& c) {
@@ -227,10 +288,10 @@ std::string conformance_junit(const Conformance& c) {
     }
     std::string faults;
     for (const std::string& fault : c.answers.faults) {
-        faults += fault + "\n";
+        faults += xml(fault) + "\n";
     }
     for (const Convention& convention : c.conventions) {
-        faults += convention_text(convention) + "\n";
+        faults += xml(convention_text(convention)) + "\n";
     }
     failures += c.answers.faults.empty() && !c.conventions.empty() ? 1 : 0;
     return fmt::format(
@@ -238,7 +299,7 @@ std::string conformance_junit(const Conformance& c) {
         "<testsuite name=\"edgeproof check\" tests=\"{}\" failures=\"{}\">\n"
         "  <testcase classname=\"answers\" name=\"as a whole\"{}\n{}</testsuite>\n",
         c.agreements.cases.size() + 1, failures,
-        faults.empty() ? "/>" : ">\n    <failure message=\"" + xml(faults) + "\"/>\n  </testcase>",
+        faults.empty() ? "/>" : ">\n    <failure message=\"" + faults + "\"/>\n  </testcase>",
         cases);
 }
 

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures_gnuplot.hpp"
 
+#include "edgeproof/conformance/program.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/html_markup.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <vector>
-
-extern char** environ; // NOLINT: POSIX names it so
+#include <utility>
 
 namespace edgeproof {
 namespace {
+
+constexpr std::size_t most_messages = 10'000;
 
 std::string read_all(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -41,47 +40,24 @@ void replace_element(std::string& text, std::string_view open, std::string_view 
     }
 }
 
-/// Runs `program argument` with no shell in between; its messages go to `log`. Environment: only
-/// what finds fonts, so that a user's settings change no figure. The exit status.
-int run(const std::filesystem::path& program, const std::string& argument,
-        const std::filesystem::path& log) {
-    const std::string name = program.string();
-    std::string command = name;
-    std::string script = argument;
-    char* const argv[] = {command.data(), script.data(), nullptr};
-    std::vector<std::string> kept{"LC_ALL=C.UTF-8"};
+/// Runs gnuplot on a script with no shell in between. Environment: only what finds fonts, so that a
+/// user's settings change no figure. What it says on either stream, and how it ended.
+std::pair<std::string, std::string> run_gnuplot(const std::filesystem::path& program,
+                                                const std::filesystem::path& script) {
+    ProgramCall call;
+    call.arguments = {program.string(), script.string()};
+    call.environment = {"LC_ALL=C.UTF-8"};
     for (const char* variable : {"PATH", "HOME", "LD_LIBRARY_PATH"}) {
         if (const char* value = std::getenv(variable)) {
-            kept.push_back(std::string(variable) + '=' + value);
+            call.environment->push_back(std::string(variable) + '=' + value);
         }
     }
-    std::vector<char*> environment;
-    environment.reserve(kept.size() + 1);
-    for (std::string& entry : kept) {
-        environment.push_back(entry.data());
-    }
-    environment.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t child = 0;
-    const int failed =
-        posix_spawn(&child, name.c_str(), &actions, nullptr, argv, environment.data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) {
-        throw Error("gnuplot cannot be run: " + name);
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            throw Error("gnuplot was lost: " + name);
-        }
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    std::string messages;
+    call.said = [&](std::string_view text) {
+        messages += text.substr(0, most_messages - std::min(messages.size(), most_messages));
+    };
+    const ProgramRun run = run_program(call);
+    return {messages + run.output, run.ending()};
 }
 
 } // namespace
@@ -107,17 +83,16 @@ std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                      const std::filesystem::path& scratch) {
     const auto script = scratch / (plot.id + ".gp");
     const auto picture = scratch / (plot.id + ".part.svg");
-    const auto log = scratch / (plot.id + ".log");
     std::ofstream(script, std::ios::binary) << gnuplot_script(plot, picture.string());
-    const int status = run(gnuplot, script.string(), log);
+    const auto [said, ending] = run_gnuplot(gnuplot, script);
     std::string svg = read_all(picture);
-    const std::string said = read_all(log);
     std::error_code ignored;
-    for (const auto& file : {script, picture, log}) {
+    for (const auto& file : {script, picture}) {
         std::filesystem::remove(file, ignored);
     }
-    if (status != 0 || svg.find("</svg>") == std::string::npos) {
-        throw Error("gnuplot did not draw " + plot.id + ": " + said.substr(0, said.find('\n')));
+    if (!ending.empty() || svg.find("</svg>") == std::string::npos) {
+        throw Error("gnuplot did not draw " + plot.id + ": " + said.substr(0, said.find('\n')) +
+                    (ending.empty() ? "" : " (gnuplot " + ending + ")"));
     }
     replace_element(svg, "<title>", "</title>", "<title>" + escape_html(plot.title) + "</title>");
     replace_element(svg, "<desc>", "</desc>", "<desc>" + escape_html(plot.description) + "</desc>");

@@ -23,6 +23,15 @@ double condition_number(const std::string& row) {
 
 } // namespace
 
+TEST_CASE("numbers beyond the range of a double have no neighbours, and nothing breaks") {
+    for (const char* u : {"1e-400", "1e-330", "5e-324", "1e-300"}) {
+        CAPTURE(u);
+        const Agreements a = held(std::string("1,power-law,1,1,1,1,p,right,") + u + ",1\n");
+        CHECK(a.cases.at(0).no_reference.empty());
+        CHECK_FALSE(a.cases.at(0).pass);
+    }
+}
+
 TEST_CASE("condition numbers by hand") {
     // P = E* C a^(m + 1) I(m), I'/I = (psi(3/2) - psi(2))/2 = 1/2 - log 2 at m = 1: a counts twice.
     CHECK(condition_number("1,power-law,1,1,1,1,P,,,1\n") ==

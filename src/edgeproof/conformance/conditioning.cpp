@@ -96,6 +96,9 @@ public:
             q.contact = unmoved(q.contact);
             std::optional<Exact>& place = q.u ? q.u : q.tolerance;
             place = neighbour(*place, side_);
+            if (!place) { // beyond the range of a double
+                return;
+            }
         }
         asked_.list.push_back(std::move(q));
         of_.emplace_back(question, n);

@@ -142,7 +142,8 @@ void check_encoding(std::string_view text, const std::string& file) {
         return text.size() > 1 && static_cast<unsigned char>(text[0]) == first &&
                static_cast<unsigned char>(text[1]) == second;
     };
-    if (begins(0xFF, 0xFE) || begins(0xFE, 0xFF) || (text.size() > 1 && text[1] == '\0')) {
+    if (begins(0xFF, 0xFE) || begins(0xFE, 0xFF) ||
+        text.substr(0, 2).find('\0') != std::string_view::npos) {
         throw InputError("the file is in UTF-16", "save it as CSV in UTF-8").at(file, 1);
     }
     if (text.find('\n') == std::string_view::npos) {

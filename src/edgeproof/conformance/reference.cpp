@@ -95,6 +95,9 @@ private:
         auto found = points_.find(key);
         if (found == points_.end()) {
             try {
+                if (q.u->sign() <= 0) {
+                    throw DomainError("the point lies outside the contact");
+                }
                 found =
                     points_
                         .emplace(key, route_->at(q.edge, *q.u, plan_.print_pressure, plan_.shear))

@@ -9,6 +9,7 @@
 ///   golden.hpp           an audit held against the verdicts recorded before
 ///   html_report.hpp      an audit as a page, with the paper's figures made anew
 ///   figures.hpp          a figure as data, drawn by gnuplot
+///   visible_text.hpp     somebody else's text, without control characters
 ///   files.hpp            files written aside and renamed: whole or not at all
 #include "edgeproof/report/agreement_report.hpp"
 #include "edgeproof/report/figures.hpp"
@@ -19,3 +20,4 @@
 #include "edgeproof/report/reference_table.hpp"
 #include "edgeproof/report/table.hpp"
 #include "edgeproof/report/verdict_writers.hpp"
+#include "edgeproof/report/visible_text.hpp"

@@ -59,7 +59,7 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
         return Regime::coefficient;
     }
     const double length = sizes.a + sizes.b;
-    const double u = q.u->to<double>();
+    const double u = q.u->to<Real>().convert_to<double>();
     if (std::min(u, length - u) <= length / 1000) {
         return Regime::near_edge;
     }
@@ -79,7 +79,7 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
 
 /// Of a point that has no reference.
 bool is_outside(const Question& q, const Sizes& sizes) {
-    const double u = q.u ? q.u->to<double>() : 0;
+    const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
     return q.u && !(u > 0 && u < sizes.a + sizes.b);
 }
 

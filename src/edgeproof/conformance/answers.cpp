@@ -178,7 +178,7 @@ bool same_number(const Exact& echoed, const Exact& asked) {
     if (echoed.text() == asked.text()) {
         return true;
     }
-    return std::abs(echoed.to<double>() / asked.to<double>() - 1) <= rounding;
+    return abs(Real(echoed.to<Real>() / asked.to<Real>() - 1)) <= rounding;
 }
 
 bool same_parameter(const Parameter& echoed, const Parameter& asked) {

@@ -16,7 +16,7 @@ constexpr unsigned neighbour_digits = 34;
 
 /// Half a unit in the last place of the binary64 of x, up or down; nothing for zero.
 std::optional<Exact> neighbour(const Exact& x, int side) {
-    const double near = std::abs(x.to<double>());
+    const double near = std::abs(x.to<Real>().convert_to<double>());
     if (near == 0 || !std::isfinite(near)) {
         return {};
     }

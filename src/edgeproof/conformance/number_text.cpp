@@ -50,13 +50,14 @@ private:
     std::string_view rest_;
 };
 
-struct Digits {
+struct WrittenDigits {
     std::string all;
     std::size_t behind_point = 0;
 };
 
-template <class Is> std::optional<Digits> digits_with_a_point(Scanner& scanner, const Is& is) {
-    Digits digits;
+template <class Is>
+std::optional<WrittenDigits> digits_with_a_point(Scanner& scanner, const Is& is) {
+    WrittenDigits digits;
     digits.all = scanner.take_all(is);
     if (scanner.take(".")) {
         const std::string_view behind = scanner.take_all(is);

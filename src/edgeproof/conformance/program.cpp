@@ -24,7 +24,7 @@ namespace {
 
 constexpr int look_every_ms = 100;
 constexpr int look_for_the_end_every_ms = 2;
-constexpr std::size_t most_at_once = 1'000'000; // bytes read before the time is looked at
+constexpr std::size_t most_bytes_at_once = 1'000'000; // bytes read before the time is looked at
 
 [[noreturn]] void cannot(const char* what) {
     throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
@@ -172,10 +172,10 @@ bool feed(int fd, const std::string& input, std::size_t& at) {
     return false;
 }
 
-/// Hands on what there is to read, up to most_at_once, without waiting. False at the end.
+/// Hands on what there is to read, up to most_bytes_at_once, without waiting. False at the end.
 template <class Take> bool drain(int fd, const Take& take) {
     std::array<char, 65536> buffer{};
-    for (std::size_t taken = 0; taken < most_at_once;) {
+    for (std::size_t taken = 0; taken < most_bytes_at_once;) {
         const ssize_t n = ::read(fd, buffer.data(), buffer.size());
         if (n > 0) {
             taken += static_cast<std::size_t>(n);

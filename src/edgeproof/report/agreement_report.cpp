@@ -167,15 +167,15 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 }
 
 /// Every question is in one of the first four; the faults are of the rows as a whole.
-struct Counts {
+struct AnswerCounts {
     std::size_t failures = 0; ///< answers that are not within the target
     std::size_t missing = 0;
     std::size_t ended = 0; ///< questions that ended the program
     std::size_t nothing_to_compare_with = 0;
     std::size_t answers = 0; ///< rows to questions, whatever stands in them
 };
-Counts counts_of(const Conformance& c) {
-    Counts n;
+AnswerCounts counts_of(const Conformance& c) {
+    AnswerCounts n;
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         const Answer& answer = c.answers.given[i];
         if (answer.state == Answer::State::died) {
@@ -193,7 +193,7 @@ Counts counts_of(const Conformance& c) {
 }
 
 std::string outcome_text(const Conformance& c) {
-    const Counts n = counts_of(c);
+    const AnswerCounts n = counts_of(c);
     std::string text = fmt::format("{}: {}, {}", c.pass() ? "pass" : "FAIL",
                                    counted(n.answers, "answer", "answers"),
                                    counted(n.failures, "failure", "failures"));

@@ -31,6 +31,13 @@ std::string mpirun(int ranks, const std::string& arguments) {
            std::to_string(ranks) + " '" + program().string() + "' " + arguments;
 }
 
+/// Made, with nothing on standard output. Open MPI's own warnings (of interfaces that it cannot
+/// use) are written to standard error by each rank, and are not looked at.
+bool makes_table(const Folder& folder, int ranks) {
+    return shell_text(folder, mpirun(ranks, "table r.toml --out t.csv") +
+                                  " 2>/dev/null; echo \"ended with $?\"") == "ended with 0\n";
+}
+
 /// Kills one rank with SIGKILL after that wait (a shell's). What mpirun said, and its exit status.
 std::string run_and_kill(const Folder& folder, int ranks, int rank, const std::string& wait) {
     return shell_text(
@@ -55,7 +62,7 @@ TEST_CASE("table under mpirun: byte for byte what one process makes") {
     REQUIRE(lines(whole).size() > 300);
     for (const int ranks : {1, 2, 4}) {
         CAPTURE(ranks);
-        CHECK(shell_text(folder, mpirun(ranks, "table r.toml --out t.csv")).empty());
+        CHECK(makes_table(folder, ranks));
         CHECK(file_text(folder.path() / "t.csv") == whole);
         CHECK(folder.files() == 2); // and no part file
         std::filesystem::remove(folder.path() / "t.csv");
@@ -82,7 +89,7 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
     CAPTURE(said);
     CHECK(has(said, "mpirun ended with 137")); // 128 + SIGKILL
     CHECK(std::filesystem::exists(folder.path() / "t.csv.part"));
-    CHECK(shell_text(folder, mpirun(2, "table r.toml --out t.csv")).empty());
+    CHECK(makes_table(folder, 2));
     CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml").out);
     CHECK(folder.files() == 2);
 }
@@ -99,7 +106,7 @@ TEST_CASE("table under mpirun: any rank killed, many times" * doctest::test_suit
         for (const char* seconds : after) {
             (void)run_and_kill(folder, 4, rank, std::string("sleep ") + seconds);
         }
-        (void)shell_text(folder, mpirun(2, "table r.toml --out t.csv"));
+        CHECK(makes_table(folder, 2));
         CAPTURE(rank);
         CHECK(file_text(folder.path() / "t.csv") == whole);
         CHECK(folder.files() == 2);

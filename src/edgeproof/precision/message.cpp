@@ -130,7 +130,7 @@ std::string_view near_name(std::string_view name, std::span<const std::string_vi
             continue;
         }
         const std::size_t distance = edit_distance(lower, lower_case(candidate));
-        if (distance <= std::min(lower.size(), candidate.size()) / 3 && distance < least) {
+        if (distance <= std::max(lower.size(), candidate.size()) / 3 && distance < least) {
             least = distance;
             nearest = candidate;
         }

@@ -20,8 +20,8 @@ namespace edgeproof {
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
 /// The candidate that `name` is most likely a slip of the pen for: a wrong case, or few letters
-/// missing, too many, changed or swapped (Damerau-Levenshtein distance of at most a third of its
-/// length). Empty where none is near.
+/// missing, too many, changed or swapped (Damerau-Levenshtein distance of at most a third of the
+/// longer one's length). Empty where none is near.
 [[nodiscard]] std::string_view near_name(std::string_view name,
                                          std::span<const std::string_view> candidates);
 

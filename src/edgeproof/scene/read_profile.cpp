@@ -71,7 +71,13 @@ Profile read_piecewise(const TomlSection& section) {
 void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
     scene.profile_line = section.line();
     const std::string kind = section.text("kind");
-    const auto get = [&](std::string_view key) { return section.exact(key); };
+    const auto get = [&](std::string_view key) {
+        Exact value = section.exact(key);
+        (void)at_place( // every parameter is compared with zero
+            section.file(), section.line(key), [&] { return value.sign(); },
+            "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+        return value;
+    };
     const auto make = [&](const std::vector<std::string_view>& parameters, const auto& maker) {
         std::vector<std::string_view> keys{"kind"};
         keys.insert(keys.end(), parameters.begin(), parameters.end());

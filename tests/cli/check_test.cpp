@@ -137,8 +137,8 @@ TEST_CASE("check: bad input is one line; exit 2; no file") {
              Bad{"check nowhere.csv", "nowhere.csv: there is no such file; "},
              Bad{"check a.csv", "a.csv:2: u = 2.5 from the right edge: "},
              Bad{"check b.csv", "b.csv:1: there is no column value; "},
-             Bad{"check a.csv --digits -1", "--digits -1 is out of range; "},
-             Bad{"check a.csv --ulps x", "--ulps x: "},
+             Bad{"check a.csv --digits -1", "edgeproof: --digits -1 is out of range; "},
+             Bad{"check a.csv --ulps x", "edgeproof: --ulps x: "},
              Bad{"check a.csv --recipe nowhere.toml", "nowhere.toml: there is no such file; "},
          }) {
         CAPTURE(bad.command);

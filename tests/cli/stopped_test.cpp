@@ -136,7 +136,7 @@ TEST_CASE("verify --out: a full disk, and a folder that goes, are one line each"
                                             the_program("verify own.toml --digits 20 --out full"));
         CHECK(o.code == 2);
         CHECK(lines(o.err).size() == 1);
-        CHECK(o.err.rfind("cannot write full/", 0) == 0);
+        CHECK(o.err.rfind("edgeproof: cannot write full/", 0) == 0);
         CHECK(unlike(files_of(folder.path() / "full"), whole).empty());
     }
     Outcome gone{0, {}, {}};

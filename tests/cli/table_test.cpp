@@ -159,10 +159,11 @@ TEST_CASE("table and points: bad input is one line with file and line; exit 2; n
     for (const Bad& bad : {
              Bad{"table nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
              Bad{"table far.toml --out t.csv", "far.toml:5: u = 5/2 from the right edge: "},
-             Bad{"table h.toml --out t.csv --threads 0", "--threads 0 is out of range; "},
-             Bad{"table h.toml --out t.csv --format xls", "--format xls is no format; "},
+             Bad{"table h.toml --out t.csv --threads 0",
+                 "edgeproof: --threads 0 is out of range; "},
+             Bad{"table h.toml --out t.csv --format xls", "edgeproof: --format xls is no format; "},
              Bad{"table h.toml --check --out t.csv", "t.csv: there is no such file; "},
-             Bad{"table h.toml --every 3", "--every 3 takes a sample of a check; "},
+             Bad{"table h.toml --every 3", "edgeproof: --every 3 takes a sample of a check; "},
              Bad{"points nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
          }) {
         CAPTURE(bad.command);

@@ -86,7 +86,8 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
         {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:13: unknown name 'inf'"},
         {with("Es = [\"7/3\"]", "Es = [\"-7/3\"]"), "own.toml:4: Es = -7/3 is not positive; "},
         {with("m = [\"1\"]", "m = [0.12345678901234567]"),
-         "own.toml:11: m = 0.12345678901234567 has more than 15 significant digits as a float; quote "
+         "own.toml:11: m = 0.12345678901234567 has more than 15 significant digits as a float; "
+         "quote "
          "it: \"0.12345678901234567\""},
     };
     for (const Bad& bad : all) {

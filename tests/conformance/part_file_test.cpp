@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/part_file.hpp"
-#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/conformance/whole_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <doctest/doctest.h>

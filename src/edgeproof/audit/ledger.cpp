@@ -4,13 +4,16 @@
 #include "edgeproof/audit/check.hpp"
 #include "edgeproof/audit/ledger_family.hpp"
 #include "edgeproof/audit/ledger_names.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/file_kind.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace edgeproof {
 namespace {
@@ -44,13 +47,16 @@ public:
 
     Ledger read() {
         ledger_.file = file_;
+        expect_file_kind(top_, FileKind::ledger);
         top_.allow({"ledger", "define", "family", "claim"});
         const TomlSection head = top_.section("ledger");
         head.allow({"name", "source"});
         ledger_.name = head.written("name");
         ledger_.source = head.written_or("source", "");
         for (const TomlSection& family : top_.sections("family")) {
-            ledger_.families.push_back(read_family(family, file_, ledger_.families));
+            at_place(file_, family.line(), [&] {
+                ledger_.families.push_back(read_family(family, file_, ledger_.families));
+            });
         }
         for (const Family& family : ledger_.families) {
             try_drawing(family, file_, ledger_.families);
@@ -60,7 +66,7 @@ public:
         }
         std::set<std::string> ids;
         for (const TomlSection& claim : top_.sections("claim")) {
-            read_claim(claim);
+            at_place(file_, claim.line(), [&] { read_claim(claim); });
             if (!ids.insert(ledger_.claims.back().id).second) {
                 claim.reject("id", "the id " + ledger_.claims.back().id + " stands twice",
                              "give each claim an id of its own");
@@ -78,11 +84,11 @@ private:
         claim.kind = table.written("kind");
         const CheckKind* kind = find_check_kind(claim.kind);
         if (kind == nullptr) {
-            std::string known;
+            Keys known;
             for (const CheckKind& k : check_kinds()) {
-                known += (known.empty() ? "" : ", ") + std::string(k.name);
+                known.push_back(k.name);
             }
-            table.reject("kind", "unknown kind '" + claim.kind + "'", "write one of " + known);
+            table.reject("kind", "unknown kind '" + claim.kind + "'", one_of(claim.kind, known));
         }
         Keys own{"id", "kind", "lines", "printed", "undefined", "reading"};
         Keys shared;
@@ -194,12 +200,8 @@ private:
         case Type::choice: {
             const std::string& text = claim.text(key.name);
             if (std::find(key.choices.begin(), key.choices.end(), text) == key.choices.end()) {
-                std::string known;
-                for (const std::string_view choice : key.choices) {
-                    known += (known.empty() ? "" : ", ") + std::string(choice);
-                }
                 claim.reject(key.name, std::string(key.name) + " = \"" + text + "\" is not known",
-                             "write one of " + known);
+                             one_of(text, Keys(key.choices.begin(), key.choices.end())));
             }
             break;
         }
@@ -227,13 +229,7 @@ Ledger parse_ledger(std::string_view text, const std::string& file) {
 }
 
 Ledger read_ledger(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || !std::filesystem::is_regular_file(file)) {
-        throw InputError("the ledger cannot be read", "name a readable file").at(file.string(), 0);
-    }
-    std::ostringstream text;
-    text << in.rdbuf();
-    return parse_ledger(text.str(), file.string());
+    return parse_ledger(read_text(file, "ledger (TOML)", most_toml_bytes), file.string());
 }
 
 Claim under_reading(const Ledger& ledger, const Claim& claim, const Claim::Reading& reading) {

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/ledger_family.hpp"
 
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -154,8 +155,8 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
                 }
             }
         }
-    } catch (const InputError& error) {
-        throw error.at(file, family.line);
+    } catch (const Error&) {
+        rethrow_at(file, family.line);
     }
 }
 

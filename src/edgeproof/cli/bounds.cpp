@@ -4,7 +4,7 @@
 #include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/program.hpp"
-#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
 

@@ -5,8 +5,9 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/interview.hpp"
 #include "edgeproof/conformance/recipe.hpp"
-#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/text.hpp"
 #include "edgeproof/report/agreement_figure.hpp"
 #include "edgeproof/report/agreement_report.hpp"
@@ -14,6 +15,7 @@
 #include "edgeproof/report/reference_table.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -88,6 +90,13 @@ std::string read_stdin() {
 }
 
 Csv read_answers(const CheckOptions& o) {
+    if (std::filesystem::path(o.answers).extension() == ".toml") {
+        throw InputError(
+            "this is a TOML file, not answers (CSV)",
+            "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
+            "ledger with --ledger")
+            .at(o.answers, 0);
+    }
     const bool piped = o.answers == "-";
     return parse_csv(piped ? read_stdin() : read_text(o.answers, "file of answers (CSV)"),
                      piped ? "stdin" : o.answers, {.keep_faults = true});
@@ -161,7 +170,7 @@ int check(const CheckOptions& o) {
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);
     }
-    const std::string text = conformance_text(result, errors);
+    const std::string text = printable_lines(conformance_text(result, errors));
     std::fwrite(text.data(), 1, text.size(), stdout);
     return result.pass() ? 0 : 1;
 }

@@ -22,7 +22,7 @@ int check_ledger(const std::string& ledger, const std::string& threads) {
         options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
         result = run_audit(formulas, options);
     }
-    std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
+    std::fputs(verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(), stdout);
     const auto wrong = std::count_if(result.claims.begin(), result.claims.end(),
                                      [](const auto& c) { return !holds(c.outcome.verdict); });
     std::printf("%s: %zu formulas, %zu do not hold\n", wrong == 0 ? "pass" : "FAIL",

@@ -28,7 +28,8 @@ void add_cost(CLI::App& app, int& code);
 /// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
 [[nodiscard]] const std::atomic<bool>& interrupted();
 
-/// A count of work done, with its rate and what is left, on stderr, only where that is a terminal;
+/// A count of work done, with its rate and what is left, on stderr, only where that is a terminal
+/// that obeys escapes;
 /// wiped when it ends.
 class Progress {
 public:
@@ -51,6 +52,13 @@ private:
 
 /// Columns of the terminal on stdout, 100 where it is none.
 [[nodiscard]] std::size_t terminal_width();
-[[nodiscard]] bool stdout_is_terminal();
+/// A terminal that obeys escapes (TERM is set and not "dumb"), and colours are not refused by
+/// NO_COLOR (no-color.org).
+[[nodiscard]] bool stdout_takes_colour();
+
+/// What is wrong with a command line that CLI11 refused, where a subcommand or an option is not
+/// known: "unknown option '--digit'; did you mean --digits? write one of ...". Empty where all are.
+[[nodiscard]] std::string unknown_on_command_line(const CLI::App& app, int argc,
+                                                  const char* const* argv);
 
 } // namespace edgeproof::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ std::string narrow_text(const Plan& plan) {
 
 int explain(const ExplainOptions& o) {
     const Scene scene = asked_scene(o);
-    const Plan plan = make_plan(scene);
+    const Plan plan = at_place(scene.file, scene.load_line, [&] { return make_plan(scene); });
     Table table;
     table.title = scene.title.empty() ? scene.file : scene.title;
     const bool force = scene.load.kind == Load::Kind::force;

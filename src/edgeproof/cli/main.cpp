@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
 
 namespace edgeproof::cli {
 namespace {
@@ -19,6 +22,17 @@ extern "C" void on_signal(int signal) {
 } // namespace
 const std::atomic<bool>& interrupted() { return stop; }
 } // namespace edgeproof::cli
+
+namespace {
+/// One line, fit for a terminal.
+std::string shown(std::string_view message) {
+    return edgeproof::printable(edgeproof::shortened(message, 1500));
+}
+/// What concerns no file.
+void say(std::string_view message) {
+    std::fprintf(stderr, "edgeproof: %s\n", shown(message).c_str());
+}
+} // namespace
 
 int main(int argc, char** argv) {
     using namespace edgeproof;
@@ -47,16 +61,24 @@ int main(int argc, char** argv) {
         if (e.get_exit_code() == 0) {
             return app.exit(e); // --help and --version
         }
-        std::fprintf(stderr, "edgeproof: %s; see edgeproof --help\n", e.what());
+        const std::string unknown = cli::unknown_on_command_line(app, argc, argv);
+        say(unknown.empty() ? std::string(e.what()) + "; see edgeproof --help" : unknown);
+        return 2;
+    } catch (const InputError& e) {
+        if (e.file().empty()) {
+            say(e.what());
+        } else {
+            std::fprintf(stderr, "%s\n", e.what());
+        }
         return 2;
     } catch (const Error& e) {
-        std::fprintf(stderr, "%s\n", e.what());
+        std::fprintf(stderr, "%s\n", shown(e.what()).c_str());
         return 2;
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "edgeproof: out of memory; ask for fewer digits\n");
         return 2;
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "edgeproof: %s\n", e.what());
+        say(e.what());
         return 2;
     }
 }

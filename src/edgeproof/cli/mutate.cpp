@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/mutation_report.hpp"
 #include "edgeproof/report/report.hpp"
 
@@ -90,7 +91,7 @@ int mutate(const MutateOptions& o, const std::string& version) {
         write_whole(o.out, mutation_csv(run.fates));
     }
     const std::vector<std::string> alarms = false_alarms(run, o.ledger);
-    std::fputs(mutation_text(run, alarms).c_str(), stdout);
+    std::fputs(printable_lines(mutation_text(run, alarms)).c_str(), stdout);
     return survivors(run).empty() && alarms.empty() ? 0 : 1;
 }
 

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
 
@@ -126,7 +127,7 @@ SceneResult done(const Scene& scene) {
     RunOptions options;
     options.stop = &interrupted();
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    return run_scene(scene, options);
+    return at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
 }
 
 std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {

@@ -4,7 +4,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/table_in_parts.hpp"
 #include "edgeproof/conformance/shared_work.hpp"
-#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"

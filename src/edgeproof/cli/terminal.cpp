@@ -5,16 +5,25 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace edgeproof::cli {
 
 namespace {
 constexpr std::chrono::milliseconds shown_every{100};
+
+/// Whether what shows the output obeys escape sequences.
+bool obeys_escapes(int file) {
+    const char* kind = std::getenv("TERM");
+    return ::isatty(file) == 1 && kind != nullptr && *kind != '\0' &&
+           std::string_view(kind) != "dumb";
 }
+} // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : what_(std::move(what)), terminal_(obeys_escapes(STDERR_FILENO)) {}
 
 Progress::~Progress() {
     if (terminal_ && shown_ > 0) {
@@ -46,11 +55,14 @@ void Progress::operator()(std::size_t done, std::size_t total) {
     std::fflush(stderr);
 }
 
-bool stdout_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+bool stdout_takes_colour() {
+    const char* refused = std::getenv("NO_COLOR");
+    return obeys_escapes(STDOUT_FILENO) && (refused == nullptr || *refused == '\0');
+}
 
 std::size_t terminal_width() {
     winsize size{};
-    if (stdout_is_terminal() && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
+    if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
         size.ws_col >= 60) {
         return size.ws_col;
     }

@@ -54,7 +54,7 @@ int verify(const VerifyOptions& o) {
         write_whole(out / "verdicts.tex", verdicts_latex(result));
         write_html_report(result, ledger, out, o.threads);
     }
-    std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
+    std::fputs(verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(), stdout);
 
     const std::filesystem::path golden = golden_file(o.ledger);
     if (o.record) {

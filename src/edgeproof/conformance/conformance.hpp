@@ -18,7 +18,6 @@
 ///   misreading.hpp     failures that another reading of the question explains
 ///   corruption.hpp     right answers made wrong, to see that it is found
 ///   csv.hpp            CSV with the line of each row
-///   text_file.hpp      files as text, and a checksum
 ///   whole_file.hpp     a file that is whole or not there
 #include "edgeproof/conformance/agreement.hpp"
 #include "edgeproof/conformance/answers.hpp"
@@ -38,5 +37,4 @@
 #include "edgeproof/conformance/recipe_grid.hpp"
 #include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/conformance/shared_work.hpp"
-#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/conformance/whole_file.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/part_file.hpp"
 
-#include "edgeproof/conformance/text_file.hpp"
 #include "edgeproof/conformance/whole_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/recipe.hpp"
 
-#include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/points.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/file_kind.hpp"
+#include "edgeproof/scene/points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace edgeproof {
@@ -24,8 +28,8 @@ Rounding rounding_of(const TomlSection& top) {
     if (name == "up") {
         return Rounding::up;
     }
-    top.reject("rounding", "rounding = \"" + name + "\" is no way to round",
-               "write nearest, down or up");
+    static constexpr std::array<std::string_view, 3> names{"nearest", "down", "up"};
+    top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, names));
 }
 
 GridAxis read_axis(const TomlSection& section, const std::string& key) {
@@ -225,6 +229,7 @@ std::vector<Question> asked_of_one(const Asked& asked) {
 
 RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
     const TomlSection top = TomlSection::parse(text, file);
+    expect_file_kind(top, FileKind::recipe);
     top.allow({"title", "digits", "rounding", "scenes"});
     RecipeText recipe;
     recipe.title = top.has("title") ? top.text("title") : "";
@@ -240,8 +245,8 @@ RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
     for (const std::string& name : scenes.keys()) {
         const TomlSection scene = scenes.section(name);
         scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
-        std::vector<GridAxis> axes = read_axes(scene);
-        const Asked asked = read_asked(scene);
+        std::vector<GridAxis> axes = at_place(file, scene.line(), [&] { return read_axes(scene); });
+        const Asked asked = at_place(file, scene.line(), [&] { return read_asked(scene); });
         recipe.scenes.push_back(
             {name, scene.line(), std::move(axes), asked_of_one(asked), asked.line});
     }

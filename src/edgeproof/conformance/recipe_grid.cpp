@@ -2,7 +2,8 @@
 #include "edgeproof/conformance/recipe_grid.hpp"
 
 #include "edgeproof/conformance/reference.hpp"
-#include "edgeproof/conformance/text_file.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& 
 } // namespace
 
 RecipeGrid RecipeGrid::read(const std::filesystem::path& file) {
-    return parse(read_text(file, "recipe (TOML)"), file.string());
+    return parse(read_text(file, "recipe (TOML)", most_toml_bytes), file.string());
 }
 
 RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/reference.hpp"
 
 #include "edgeproof/conformance/piece_work.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/value_route.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -148,6 +150,17 @@ private:
     std::optional<ContactValues> contact_;
 };
 
+/// The answer to question i of a piece; where there is none, an error with the question's line.
+Reference placed_answer(std::optional<Answering>& answering, const Questions& questions,
+                        const Piece& piece, const Digits& digits, std::size_t i) {
+    return at_place(questions.file, questions.list[i].line, [&] {
+        if (!answering) {
+            answering.emplace(questions, piece, digits);
+        }
+        return answering->answer(i);
+    });
+}
+
 void throw_if_stopped(const std::atomic<bool>* stop) {
     if (stop != nullptr && *stop) {
         throw Stopped("interrupted: nothing is written");
@@ -196,10 +209,10 @@ std::vector<Reference> references_in_turn(const Questions& questions, const Digi
     std::vector<Reference> results(questions.list.size());
     for (const Piece& piece : pieces_of(questions)) {
         throw_if_stopped(stop);
-        Answering answering(questions, piece, digits);
+        std::optional<Answering> answering;
         for (const std::size_t i : piece) {
             throw_if_stopped(stop);
-            results[i] = answering.answer(i);
+            results[i] = placed_answer(answering, questions, piece, digits, i);
             one();
         }
     }
@@ -212,10 +225,10 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
         throw_if_stopped(options.stop);
-        Answering answering(questions, pieces[p], options.digits);
+        std::optional<Answering> answering;
         for (const std::size_t i : pieces[p]) {
             throw_if_stopped(options.stop);
-            results[i] = answering.answer(i);
+            results[i] = placed_answer(answering, questions, pieces[p], options.digits, i);
             count.one();
         }
     });

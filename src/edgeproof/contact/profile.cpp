@@ -158,8 +158,9 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
         both.push_back(mirrored(slopes[i]));
     }
     both.insert(both.end(), slopes.begin(), slopes.end());
-    Profile p = piecewise(all, both);
+    Profile p = assemble(Kind::piecewise, all, both);
     p.symmetric_ = true;
+    p.corner_ = checked_corners(p);
     return p;
 }
 

@@ -33,7 +33,10 @@ int sign_or_zero(const Expr& e) {
 std::vector<bool> checked_corners(const Profile& profile) {
     const PrecisionScope scope(check_digits);
     const auto& knots = profile.knots();
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    // Of a symmetric profile the right half alone: messages show what was given, not its mirror
+    // image. The origin is its middle knot.
+    const std::size_t first = profile.symmetric() ? knots.size() / 2 : 0;
+    for (std::size_t i = first; i + 1 < knots.size(); ++i) {
         if (Exact(knots[i + 1].expr() - knots[i].expr()).sign() <= 0) {
             throw InputError("knots do not ascend: " + knots[i].text() + " is followed by " +
                                  knots[i + 1].text(),
@@ -42,7 +45,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
     }
     const SlopeIn<Real> slope(profile);
     std::vector<bool> corner(knots.size(), false);
-    for (std::size_t i = 0; i < knots.size(); ++i) {
+    for (std::size_t i = first; i < knots.size(); ++i) {
         const Expr at = knots[i].expr();
         const int jump = sign_or_zero(substitute(profile.pieces()[i + 1].slope, "x", at) -
                                       substitute(profile.pieces()[i].slope, "x", at));
@@ -50,6 +53,9 @@ std::vector<bool> checked_corners(const Profile& profile) {
             not_convex("across the knot x = " + knots[i].text());
         }
         corner[i] = jump > 0;
+        if (first > 0) {
+            corner[knots.size() - 1 - i] = corner[i];
+        }
     }
     const Expr zero = Expr::number(0);
     const std::size_t o = profile.origin();
@@ -59,7 +65,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
                          "both sides of x = 0",
                          "move the origin to the minimum of the profile");
     }
-    for (std::size_t i = 0; i <= knots.size(); ++i) {
+    for (std::size_t i = first > 0 ? first + 1 : 0; i <= knots.size(); ++i) {
         const SlopePiece& piece = profile.pieces()[i];
         if (piece.linear) {
             if (sign_or_zero(piece.linear->rate) < 0) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/evidence/hard_cases.hpp"
 
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/file_kind.hpp"
 
 namespace edgeproof {
 namespace {
@@ -106,6 +108,7 @@ AskedValue read_asked(const TomlSection& section, const Scene& scene) {
 
 std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string& file) {
     const TomlSection top = TomlSection::parse(text, file);
+    expect_file_kind(top, FileKind::hard_cases);
     top.allow({"cases"});
     std::vector<HardCase> cases;
     const TomlSection all = top.section("cases");
@@ -120,7 +123,7 @@ std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string&
         c.undecided = section.has("undecided") ? section.text("undecided") : "";
         c.name = name;
         c.scene = read_case_scene(section);
-        c.asked = read_asked(section, c.scene);
+        c.asked = at_place(file, c.line, [&] { return read_asked(section, c.scene); });
         cases.push_back(std::move(c));
     }
     return cases;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/names.hpp"
 
+#include "edgeproof/precision/message.hpp"
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -43,6 +45,17 @@ constexpr std::array other_spellings{
     Meant{"Exp", "exp"},
     Meant{"PI", "Pi"},
 };
+
+/// Units that no formula would have as a name.
+constexpr std::array units{"Pa", "kPa", "MPa", "GPa", "kN",  "MN",  "mm", "cm",
+                           "um", "nm",  "psi", "ksi", "deg", "rad", "lbf"};
+
+/// "did you mean x? " where a known name is near.
+std::string near_hint(std::string_view name, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view near = near_name(name, known);
+    return near.empty() ? "" : "did you mean " + std::string(near) + "? ";
+}
 
 bool is_identifier(std::string_view name) {
     const auto letter = [](char c) {
@@ -190,7 +203,10 @@ std::string instead_of_variable(std::string_view name, const Symbols& allowed,
         }
     }
     names.emplace_back("Pi");
-    return "use one of: " + joined(names);
+    if (std::ranges::find(units, name) != units.end()) {
+        return "numbers have no units here: " + std::string(without_units);
+    }
+    return near_hint(name, names) + "use one of: " + joined(names);
 }
 
 std::string instead_of_function(std::string_view name, const Symbols& allowed) {
@@ -204,7 +220,11 @@ std::string instead_of_function(std::string_view name, const Symbols& allowed) {
     for (const BuiltinInfo& f : builtins()) {
         names.emplace_back(f.name);
     }
-    return "use one of: " + joined(names);
+    return near_hint(name, names) + "use one of: " + joined(names);
+}
+
+bool is_unit(std::string_view name, const Symbols& allowed) {
+    return allowed.variables().empty() || std::ranges::find(units, name) != units.end();
 }
 
 std::string at_column(std::string_view text, std::size_t offset) {

@@ -22,6 +22,13 @@ namespace edgeproof {
                                               std::span<const std::string_view> bound);
 [[nodiscard]] std::string instead_of_function(std::string_view name, const Symbols& allowed);
 
+/// What to write where a number is given with a unit.
+inline constexpr std::string_view without_units =
+    "write the number alone, all values in one consistent set of units";
+
+/// Whether a name that follows a number can only be a unit: in a constant, or of a list.
+[[nodiscard]] bool is_unit(std::string_view name, const Symbols& allowed);
+
 /// " at column N": columns count characters from 1.
 [[nodiscard]] std::string at_column(std::string_view text, std::size_t offset);
 /// The (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.

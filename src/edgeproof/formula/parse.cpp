@@ -180,7 +180,9 @@ private:
             return inside;
         }
         if (is_digit(peek()) || peek() == '.') {
-            return number();
+            const Expr value = number();
+            number_end_ = consumed_;
+            return value;
         }
         if (is_name_start(peek())) {
             return name_or_call();
@@ -273,6 +275,18 @@ private:
                  "write fewer digits or smaller exponents", pos_);
         }
         return q;
+    }
+
+    [[nodiscard]] std::string_view name_at(std::size_t start) const {
+        std::size_t end = start;
+        while (end < text_.size() && is_name(text_[end])) {
+            ++end;
+        }
+        return text_.substr(start, end - start);
+    }
+    [[nodiscard]] bool is_known(std::string_view name) const {
+        return name == "pi" || name == "Pi" || find_builtin(name) || is_binder_name(name) ||
+               allowed_.has(name) || allowed_.function(name) != nullptr;
     }
 
     Expr name_or_call() {
@@ -370,6 +384,11 @@ private:
             fail("unexpected " + what, "commas stand only between the arguments of a function",
                  pos_);
         }
+        if (consumed_ == number_end_ && is_name_start(c) && !is_known(name_at(pos_)) &&
+            is_unit(name_at(pos_), allowed_)) {
+            fail("numbers have no units here: '" + std::string(name_at(pos_)) + "'" + column(pos_),
+                 std::string(without_units), pos_);
+        }
         if (is_name(c) || c == '(' || c == '.') {
             fail("a '*' is missing" + column(pos_), "write every product with *", pos_);
         }
@@ -400,6 +419,7 @@ private:
     const Symbols& allowed_;
     std::size_t pos_ = 0;
     std::size_t consumed_ = 0; // end of the last token, without the space behind it
+    std::size_t number_end_ = std::string_view::npos; // of the last number, as consumed_ is
     std::size_t depth_ = 0;
     std::size_t number_bits_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <toml++/toml.h>
 
@@ -238,8 +239,11 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
     try {
         source->root = toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        throw InputError("not TOML: " + std::string(error.description()),
-                         "write key = \"value\" lines under [section] headers")
+        const std::string why(error.description());
+        const bool large = why.find("not representable in 64 bits") != std::string::npos;
+        throw InputError("not TOML: " + why,
+                         large ? "quote the number: \"...\""
+                               : "write key = \"value\" lines under [section] headers")
             .at(file, error.source().begin.line);
     }
     check_characters(source->root, file);
@@ -258,12 +262,8 @@ void TomlSection::allow(const std::vector<std::string_view>& keys) const {
         }
     }
     if (unknown != nullptr) {
-        std::string list;
-        for (const std::string_view k : keys) {
-            list += (list.empty() ? "" : ", ") + std::string(k);
-        }
         reject(unknown->source().begin.line, "unknown key '" + std::string(unknown->str()) + "'",
-               "write one of " + list);
+               one_of(unknown->str(), keys));
     }
 }
 

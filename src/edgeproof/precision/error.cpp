@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
 
+#include "edgeproof/precision/message.hpp"
+
 #include <utility>
 
 namespace edgeproof {
 namespace {
+
+constexpr std::size_t most_bytes = 600; ///< of the problem, and of what to write instead
 
 std::string one_line(const std::string& file, std::size_t line, const std::string& problem,
                      const std::string& instead) {
@@ -16,16 +20,11 @@ std::string one_line(const std::string& file, std::size_t line, const std::strin
         }
         text += ": ";
     }
-    text += problem;
+    text += shortened(problem, most_bytes);
     if (!instead.empty()) {
-        text += "; " + instead;
+        text += "; " + shortened(instead, most_bytes);
     }
-    // A stray newline in quoted input would break the promise of one line.
-    for (char& c : text) {
-        if (c == '\n' || c == '\r') {
-            c = ' ';
-        }
-    }
+    text = printable(text); // one line, and none that the input wrote itself
     return text;
 }
 

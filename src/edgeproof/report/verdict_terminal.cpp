@@ -2,6 +2,7 @@
 #include "edgeproof/report/verdict_writers.hpp"
 
 #include "edgeproof/audit/enclosures.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text_width.hpp"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ std::string remark(const ClaimResult& r) {
     if (!r.outcome.note.empty()) {
         text += (text.empty() ? "" : "; ") + r.outcome.note;
     }
-    return text;
+    return printable(text);
 }
 
 /// How many refutations are proved, and which are not.
@@ -113,7 +114,7 @@ std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool
                       std::string(left + std::min<std::size_t>(rest, 60), '-') + "\n";
     for (const ClaimResult& r : result.claims) {
         const std::vector<std::string> lines = wrapped(remark(r), rest);
-        std::string first = padded(r.claim.id, id_width) + "  " +
+        std::string first = padded(printable(r.claim.id), id_width) + "  " +
                             paint(r.outcome.verdict,
                                   padded(std::string(name_of(r.outcome.verdict)), verdict_width)) +
                             (lines[0].empty() ? "" : "  " + lines[0]);
@@ -134,14 +135,14 @@ std::string verdicts_terminal(const AuditResult& result, std::size_t width, bool
             out += "\nErrata\n" + std::string(6, '-') + "\n";
             any = true;
         }
-        out += paint(Verdict::refuted, r.claim.id);
+        out += paint(Verdict::refuted, printable(r.claim.id));
         if (r.claim.lines.first > 0) { // somebody's own formulas are of no source
             out += " (lines " + std::to_string(r.claim.lines.first) + "-" +
                    std::to_string(r.claim.lines.second) + ")";
         }
         out += "\n";
         if (r.claim.has("says")) {
-            out += "  printed  " + r.claim.text("says") + "\n";
+            out += "  printed  " + printable(r.claim.text("says")) + "\n";
         }
         if (r.outcome.correct) {
             out += "  correct  " + *r.outcome.correct + "\n";

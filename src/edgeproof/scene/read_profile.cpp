@@ -2,16 +2,19 @@
 #include "edgeproof/scene/read_profile.hpp"
 
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
+#include <array>
 #include <functional>
 #include <utility>
 
 namespace edgeproof {
 namespace {
 
-constexpr std::string_view kinds =
-    "power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded or piecewise";
+constexpr std::array<std::string_view, 5> kinds{"power-law", "flat-and-rounded", "tilted-wedge",
+                                                "tilted-flat-and-rounded", "piecewise"};
 
 /// Runs a maker; what it refuses is told with the line of the parameter that it names.
 template <class Make>
@@ -19,21 +22,23 @@ auto located(const TomlSection& section, const std::vector<std::string_view>& pa
              const Make& make) {
     try {
         return make();
-    } catch (const InputError& error) {
-        if (!error.file().empty()) {
+    } catch (const Error& error) {
+        const auto* input = dynamic_cast<const InputError*>(&error);
+        if (input != nullptr && !input->file().empty()) {
             throw;
         }
+        const std::string problem = input != nullptr ? input->problem() : error.what();
         // The parameter that is named first is the one at fault.
         std::size_t line = section.line();
         std::size_t first = std::string::npos;
         for (const std::string_view key : parameters) {
-            const std::size_t named = error.problem().find(std::string(key) + " = ");
+            const std::size_t named = problem.find(std::string(key) + " = ");
             if (section.has(key) && named < first) {
                 first = named;
                 line = section.line(key);
             }
         }
-        throw error.at(section.file(), line);
+        rethrow_at(section.file(), line);
     }
 }
 
@@ -66,7 +71,13 @@ Profile read_piecewise(const TomlSection& section) {
 void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
     scene.profile_line = section.line();
     const std::string kind = section.text("kind");
-    const auto get = [&](std::string_view key) { return section.exact(key); };
+    const auto get = [&](std::string_view key) {
+        Exact value = section.exact(key);
+        (void)at_place( // every parameter is compared with zero
+            section.file(), section.line(key), [&] { return value.sign(); },
+            "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+        return value;
+    };
     const auto make = [&](const std::vector<std::string_view>& parameters, const auto& maker) {
         std::vector<std::string_view> keys{"kind"};
         keys.insert(keys.end(), parameters.begin(), parameters.end());
@@ -113,8 +124,7 @@ void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
     } else if (kind == "piecewise") {
         scene.profile = read_piecewise(section);
     } else {
-        section.reject("kind", "unknown kind of profile '" + kind + "'",
-                       "write " + std::string(kinds));
+        section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, kinds));
     }
 }
 

@@ -2,34 +2,44 @@
 #include "edgeproof/scene/scene_file.hpp"
 
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/file_kind.hpp"
 #include "edgeproof/scene/points.hpp"
 #include "edgeproof/scene/read_profile.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <array>
 
 namespace edgeproof {
 namespace {
 
 constexpr long most_terms_allowed = 400;
 constexpr long most_digits = 100'000;
-constexpr std::size_t most_scene_bytes = 10'000'000;
 
 Expr number(long k) { return Expr::number(Rational(k)); }
+
+/// The sign of the value of a key, or of what follows from it.
+int sign_of(const TomlSection& section, std::string_view key, const Exact& value) {
+    return at_place(
+        section.file(), section.line(key), [&] { return value.sign(); },
+        "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+}
 
 /// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2; `alike`: both bodies are of one material.
 Exact composite_modulus(const TomlSection& load, bool& alike) {
     const auto body = [&](const char* E_key, const char* nu_key) {
         const Exact E = load.exact(E_key);
         const Exact nu = load.exact(nu_key);
-        if (E.sign() <= 0) {
+        if (sign_of(load, E_key, E) <= 0) {
             load.reject(E_key, std::string(E_key) + " = " + E.text() + " is not positive",
                         "give Young's modulus > 0");
         }
-        if (Exact(nu.expr() + number(1)).sign() <= 0 ||
-            Exact(number(1) - number(2) * nu.expr()).sign() < 0) {
+        if (sign_of(load, nu_key, Exact(nu.expr() + number(1))) <= 0 ||
+            sign_of(load, nu_key, Exact(number(1) - number(2) * nu.expr())) < 0) {
             load.reject(nu_key, std::string(nu_key) + " = " + nu.text() + " is no Poisson's ratio",
                         "give -1 < nu <= 1/2");
         }
@@ -53,7 +63,7 @@ Exact read_modulus(const TomlSection& load, bool& alike) {
                         "give contact_modulus, or E1, nu1, E2 and nu2");
         }
         Exact modulus = load.exact("contact_modulus");
-        if (modulus.sign() <= 0) {
+        if (sign_of(load, "contact_modulus", modulus) <= 0) {
             load.reject("contact_modulus",
                         "contact_modulus = " + modulus.text() + " is not positive", "give E* > 0");
         }
@@ -77,7 +87,7 @@ void read_load(const TomlSection& load, Scene& scene, bool& alike) {
     }
     const char* key = load.has("a") ? "a" : "P";
     const Exact value = load.exact(key);
-    if (value.sign() <= 0) {
+    if (sign_of(load, key, value) <= 0) {
         load.reject(key, std::string(key) + " = " + value.text() + " is not positive",
                     std::string("give ") + key + " > 0");
     }
@@ -99,7 +109,7 @@ void check_reach(const TomlSection& load, const Scene& scene) {
         return;
     }
     const Exact& t = scene.profile->parameters().at("t");
-    if (Exact(scene.load.value.expr() - t.expr()).sign() <= 0) {
+    if (sign_of(load, "a", Exact(scene.load.value.expr() - t.expr())) <= 0) {
         load.reject("a",
                     "the half-width a = " + scene.load.value.text() +
                         " does not reach beyond the flat, t = " + t.text(),
@@ -116,7 +126,8 @@ void read_shear(const TomlSection& shear, bool alike, Scene& scene) {
     ShearSpec spec;
     spec.Q = shear.has("Q") ? shear.exact("Q") : Exact();
     spec.bulk_tension = shear.has("bulk_tension") ? shear.exact("bulk_tension") : Exact();
-    if (spec.Q.sign() == 0 && spec.bulk_tension.sign() == 0) {
+    if (sign_of(shear, "Q", spec.Q) == 0 &&
+        sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
         shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
                      "give one that is not, or leave [shear] out");
     }
@@ -144,27 +155,21 @@ Quantity quantity_of(const TomlSection& ask, const std::string& name) {
     if (const auto quantity = quantity_named(name)) {
         return *quantity;
     }
-    ask.reject("quantities", "unknown quantity '" + name + "'",
-               "write pressure, coefficients, shear, extent or contact");
+    static constexpr std::array<std::string_view, 5> names{"pressure", "coefficients", "shear",
+                                                           "extent", "contact"};
+    ask.reject("quantities", "unknown quantity '" + name + "'", one_of(name, names));
 }
 
 /// What f refuses, told with the line of a key.
 template <class F> auto at_key(const TomlSection& ask, std::string_view key, const F& f) {
-    try {
-        return f();
-    } catch (const InputError& error) {
-        if (error.file().empty()) {
-            throw error.at(ask.file(), ask.line(key));
-        }
-        throw;
-    }
+    return at_place(ask.file(), ask.line(key), f);
 }
 
 std::vector<AskedPoint> read_points(const TomlSection& ask) {
     std::vector<AskedPoint> points;
     if (!ask.is_table("u")) {
         for (const auto& item : ask.exacts("u")) {
-            if (item.value.sign() <= 0) {
+            if (sign_of(ask, "u", item.value) <= 0) {
                 ask.reject(item.line, "u = " + item.value.text() + " is not inside the contact",
                            "give distances from the edge, 0 < u < a + b");
             }
@@ -182,7 +187,7 @@ std::vector<AskedPoint> read_points(const TomlSection& ask) {
     at_key(ask, "u", [&] {
         const Exact from = range.exact("from");
         const Exact to = range.exact("to");
-        if (from.sign() <= 0) {
+        if (sign_of(range, "from", from) <= 0) {
             ask.reject(line, "u = " + from.text() + " is not inside the contact",
                        "give distances from the edge, 0 < u < a + b");
         }
@@ -221,8 +226,9 @@ Route route_of(const TomlSection& ask) {
             return route;
         }
     }
-    ask.reject("route", "unknown route '" + name + "'",
-               "write automatic, closed-form, singular-integral or barber-mossakovskii");
+    static constexpr std::array<std::string_view, 4> names{
+        "automatic", "closed-form", "singular-integral", "barber-mossakovskii"};
+    ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
 }
 
 void read_ask(const TomlSection& ask, Scene& scene) {
@@ -248,7 +254,7 @@ void read_ask(const TomlSection& ask, Scene& scene) {
     }
     if (ask.has("process_zone")) {
         const Exact zone = ask.exact("process_zone");
-        if (zone.sign() <= 0) {
+        if (sign_of(ask, "process_zone", zone) <= 0) {
             ask.reject("process_zone", "process_zone = " + zone.text() + " is not positive",
                        "give the length of the process zone, or leave it out");
         }
@@ -256,9 +262,9 @@ void read_ask(const TomlSection& ask, Scene& scene) {
     }
     if (ask.has("part")) {
         const auto part = ask.exacts("part");
-        if (part.size() != 2 || part[0].value.sign() < 0 ||
-            Exact(part[1].value.expr() - part[0].value.expr()).sign() <= 0 ||
-            Exact(number(1) - part[1].value.expr()).sign() < 0) {
+        if (part.size() != 2 || sign_of(ask, "part", part[0].value) < 0 ||
+            sign_of(ask, "part", Exact(part[1].value.expr() - part[0].value.expr())) <= 0 ||
+            sign_of(ask, "part", Exact(number(1) - part[1].value.expr())) < 0) {
             ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
                        "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
         }
@@ -361,6 +367,7 @@ Exact parse_tolerance(std::string_view text) {
 
 Scene parse_scene(std::string_view text, const std::string& file) {
     const TomlSection top = TomlSection::parse(text, file);
+    expect_file_kind(top, FileKind::scene);
     top.allow({"title", "profile", "load", "shear", "ask"});
     Scene scene;
     scene.file = file;
@@ -369,36 +376,25 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     }
     bool alike = true;
     const TomlSection load = top.section("load");
-    read_load(load, scene, alike);
-    read_profile(top.section("profile"), scene.moment.has_value(), scene);
-    check_reach(load, scene);
+    const auto reading = [&](const TomlSection& section, const auto& read) {
+        at_place(section.file(), section.line(), [&] { read(section); });
+    };
+    reading(load, [&](const TomlSection& s) { read_load(s, scene, alike); });
+    reading(top.section("profile"),
+            [&](const TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
+    reading(load, [&](const TomlSection& s) { check_reach(s, scene); });
     if (top.has("shear")) {
-        read_shear(top.section("shear"), alike, scene);
+        reading(top.section("shear"), [&](const TomlSection& s) { read_shear(s, alike, scene); });
     }
     if (top.has("ask")) {
-        read_ask(top.section("ask"), scene);
+        reading(top.section("ask"), [&](const TomlSection& s) { read_ask(s, scene); });
     }
     default_quantities(scene.ask, scene.shear.has_value());
     return scene;
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        throw InputError("there is no such scene file", "give the path of a scene (TOML)")
-            .at(file.string(), 0);
-    }
-    if (std::filesystem::file_size(file, error) > most_scene_bytes || error) {
-        throw InputError("a scene of more than 10 MB", "give the path of a scene (TOML)")
-            .at(file.string(), 0);
-    }
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) {
-        throw InputError("the scene cannot be read", "check its permissions").at(file.string(), 0);
-    }
-    return parse_scene(text.str(), file.string());
+    return parse_scene(read_text(file, "scene (TOML)", most_toml_bytes), file.string());
 }
 
 } // namespace edgeproof

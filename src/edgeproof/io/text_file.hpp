@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -7,9 +8,13 @@
 
 namespace edgeproof {
 
-/// The text of a file. Throws InputError that calls it `what` ("recipe (TOML)") where there is none
-/// or it cannot be read.
-[[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what);
+inline constexpr std::size_t most_text_bytes = 1'000'000'000;
+
+/// The text of a file, a pipe or a device. Throws InputError that calls it `what` ("recipe (TOML)")
+/// where there is none, it is a folder, it cannot be read, or it holds more than `most` bytes, of
+/// which no more are read.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
+                                    std::size_t most = most_text_bytes);
 
 /// 64-bit FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv): tells an edited table, not a forged one.
 /// With the hash of what came before, that of both.

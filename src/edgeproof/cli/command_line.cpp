@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/precision/message.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::cli {
+namespace {
+
+std::string told(const std::string& what, std::string_view name,
+                 const std::vector<std::string>& known) {
+    const std::vector<std::string_view> candidates(known.begin(), known.end());
+    return "unknown " + what + " '" + shortened(name, 60) + "'; " + one_of(name, candidates);
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> subcommands_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(sub->get_name());
+    }
+    return names;
+}
+
+const CLI::App* subcommand(const CLI::App& app, std::string_view name) {
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (sub->get_name() == name) {
+            return sub;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::string unknown_on_command_line(const CLI::App& app, int argc, const char* const* argv) {
+    const CLI::App* current = &app;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--") {
+            break;
+        }
+        if (word.size() > 1 && word.front() == '-') {
+            const std::string name(word.substr(0, word.find('=')));
+            const CLI::Option* option = current->get_option_no_throw(name);
+            if (option == nullptr) {
+                return told("option", name, options_of(*current));
+            }
+            const bool value_follows =
+                option->get_expected_min() > 0 && option->get_type_size() > 0 && name == word;
+            i += value_follows ? 1 : 0;
+        } else if (const CLI::App* sub = subcommand(*current, word)) {
+            current = sub;
+        } else if (!subcommands_of(*current).empty()) {
+            return told("subcommand", word, subcommands_of(*current));
+        }
+    }
+    return {};
+}
+
+} // namespace edgeproof::cli

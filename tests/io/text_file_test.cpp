@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/text_file.hpp"
+
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+
+using namespace edgeproof;
+
+namespace {
+
+std::string said_of(const std::filesystem::path& file, std::size_t most) {
+    try {
+        (void)read_text(file, "scene (TOML)", most);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+template <class Thrown> std::string placed(const Thrown& thrown) {
+    try {
+        at_place("f.toml", 3, [&] { throw thrown; });
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+class OfItsOwn : public Error {
+public:
+    using Error::Error;
+};
+
+} // namespace
+
+TEST_CASE("read_text: a file whole, and why another one cannot be read") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("edgeproof-io-" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 200000U}) {
+        const std::string text(size, 'x');
+        std::ofstream(folder / "file") << text;
+        CHECK(read_text(folder / "file", "file", size) == text);
+        if (size > 0) {
+            CHECK(said_of(folder / "file", size - 1) ==
+                  (folder / "file").string() + ": the file holds more than " +
+                      std::to_string(size - 1) + " bytes; give the path of a scene (TOML)");
+        }
+    }
+    CHECK(said_of(folder, 10) ==
+          folder.string() + ": this is a folder, not a file; give the path of a scene (TOML)");
+    CHECK(said_of(folder / "none", 10) ==
+          (folder / "none").string() + ": there is no such file; give the path of a scene (TOML)");
+    CHECK(said_of("/dev/zero", 1000).find("/dev/zero: the file holds more than 1000 bytes; ") == 0);
+    CHECK(read_text("/dev/null", "file").empty());
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("at_place: errors of ours get the file, the line and advice; others go on as they are") {
+    CHECK(at_place("f.toml", 3, [] { return 7; }) == 7);
+    CHECK(placed(InputError("a", "b")) == "f.toml:3: a; b");
+    CHECK(placed(InputError("a", "b").at("g.toml", 5)) == "g.toml:5: a; b");
+    CHECK(placed(InputError("a", "")).find("f.toml:3: a; ") == 0);
+    CHECK(placed(DomainError("log of 0")).find("f.toml:3: log of 0; give ") == 0);
+    CHECK(placed(BudgetError("4096 bits")).find("f.toml:3: 4096 bits; ask ") == 0);
+    CHECK(placed(Error("no meaning")).find("f.toml:3: no meaning; write ") == 0);
+    CHECK(placed(OfItsOwn("stopped")) == "stopped");
+    CHECK(placed(std::runtime_error("x")) == "x");
+}

@@ -284,9 +284,26 @@ std::optional<double> nearest_binary64(const Ball& x) {
     const double lo = mpfr_get_d(ends.lo.backend().data(), MPFR_RNDN);
     const double hi = mpfr_get_d(ends.hi.backend().data(), MPFR_RNDN);
     if (lo == hi) {
-        return lo;
+        return lo == 0 ? 0.0 : lo; // not -0
     }
     return {};
+}
+
+double nearest_binary64(const Rational& q) {
+    // Cut off far behind the last bit of any binary64, the last bit kept 1 if anything was cut:
+    // that rounds as q does, and is half-way between two only where q is.
+    constexpr mpfr_prec_t bits = 80;
+    Real x;
+    mpfr_set_prec(x.backend().data(), bits);
+    if (mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ) != 0 &&
+        mpfr_min_prec(x.backend().data()) < bits) {
+        if (q > 0) {
+            mpfr_nextabove(x.backend().data());
+        } else {
+            mpfr_nextbelow(x.backend().data());
+        }
+    }
+    return mpfr_get_d(x.backend().data(), MPFR_RNDN);
 }
 
 std::string hexadecimal(double x) {

@@ -284,7 +284,7 @@ std::optional<double> nearest_binary64(const Ball& x) {
     const double lo = mpfr_get_d(ends.lo.backend().data(), MPFR_RNDN);
     const double hi = mpfr_get_d(ends.hi.backend().data(), MPFR_RNDN);
     if (lo == hi) {
-        return lo == 0 ? 0.0 : lo; // not -0
+        return lo;
     }
     return {};
 }

@@ -36,6 +36,21 @@ TEST_CASE("a figure holds if the value rounds to it, to the last place quoted") 
     CHECK(verdict_of(figure("49/100", "0")) == "confirmed");
 }
 
+TEST_CASE("a half is rounded up, on whichever side of it roundoff leaves the value") {
+    // sqrt(2)^2/16, (1/3 + 1/24)/3, sqrt(2)*sqrt(3)*sqrt(6)/48 and sqrt(5)*sqrt(5)/40 are 1/8.
+    for (const char* text : {"1/8", "sqrt(2)*sqrt(2)/16", "(1/3 + 1/24)/3", "sqrt(5)*sqrt(5)/40",
+                             "sqrt(2)*sqrt(3)*sqrt(6)/48", "(1/3)*(3/8)"}) {
+        CAPTURE(text);
+        CHECK(verdict_of(figure(text, "0.13")) == "confirmed");
+        CHECK(verdict_of(figure(text, "0.12")) == "imprecise");
+        CHECK(verdict_of(figure(text, "13 %")) == "confirmed");
+        CHECK(verdict_of(figure(text, "0.125")) == "confirmed");
+    }
+    const ClaimResult r = result_of(figure("sqrt(2)*sqrt(3)*sqrt(6)/48", "0.11"));
+    CHECK(r.outcome.note.starts_with("rounds to 0.13: 2 units of the last quoted place above"));
+    CHECK(r.outcome.note.find("half-way") != std::string::npos);
+}
+
 TEST_CASE("a figure at a place of a contact") {
     // u = a/100: 1/sqrt(1 - 1/200) - 1 = 0.00250940...
     CHECK(verdict_of(figure("abs(1 - right_local(1, x)/p(x))", "0.25 %")) == "confirmed");

@@ -46,7 +46,7 @@ TableFormat format_of(const std::string& name) {
 
 Fact fact(const std::string& key, const Vouched& value, const Digits& digits) {
     const PrintedValue p = printed(value, digits);
-    return {key, p.text, p.bound, value.how()};
+    return {key, p.text, p.bound, how(value, p)};
 }
 
 } // namespace
@@ -178,10 +178,12 @@ void ValueColumns::add(std::vector<std::string>& row, const Vouched& value, bool
     row.push_back(p.text);
     row.push_back(p.bound);
     if (route) {
-        row.push_back(value.how());
+        row.push_back(how(value, p));
     }
     if (digits_.binary64) {
-        row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
+        row.push_back(p.binary64
+                          ? fmt::format("{}", *p.binary64)
+                          : fmt::format("[{}, {}]", p.binary64_between[0], p.binary64_between[1]));
     }
 }
 

@@ -142,7 +142,9 @@ CaseAgreement held(const Answer& answer, const Reference& reference, double scal
     const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
     const Real relative = off / size;
     result.digits = digits_of(relative, digits);
-    result.ulps = Real(off / ulp(size)).convert_to<double>();
+    // Of a ball around a power of two the unit is that of the power, not the half of it below.
+    const Real reach = zero ? size : Real(abs(exact).upper());
+    result.ulps = Real(off / ulp(reach)).convert_to<double>();
     result.relative = relative.convert_to<double>();
     const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
     result.within =

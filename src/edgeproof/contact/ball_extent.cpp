@@ -247,6 +247,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         }
     };
     bool within = pieces.front().from == Side::within;
+    found.starts_within = within;
     if (!within) {
         found.leaves = true;
         found.first_exit = start;
@@ -293,6 +294,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         } else {
             leave(place);
         }
+        found.single.resize(found.crossings.size(), piece.root.has_value());
     }
     if (within) {
         found.measure += end - entered;

@@ -289,6 +289,23 @@ std::optional<double> nearest_binary64(const Ball& x) {
     return {};
 }
 
+double nearest_binary64(const Rational& q) {
+    // Cut off far behind the last bit of any binary64, the last bit kept 1 if anything was cut:
+    // that rounds as q does, and is half-way between two only where q is.
+    constexpr mpfr_prec_t bits = 80;
+    Real x;
+    mpfr_set_prec(x.backend().data(), bits);
+    if (mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ) != 0 &&
+        mpfr_min_prec(x.backend().data()) < bits) {
+        if (q > 0) {
+            mpfr_nextabove(x.backend().data());
+        } else {
+            mpfr_nextbelow(x.backend().data());
+        }
+    }
+    return mpfr_get_d(x.backend().data(), MPFR_RNDN);
+}
+
 std::string hexadecimal(double x) {
     std::array<char, 64> buffer{};
     const int n = std::snprintf(buffer.data(), buffer.size(), "%a", x);

@@ -57,6 +57,9 @@ struct Rounded {
 /// beyond the range: infinities as IEEE 754 rounds to them).
 [[nodiscard]] std::optional<double> nearest_binary64(const Ball& x);
 
+/// The binary64 nearest to q, ties to even (subnormals and infinities as above).
+[[nodiscard]] double nearest_binary64(const Rational& q);
+
 /// A binary64 as C's %a writes it: exact.
 [[nodiscard]] std::string hexadecimal(double x);
 

@@ -88,8 +88,11 @@ std::vector<std::string> ReferenceRows::row(const Questions& questions, std::siz
     const PrintedValue value = printed(reference.value, digits_);
     row.push_back(value.text);
     row.push_back(value.bound);
-    row.push_back(value.binary64 ? fmt::format("{:.17g}", *value.binary64) : "");
-    row.push_back(reference.value.how());
+    row.push_back(value.binary64     ? fmt::format("{:.17g}", *value.binary64)
+                  : digits_.binary64 ? fmt::format("[{:.17g}, {:.17g}]", value.binary64_between[0],
+                                                   value.binary64_between[1])
+                                     : "");
+    row.push_back(how(reference.value, value));
     return row;
 }
 

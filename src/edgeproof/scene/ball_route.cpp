@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/ball_level.hpp"
 #include "edgeproof/scene/exact_ball.hpp"
+#include "edgeproof/scene/exact_values.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
 #include <algorithm>
@@ -28,8 +29,11 @@ public:
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
-        length_ =
-            settle([](BallLevel& level) { return level.length(); }, plan.digits, plan.narrow_bits);
+        if (auto length = settle([](BallLevel& level) { return level.length(); },
+                                 [](ExactValues& exact) { return exact.length(); },
+                                 {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
+            length_ = std::move(length->value);
+        }
         if (scene.load.kind == Load::Kind::right_edge) {
             given_a_ = rational_of(scene.load.value);
         }
@@ -59,9 +63,11 @@ public:
         ContactValues values;
         const bool given = scene_.load.kind == Load::Kind::right_edge;
         const char* by_load = given ? "given" : "from P";
-        values.a = narrow([](BallLevel& level) { return level.a(); }, by_load,
+        values.a = narrow([](BallLevel& level) { return level.a(); },
+                          [](ExactValues& exact) { return exact.a(); }, by_load,
                           [&](ValueRoute& other) { return other.contact().a; });
         values.b = narrow([](BallLevel& level) { return level.b(); },
+                          [](ExactValues& exact) { return exact.b(); },
                           scene_.symmetric() ? by_load : "consistency",
                           [&](ValueRoute& other) { return other.contact().b; });
         if (given) {
@@ -71,7 +77,8 @@ public:
             }
         }
         if (scene_.punch) {
-            values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; }, "tilt",
+            values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; },
+                                   [](ExactValues&) { return ExactNumber::unknown(); }, "tilt",
                                    [&](ValueRoute& other) { return *other.contact().alpha; });
             const BallLevel* first = at_level(plan_.narrow_bits);
             if (first != nullptr && first->tilt().exactly_zero) {
@@ -81,12 +88,14 @@ public:
         if (plan_.resultants) {
             work_.counts.resultants += 2;
             values.force = vouched([](BallLevel& level) { return level.force(); },
+                                   [](ExactValues& exact) { return exact.force(); },
                                    given ? "contact-law" : "given",
                                    [&](ValueRoute& other) { return *other.contact().force; });
             if (!given) {
                 values.force->exactly = rational_of(scene_.load.value);
             }
             values.moment = vouched([](BallLevel& level) { return level.moment(); },
+                                    [](ExactValues& exact) { return exact.moment(); },
                                     scene_.moment ? "given" : "contact-law",
                                     [&](ValueRoute& other) { return *other.contact().moment; });
             if (scene_.moment) {
@@ -116,11 +125,13 @@ public:
         };
         if (p) {
             values.p = narrow([&](BallLevel& level) { return level.p(edge, u); },
+                              [&](ExactValues& exact) { return exact.p(edge, exactly(u)); },
                               closed() ? "closed-form" : "singular-integral",
                               [&](ValueRoute& route) { return *instead(route).p; });
         }
         if (q) {
             values.q = vouched([&](BallLevel& level) { return level.q(edge, u); },
+                               [&](ExactValues& exact) { return exact.q(edge, exactly(u)); },
                                together ? "similar" : "full-stick",
                                [&](ValueRoute& route) { return *instead(route).q; });
         }
@@ -159,12 +170,14 @@ public:
         for (std::size_t k = 0; k < plan_.terms; ++k) {
             if (p) {
                 values.c.push_back(
-                    vouched([&](BallLevel& level) { return level.c(edge)[k]; }, "series",
-                            [&](ValueRoute& route) { return instead(route).c.at(k); }));
+                    vouched([&](BallLevel& level) { return level.c(edge)[k]; },
+                            [&](ExactValues& exact) { return exact.c(edge, plan_.terms).at(k); },
+                            "series", [&](ValueRoute& route) { return instead(route).c.at(k); }));
             }
             if (q) {
                 values.s.push_back(
                     vouched([&](BallLevel& level) { return level.s(edge)[k]; },
+                            [&](ExactValues& exact) { return exact.s(edge, plan_.terms).at(k); },
                             together ? "similar" : "full-stick",
                             [&](ValueRoute& route) { return instead(route).s.at(k); }));
             }
@@ -199,6 +212,7 @@ private:
             edge, n, *scene_.ask.tolerance, scene_.ask.part);
         const auto settled = [&](const Ball& x) { return settles(x, plan_.digits); };
         std::optional<EnclosedExtents> best;
+        ExactExtents exactly;
         const long last = closed() ? last_bits_ : last_curved_bits_;
         for (long bits = plan_.bits; bits <= last; bits *= 2) {
             try {
@@ -209,25 +223,37 @@ private:
                 }
                 continue;
             }
-            if (settled(best->first_exit) && settled(best->measure) &&
-                std::all_of(best->crossings.begin(), best->crossings.end(), settled)) {
+            exactly = exact_extents(*best, *at_level(bits), edge, n);
+            bool all = (exactly.first_exit || settled(best->first_exit)) &&
+                       (exactly.measure || settled(best->measure));
+            for (std::size_t k = 0; k < best->crossings.size(); ++k) {
+                all = all && (exactly.crossings[k] || settled(best->crossings[k]));
+            }
+            if (all) {
                 break;
             }
         }
         if (!best) {
             return {};
         }
-        const auto proved = [](const Ball& x) { return Vouched{x, true, "sign changes"}; };
+        const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
+            return Vouched{x, true, "sign changes", q};
+        };
+        const auto of_length = [&](const std::optional<Rational>& q) {
+            return q && exactly.length ? std::optional(Rational(*q / *exactly.length))
+                                       : std::nullopt;
+        };
         ExtentValues values;
         values.edge = edge;
         values.n = n;
         values.leaves = best->leaves;
-        values.first_exit = proved(best->first_exit);
-        values.measure = proved(best->measure);
-        values.first_exit_fraction = proved(best->first_exit / best->length);
-        values.measure_fraction = proved(best->measure / best->length);
-        for (const Ball& u : best->crossings) {
-            values.crossings.push_back(proved(u));
+        values.first_exit = proved(best->first_exit, exactly.first_exit);
+        values.measure = proved(best->measure, exactly.measure);
+        values.first_exit_fraction =
+            proved(best->first_exit / best->length, of_length(exactly.first_exit));
+        values.measure_fraction = proved(best->measure / best->length, of_length(exactly.measure));
+        for (std::size_t k = 0; k < best->crossings.size(); ++k) {
+            values.crossings.push_back(proved(best->crossings[k], exactly.crossings[k]));
         }
         if (scene_.ask.process_zone) {
             values.covers_zone = certainly_less(
@@ -235,12 +261,83 @@ private:
         }
         return values;
     }
+    /// What is a rational number by its exact form.
+    struct ExactExtents {
+        std::optional<Rational> length;
+        std::optional<Rational> first_exit;
+        std::optional<Rational> measure;
+        std::vector<std::optional<Rational>> crossings;
+    };
+    [[nodiscard]] ExactExtents exact_extents(const EnclosedExtents& found, const BallLevel& level,
+                                             Edge edge, std::size_t n) {
+        ExactExtents result;
+        result.crossings.resize(found.crossings.size());
+        const auto part = [&](const Exact& fraction) {
+            return exact_value([&](ExactValues& e) { return e.length() * exactly(fraction); },
+                               level, found.length * ball_of(fraction, found.length.bits()));
+        };
+        result.length = part(Exact::of(Rational(1)));
+        if (!result.length) {
+            return result;
+        }
+        bool all = true;
+        for (std::size_t k = 0; k < found.crossings.size(); ++k) {
+            result.crossings[k] =
+                found.single[k] ? exact_crossing(found.crossings[k], level, edge, n) : std::nullopt;
+            all = all && result.crossings[k];
+        }
+        const auto start = part(scene_.ask.part.from);
+        const auto end = part(scene_.ask.part.to);
+        result.first_exit = !found.starts_within ? start
+                            : !found.leaves      ? end
+                                                 : result.crossings.front();
+        if (!all || !start || !end) {
+            return result;
+        }
+        Rational measure = 0;
+        Rational entered = *start;
+        bool within = found.starts_within;
+        for (const auto& u : result.crossings) {
+            measure += within ? Rational(*u - entered) : Rational(0);
+            entered = *u;
+            within = !within;
+        }
+        measure += within ? Rational(*end - entered) : Rational(0);
+        if (contains(found.measure, measure)) {
+            result.measure = measure;
+        }
+        return result;
+    }
+    /// The crossing in a ball that holds one, where the error there is the tolerance exactly.
+    [[nodiscard]] std::optional<Rational> exact_crossing(const Ball& u, const BallLevel& level,
+                                                         Edge edge, std::size_t n) {
+        const auto q = may_be_a_limit(u, plan_.digits) ? simplest_rational(u) : std::nullopt;
+        if (!q || *q <= 0) {
+            return {};
+        }
+        const ExactNumber tolerance = exactly(*scene_.ask.tolerance);
+        const auto off = [&](ExactValues& e) {
+            const ExactNumber error = e.error(edge, ExactNumber(*q), n, false);
+            return error == tolerance || error == -tolerance ? ExactNumber(*q)
+                                                             : ExactNumber::unknown();
+        };
+        return exact_value(off, level, u);
+    }
     [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
+    /// A value, and what it is exactly where that is a rational number and was looked at.
+    struct Found {
+        Ball value;
+        std::optional<Rational> exactly = {};
+    };
     /// f at more and more bits, until its digits are settled, or it cannot be told from zero, or
-    /// the bits are used up. Nothing where it has no finite value.
-    template <class F>
-    [[nodiscard]] std::optional<Ball> settle(const F& f, const Digits& digits, long first = 0) {
-        std::optional<Ball> best;
+    /// the bits are used up. Nothing where it has no finite value. Where the ball has the digits
+    /// and yet does not round alike, more bits cannot help if the value lies exactly on the limit:
+    /// so the exact form is looked at first.
+    template <class F, class Exactly>
+    [[nodiscard]] std::optional<Found> settle(const F& f, const Exactly& exactly,
+                                              const Digits& digits, long first = 0) {
+        std::optional<Found> best;
+        bool looked = false;
         const long last = closed() ? last_bits_ : last_curved_bits_;
         for (long bits = first != 0 ? first : plan_.bits; bits <= last; bits = after(bits)) {
             BallLevel* level = at_level(bits);
@@ -251,34 +348,63 @@ private:
             if (!x.is_finite()) {
                 continue;
             }
-            const bool enough =
-                settles(x, digits) || (contains_zero(x) && bits >= plan_.bits + zero_bits);
-            best = std::move(x);
-            if (enough) {
+            best = Found{std::move(x)};
+            if (!looked && may_be_a_limit(best->value, digits)) {
+                looked = true;
+                best->exactly = exact_value(exactly, *level, best->value);
+            }
+            if (best->exactly || settles(best->value, digits) ||
+                (contains_zero(best->value) && bits >= plan_.bits + zero_bits)) {
                 break;
             }
         }
         return best;
     }
+    /// The rational number that the value is by its exact form, if it is known to be one.
+    template <class Exactly>
+    [[nodiscard]] std::optional<Rational> exact_value(const Exactly& exactly,
+                                                      const BallLevel& level, const Ball& near) {
+        ExactValues* exact = exact_values(level);
+        if (exact == nullptr) {
+            return {};
+        }
+        try {
+            auto q = exactly(*exact).rational();
+            return q && contains(near, *q) ? q : std::nullopt;
+        } catch (const DomainError&) { // a series that the exact form does not have
+            return {};
+        }
+    }
+    [[nodiscard]] static ExactNumber exactly(const Exact& x) { return ExactNumber::of(x.expr()); }
+    /// Made when it is first asked for. Null under a tilt that was solved for.
+    [[nodiscard]] ExactValues* exact_values(const BallLevel& level) {
+        if (!exact_) {
+            if (!scene_.punch) {
+                exact_.emplace(scene_, *scene_.profile, level.a(), level.b());
+            } else if (level.tilt().exactly_zero) {
+                exact_.emplace(scene_, level.tilt().near, level.a(), level.b());
+            }
+        }
+        return exact_ ? &*exact_ : nullptr;
+    }
     /// The bits of the next attempt.
     [[nodiscard]] long after(long bits) const { return bits < plan_.bits ? plan_.bits : 2 * bits; }
-    template <class F, class Instead>
-    [[nodiscard]] Vouched vouched(const F& f, const char* route, const Instead& instead) {
-        return vouched(f, plan_.digits, route, instead);
+    template <class F, class Exactly, class Instead>
+    [[nodiscard]] Vouched vouched(const F& f, const Exactly& exactly, const char* route,
+                                  const Instead& instead) {
+        return bounded(settle(f, exactly, plan_.digits), route, instead);
     }
     /// Of what cancels little, so that fewer bits will do at first.
-    template <class F, class Instead>
-    [[nodiscard]] Vouched narrow(const F& f, const char* route, const Instead& instead) {
-        if (auto x = settle(f, plan_.digits, plan_.narrow_bits)) {
-            return {std::move(*x), true, route};
-        }
-        return instead(others());
+    template <class F, class Exactly, class Instead>
+    [[nodiscard]] Vouched narrow(const F& f, const Exactly& exactly, const char* route,
+                                 const Instead& instead) {
+        return bounded(settle(f, exactly, plan_.digits, plan_.narrow_bits), route, instead);
     }
-    template <class F, class Instead>
-    [[nodiscard]] Vouched vouched(const F& f, const Digits& digits, const char* route,
+    template <class Instead>
+    [[nodiscard]] Vouched bounded(std::optional<Found> x, const char* route,
                                   const Instead& instead) {
-        if (auto x = settle(f, digits)) {
-            return {std::move(*x), true, route};
+        if (x) {
+            return {std::move(x->value), true, route, std::move(x->exactly)};
         }
         return instead(others());
     }
@@ -287,17 +413,22 @@ private:
                                               const Instead& instead) {
         const std::size_t n = scene_.ask.terms[i];
         const auto local =
-            settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); }, plan_.digits);
+            settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
+                   [&](ExactValues& exact) { return exact.sum(edge, exactly(u), n, shear); },
+                   plan_.digits);
         const auto error = settle(
             [&](BallLevel& level) {
                 const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
                 return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
             },
+            [&](ExactValues& exact) { return abs(exact.error(edge, exactly(u), n, shear)); },
             plan_.error_digits());
         if (!local || !error) {
             return instead(others());
         }
-        return {n, {*local, true, "series"}, {*error, true, "series"}};
+        return {n,
+                {local->value, true, "series", local->exactly},
+                {error->value, true, "series", error->exactly}};
     }
     /// x of the point u, which is `from` in a ball.
     [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from) {
@@ -312,12 +443,17 @@ private:
         }
         // The text of what is known exactly is made of that: any ball will do.
         if (!x.exactly || plan_.digits.binary64) {
-            x.value = *settle(
+            auto found = settle(
                 [&](BallLevel& level) {
                     const Ball at = ball_of(u, level.bits());
                     return edge == Edge::right ? level.a() - at : at - level.b();
                 },
-                plan_.digits, plan_.narrow_bits);
+                [&](ExactValues& exact) { return exact.x(edge, exactly(u)); }, plan_.digits,
+                plan_.narrow_bits);
+            x.value = std::move(found.value().value);
+            if (!x.exactly) {
+                x.exactly = std::move(found->exactly);
+            }
         }
         return x;
     }
@@ -367,6 +503,7 @@ private:
     std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::optional<Ball> length_;
     std::optional<Rational> given_a_;
+    std::optional<ExactValues> exact_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     Work work_of_others_;

@@ -3,6 +3,7 @@
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/text.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -29,18 +30,28 @@ struct Digits {
 
 /// A value as it is printed.
 struct PrintedValue {
-    std::string text;      ///< rounded correctly at the digits asked for, or at those vouched for
-    std::string bound;     ///< |text - exact| is at most this; of an enclosure, its width
-    bool complete = false; ///< all the digits that were asked for
+    std::string text;       ///< rounded correctly at the digits asked for, or at those vouched for;
+                            ///< "[lower, upper]" where the rounding of a proved value is undecided
+    std::string bound;      ///< |text - exact| is at most this; of an enclosure, its width
+    bool complete = false;  ///< all the digits that were asked for
+    bool undecided = false; ///< no bits tried tell on which side of a limit of rounding it lies
     std::optional<double> binary64;
+    std::array<double, 2> binary64_between{}; ///< where the nearest one is undecided
 };
+
+/// How the value came about, and that its rounding is undecided where it is.
+[[nodiscard]] std::string how(const Vouched& x, const PrintedValue& p);
 
 /// Whether the ball is narrow enough for what is to be printed.
 [[nodiscard]] bool settles(const Ball& x, const Digits& digits);
 
-/// A value that its ball does not tell from zero is "0". Rounded down or up, a value that its ball
-/// does not tell from a number of that few digits is told by the ball's own end: below or above
-/// the exact value all the same.
+/// Whether the ball has the digits that are to be printed, or cannot be told from zero, and yet
+/// does not tell the value from a number of that few digits, or from half-way between two: there
+/// the value may be exactly that, and then no number of bits tells.
+[[nodiscard]] bool may_be_a_limit(const Ball& x, const Digits& digits);
+
+/// A value that its ball does not tell from zero is "0", rounded to nearest. Any other proved value
+/// of which the ball does not decide the rounding is its enclosure.
 [[nodiscard]] PrintedValue printed(const Vouched& x, const Digits& digits);
 
 /// A ball from an estimated absolute error.

@@ -6,11 +6,16 @@
 #include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace edgeproof {
 namespace {
 
 constexpr unsigned search_digits = 20;
+constexpr unsigned place_digits = 6;
+constexpr unsigned reach_digits = 8; ///< of a reach at a value that was tried
 constexpr int grid = 12;
 constexpr int refinements = 16;
 
@@ -28,13 +33,24 @@ public:
         }
     }
     [[nodiscard]] Real operator()(const Rational& value) {
+        const auto known = tried_.find(value);
+        if (known != tried_.end()) {
+            return known->second;
+        }
         const Ledger fixed =
             with_parameter(context_.ledger(), claim_.text("over"), parameter_, Expr::number(value));
         const AuditContext at(fixed, context_.digits());
         const Setting setting(at.scenes(claim_).at(scene_), search_digits);
         ++calls_;
         const Extents e = within_tolerance(setting.contact(), edge_, terms_, tolerance_, range_);
-        return e.first_exit / e.length;
+        return tried_[value] = e.first_exit / e.length;
+    }
+    /// The values tried next to this one, or the value itself where there is none on that side.
+    [[nodiscard]] std::pair<Rational, Rational> neighbours(const Rational& value) const {
+        const auto at = tried_.find(value);
+        const auto next = std::next(at);
+        return {at == tried_.begin() ? value : std::prev(at)->first,
+                next == tried_.end() ? value : next->first};
     }
     [[nodiscard]] std::size_t calls() const { return calls_; }
 
@@ -48,6 +64,7 @@ private:
     std::size_t terms_;
     ExtentRange range_;
     std::size_t calls_ = 0;
+    std::map<Rational, Real> tried_;
 };
 
 struct Best {
@@ -150,14 +167,21 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             approaching = approaching && (!last_off || off * 2 < *last_off || off == 0);
             last_off = off;
             Evidence one;
+            // The reach jumps with the parameter where an inner extremum of the error touches the
+            // tolerance: values tell between which of them the best was found, and no more.
+            const auto [below, above] = reach.neighbours(best.at);
+            const std::string from = to_decimal(below, place_digits, Rounding::down);
+            const std::string to = to_decimal(above, place_digits, Rounding::up);
             one.add("tolerance", text)
-                .add("best_at", to_decimal(Real(best.at), 8))
-                .add("reach_there", to_decimal(best.reach, 8))
-                .add("reach_at_the_value_claimed", to_decimal(here, 8));
+                .add("best_value_tried", exact_text(best.at))
+                .add("reach_there", to_decimal(best.reach, reach_digits))
+                .add("between_the_values_tried", std::vector<std::string>{from, to})
+                .add("reach_at_the_value_claimed", to_decimal(here, reach_digits));
             list.emplace_back(std::move(one));
             if (!outcome.computed) {
-                outcome.computed = claim.text("along") + " = " + to_decimal(Real(best.at), 6) +
-                                   " for the tolerance " + text;
+                outcome.computed = claim.text("along") + " between " + from + " and " + to +
+                                   " for the tolerance " + text +
+                                   ", of the values tried (the reach may jump between them)";
             }
         }
     }
@@ -169,7 +193,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     outcome.verdict = right ? Verdict::confirmed : Verdict::refuted;
     outcome.note = all_best ? "none of the values tried reaches farther"
                    : right  ? "the best value tends to the one claimed as the tolerance is lowered"
-                            : "reaches farthest at " + *outcome.computed;
+                            : "reaches farthest with " + *outcome.computed;
     return outcome;
 }
 

@@ -10,6 +10,9 @@
 namespace edgeproof {
 namespace {
 
+/// Computed figures are held to be right to all but so many of the working digits.
+constexpr int lost_digits = 25;
+
 Rational power_of_ten(unsigned k) {
     Rational p = 1;
     while (k-- > 0) {
@@ -52,9 +55,20 @@ QuotedFigure QuotedFigure::of(const Claim& claim) {
     return figure;
 }
 
+bool QuotedFigure::half_way(const Real& computed) const {
+    const Real steps = computed / Real(unit_);
+    const Real from_half = abs(Real(steps - floor(steps) - Real(1) / 2));
+    return from_half <=
+           (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
+}
+
 long QuotedFigure::units_off(const Real& computed) const {
-    const Real steps = floor(Real(computed / Real(unit_) + Real(1) / 2));
-    const Real off = steps - Real(Rational(value_ / unit_));
+    const Real steps = computed / Real(unit_);
+    const Real quoted(Rational(value_ / unit_));
+    // A half is rounded up, on whichever side of it roundoff has left the value.
+    const Real rounded =
+        half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
+    const Real off = rounded - quoted;
     constexpr long most = 1000000000;
     return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
 }
@@ -65,7 +79,10 @@ Verdict QuotedFigure::verdict(const Real& computed) const {
 }
 
 std::string QuotedFigure::rounded(const Real& computed) const {
-    const Real shown = percent_ ? Real(computed * 100) : computed;
+    Real shown = percent_ ? Real(computed * 100) : computed;
+    if (half_way(computed)) {
+        shown = (floor(Real(computed / Real(unit_))) + 1) * Real(unit_) * (percent_ ? 100 : 1);
+    }
     return shown.str(decimals_, std::ios_base::fixed) + (percent_ ? " %" : "");
 }
 
@@ -75,13 +92,15 @@ std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
 
 std::string QuotedFigure::note(const Real& computed) const {
     const long off = units_off(computed);
+    const std::string between =
+        half_way(computed) ? " (half-way between two, as far as its digits tell: rounded up)" : "";
     if (off == 0) {
-        return "rounds to it";
+        return "rounds to it" + between;
     }
     const long size = std::labs(off);
     return "rounds to " + rounded(computed) + ": " + std::to_string(size) +
            (size == 1 ? " unit" : " units") + " of the last quoted place " +
-           (off > 0 ? "above" : "below");
+           (off > 0 ? "above" : "below") + between;
 }
 
 } // namespace edgeproof

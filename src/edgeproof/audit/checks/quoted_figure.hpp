@@ -19,7 +19,11 @@ public:
 
     /// As a pure number: 2 % is 1/50.
     [[nodiscard]] const Rational& value() const noexcept { return value_; }
-    /// How many units of the last quoted place the computed value, rounded to it, is above.
+    /// Whether the computed value lies half-way between two numbers of so many places, as far as
+    /// the working digits tell.
+    [[nodiscard]] bool half_way(const Real& computed) const;
+    /// How many units of the last quoted place the computed value, rounded to it, is above. A half
+    /// is rounded up.
     [[nodiscard]] long units_off(const Real& computed) const;
     /// Rounds to it: confirmed. One unit off: imprecise. More: refuted.
     [[nodiscard]] Verdict verdict(const Real& computed) const;

@@ -132,7 +132,7 @@ private:
     Real knot_;
 };
 
-Rational power_of_two(int k) {
+Rational dyadic(int k) {
     const Rational q(Integer(1) << static_cast<unsigned>(k < 0 ? -k : k));
     return k < 0 ? Rational(1 / q) : q;
 }
@@ -162,7 +162,7 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
     };
     std::optional<Rational> bad;
     for (int k = -decades_of_two; k <= decades_of_two && !bad; ++k) {
-        const Rational away = power_of_two(k);
+        const Rational away = dyadic(k);
         if (still_rises(away)) {
             advance(away);
         } else {
@@ -190,7 +190,7 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
         }
     }
     // Some way back, out of the reach of a pole: tan(x) is to be integrated up to there.
-    const Rational away = good * (1 - power_of_two(-20));
+    const Rational away = good * (1 - dyadic(-20));
     const Real d = from_rational<Real>(away);
     const Real steep = g.value(d).value_or(previous) / d;
     if (steep > Real(1e300)) {

@@ -197,7 +197,8 @@ TEST_CASE("what has no contact is refused") {
     };
     refuse("decreases", {}, {parse("-x", x)});
     refuse("decreases", {exact("1")}, {parse("x", x), parse("x - 1/2", x)});
-    refuse("decreases", {}, {parse("sin(3*x)", x)});
+    refuse("decreases", {}, {parse("-sin(3*x)", x)});
+    refuse("decreases", {exact("3/2")}, {parse("sin(3*x)", x), parse("x", x)});
     refuse("origin", {}, {parse("x - 1", x)});
     refuse("ascend", {exact("2"), exact("1")}, {parse("x", x), parse("x", x), parse("x", x)});
     refuse("one piece more", {exact("2")}, {parse("x", x)});

@@ -134,3 +134,25 @@ TEST_CASE("bodies of different materials may press, but not shear") {
     CHECK_NOTHROW((void)parsed(profile + two));
     CHECK_THROWS_AS((void)parsed(profile + two + "[shear]\nQ = \"1\"\n"), InputError);
 }
+
+TEST_CASE("bodies of different materials do shear where Dundurs' beta is 0") {
+    const auto sheared = [&](const char* E1, const char* nu1, const char* E2, const char* nu2,
+                             const char* shear) {
+        const auto line = [](const char* key, const char* value) {
+            return std::string(key) + " = \"" + value + "\"\n";
+        };
+        return profile + "[load]\na = \"1\"\n" + line("E1", E1) + line("nu1", nu1) +
+               line("E2", E2) + line("nu2", nu2) + "[shear]\n" + shear;
+    };
+    const char* const Q = "Q = \"1\"\n";
+    // (1 - 2 nu)(1 + nu)/E by hand: 0 and 0; (2/5)(13/10)/52 = 1/100 = (1/2)(5/4)/(125/2).
+    CHECK_NOTHROW((void)parsed(sheared("200", "1/2", "100", "1/2", Q)));
+    CHECK_NOTHROW((void)parsed(sheared("pi", "0.5", "sqrt(2)", "1/2", Q)));
+    CHECK_NOTHROW((void)parsed(sheared("52", "0.3", "125/2", "1/4", Q)));
+    CHECK_THROWS_AS((void)parsed(sheared("52", "0.3", "62.5001", "1/4", Q)), InputError);
+    CHECK_THROWS_AS((void)parsed(sheared("52", "0.3", "52", "0.3000001", Q)), InputError);
+    // The mismatch of strains is not the difference of the tensions there.
+    const char* const tension = "bulk_tension = \"1\"\n";
+    CHECK_THROWS_AS((void)parsed(sheared("200", "1/2", "100", "1/2", tension)), InputError);
+    CHECK_NOTHROW((void)parsed(sheared("200", "1/2", "200", "1/2", tension)));
+}

@@ -175,6 +175,9 @@ private:
         case Builtin::cosh:
             acb_poly_cosh_series(r, x, terms_, bits_);
             return;
+        case Builtin::gamma:
+            acb_poly_gamma_series(r, x, terms_, bits_);
+            return;
         case Builtin::tan:
             acb_poly_tan_series(r, x, terms_, bits_);
             return;
@@ -321,6 +324,7 @@ bool has_complex_taylor(const Expr& e) {
         case Builtin::asinh:
         case Builtin::acosh:
         case Builtin::atanh:
+        case Builtin::gamma:
             break;
         default:
             return false;

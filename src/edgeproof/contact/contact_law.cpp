@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <cmath>
+#include <exception>
 
 namespace edgeproof {
 namespace {
@@ -27,7 +28,7 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
         power_ = PowerLaw{m, T(modulus_ * C * sine_power_integral<T>(T(m + T(1))))};
     }
     if constexpr (!std::same_as<T, double>) {
-        if (!symmetric_) {
+        if (!symmetric_ || (!power_ && !profile.piecewise_linear())) {
             guess_ = std::make_shared<const ContactLaw<double>>(profile, 1.0);
         }
     }
@@ -168,10 +169,21 @@ T ContactLaw<T>::search_edge(const T& known, const T& start, bool solve_left) co
     using std::abs;
     using std::isfinite;
     using std::sqrt;
-    // > 0: the unknown edge lies further out.
+    // > 0: the unknown edge lies further out. Where there is no value (an exponential beyond the
+    // numbers of T, a quadrature that does not converge) it is too far out.
+    std::exception_ptr failure;
     const auto want_more = [&](const T& unknown) {
-        const T f = imbalance(extent_with(known, unknown, solve_left));
-        return solve_left ? f : T(-f);
+        try {
+            const T f = imbalance(extent_with(known, unknown, solve_left));
+            if (f == f) {
+                return solve_left ? f : T(-f);
+            }
+        } catch (const DomainError&) {
+            failure = std::current_exception();
+        } catch (const BudgetError&) {
+            failure = std::current_exception();
+        }
+        return T(-1);
     };
     T x = start;
     T lo(0);
@@ -196,6 +208,9 @@ T ContactLaw<T>::search_edge(const T& known, const T& start, bool solve_left) co
         f = g;
         factor = factor * factor;
     }
+    if ((!(lo > T(0)) || !(hi > T(0))) && failure) {
+        std::rethrow_exception(failure);
+    }
     if (!(lo > T(0)) || !(hi > T(0))) {
         throw DomainError("no position of the other edge closes this contact: the profile does not "
                           "rise on that side");
@@ -203,8 +218,16 @@ T ContactLaw<T>::search_edge(const T& known, const T& start, bool solve_left) co
     x = T(sqrt(lo) * sqrt(hi));
     const T eps = unit_roundoff<T>();
     T last_step = hi - lo;
+    const auto step_at = [&](const T& unknown) {
+        try {
+            return edge_step(known, unknown, solve_left);
+        } catch (const DomainError&) {
+        } catch (const BudgetError&) {
+        }
+        return EdgeStep{T(-1), T(-hi)}; // too far out, as above
+    };
     for (int k = 0; k < 20000; ++k) {
-        const EdgeStep s = edge_step(known, x, solve_left);
+        const EdgeStep s = step_at(x);
         if (s.value == T(0)) {
             return x;
         }
@@ -236,8 +259,7 @@ template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const 
     if (power_) {
         return T(pow(T(P / power_->force_factor), T(T(1) / (power_->exponent + T(1)))));
     }
-    // P(a) grows from 0 without bound for every convex profile: bracket by doubling, then Newton
-    // inside the bracket. A flat at the origin carries no force until the contact leaves it.
+    // A flat at the origin carries no force until the contact leaves it.
     T lo(0);
     for (std::size_t i = slope_.origin() + 1; i < slope_.knots().size(); ++i) {
         const Extent<T> e{slope_.knots()[i], slope_.knots()[i]};
@@ -245,45 +267,129 @@ template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const 
             lo = slope_.knots()[i];
         }
     }
+    if (const auto x = refined_from_guess(P)) {
+        return *x;
+    }
+    return search_right_edge(P, lo);
+}
+
+/// Newton's steps from the answer in binary64; nothing where they do not shrink.
+template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const T& P) const {
+    using std::abs;
+    using std::cbrt;
+    if (!guess_) {
+        return std::nullopt;
+    }
+    const T start = P / modulus_;
+    const double load = static_cast<double>(start);
+    if (!(load > 1e-150 && load < 1e150)) {
+        return std::nullopt;
+    }
+    try {
+        T x(guess_->right_edge_for_force(load));
+        const T enough = cbrt(unit_roundoff<T>() * unit_roundoff<T>()) / T(1 << 10);
+        for (int k = 0; k < 40; ++k) {
+            const Extent<T> e = extent(x);
+            const T step = (P - force(e)) / force_rate(e);
+            if (!(abs(step) < x / T(2))) {
+                return std::nullopt;
+            }
+            x += step;
+            if (abs(step) <= enough * x) {
+                return x;
+            }
+        }
+    } catch (const DomainError&) {
+        // The search tells why, or does better.
+    } catch (const BudgetError&) {
+    }
+    return std::nullopt;
+}
+
+/// The force at the right edge a, and its rate; nothing where no contact ends there: its balance
+/// may ask for more of the slope on the other side than there is, so that a is too large.
+template <Arithmetic T>
+std::optional<typename ContactLaw<T>::ForceAt>
+ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
+    using std::isfinite;
+    if (!symmetric_ && !(slope_.value(slope_.piece_at(a), a) > T(0))) {
+        return ForceAt{T(0), T(0)}; // the right side of the contact is flat: nothing to balance
+    }
+    try {
+        const Extent<T> e = extent(a);
+        const ForceAt found{force(e), force_rate(e)};
+        if (isfinite(found.force)) {
+            return found;
+        }
+    } catch (const DomainError&) {
+        failure = std::current_exception();
+    } catch (const BudgetError&) {
+        failure = std::current_exception();
+    }
+    return std::nullopt;
+}
+
+/// P(a) grows from 0 for every convex profile, without bound where it goes on for ever: bracket by
+/// doubling, then Newton inside the bracket.
+template <Arithmetic T> T ContactLaw<T>::search_right_edge(const T& P, const T& least) const {
+    using std::abs;
+    constexpr int most_doublings = 4000;
+    constexpr int most_failures = 80;
+    std::exception_ptr failure;
+    int failures = 0;
+    // No contact at x counts as one that carries more.
+    const auto at = [&](const T& x) {
+        auto found = force_at(x, failure);
+        if (!found && ++failures > most_failures && failure) {
+            std::rethrow_exception(failure);
+        }
+        return found;
+    };
+    const auto below = [&](const T& x) {
+        const auto found = at(x);
+        return found && found->force < P;
+    };
+    T lo = least;
     T hi = lo > T(0) ? T(lo * T(2)) : T(P / modulus_);
-    const auto P_of = [&](const T& a) { return force(extent(a)); };
     int doublings = 0;
-    while (P_of(hi) < P) {
+    while (below(hi)) {
         lo = hi;
         hi = hi * T(2);
-        if (++doublings > 4000) {
+        if (++doublings > most_doublings) {
+            throw BudgetError("no contact width carries this normal force");
+        }
+    }
+    while (lo == T(0)) {
+        const T half = hi / T(2);
+        (below(half) ? lo : hi) = half;
+        if (++doublings > most_doublings) {
             throw BudgetError("no contact width carries this normal force");
         }
     }
     T x = (lo + hi) / T(2);
-    if (lo == T(0)) {
-        while (P_of(T(hi / T(2))) > P) {
-            hi = hi / T(2);
-            if (++doublings > 4000) {
-                throw BudgetError("no contact width carries this normal force");
-            }
-        }
-        lo = hi / T(2);
-        x = hi;
-    }
     const T eps = unit_roundoff<T>();
     T last_step = hi - lo;
+    bool carried = false; // some contact carries as much
     for (int k = 0; k < 500; ++k) {
-        const Extent<T> e = extent(x);
-        const T value = P - force(e);
+        const auto found = at(x);
+        const T value = found ? T(P - found->force) : T(-P);
+        carried = carried || (found && !(value > T(0)));
         if (value == T(0)) {
             return x;
         }
         (value > T(0) ? lo : hi) = x;
-        const T rate = force_rate(e);
-        T step = rate > T(0) ? T(value / rate) : T(hi - lo);
+        const bool sloped = found && found->rate > T(0);
+        const T step = sloped ? T(value / found->rate) : T(hi - lo);
         T next = x + step;
-        if (abs(step) <= T(4) * eps * x) {
+        if (sloped && abs(step) <= T(4) * eps * x) {
             return next;
         }
         if (!(next > lo) || !(next < hi) || (k > 3 && abs(step) > last_step / T(2))) {
             next = (lo + hi) / T(2);
             if (!(next > lo) || !(next < hi)) {
+                if (!carried && failure) {
+                    std::rethrow_exception(failure);
+                }
                 return x;
             }
         }

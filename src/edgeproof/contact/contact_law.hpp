@@ -4,6 +4,7 @@
 #include "edgeproof/contact/profile.hpp"
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -82,6 +83,13 @@ private:
         T step;
     };
     [[nodiscard]] EdgeStep edge_step(const T& known, const T& unknown, bool solve_left) const;
+    struct ForceAt {
+        T force;
+        T rate; ///< dP/da
+    };
+    [[nodiscard]] std::optional<ForceAt> force_at(const T& a, std::exception_ptr& failure) const;
+    [[nodiscard]] std::optional<T> refined_from_guess(const T& P) const;
+    [[nodiscard]] T search_right_edge(const T& P, const T& least) const;
     [[nodiscard]] T solve_edge(const T& known, bool solve_left) const;
     /// Where Newton starts: nullopt if neither binary64 nor fewer digits decide.
     [[nodiscard]] std::optional<T> guessed_edge(const T& known, bool solve_left) const;

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/complex_taylor.hpp"
+#include "edgeproof/contact/profile_checks.hpp"
 #include "edgeproof/contact/slope_integral.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -34,6 +35,7 @@ IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contac
     } else {
         enclose_edges(contact_modulus);
     }
+    check_reach(profile_, a_, b_);
 }
 
 void IntegratedContact::find_knots_on_edges() {

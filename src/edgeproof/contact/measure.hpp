@@ -108,7 +108,12 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Mar
             if (fold) {
                 weight += kernel.at(e, Mark<U>{U(-m.y), m.w, U(pi<T>() - m.h)});
             }
-            return U(weight * slope.template rate<U>(i, v) * U(extent / length));
+            // From the nearer end that is a knot.
+            const bool by_left = to_right_edge || (!from_left_edge && r_lo < r_hi);
+            const U rate = by_left && from_left_edge ? slope.template rate<U>(i, v)
+                           : by_left                 ? slope.template rate<U>(i, v, i - 1, from_lo)
+                                                     : slope.template rate<U>(i, v, i, U(-from_hi));
+            return U(weight * rate * U(extent / length));
         };
         const auto result =
             integrate_near<T>(f, length, LeadingTerm<U>::of(beyond_left),

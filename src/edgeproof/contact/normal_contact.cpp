@@ -4,6 +4,7 @@
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
 #include "edgeproof/contact/pressure_routes.hpp"
+#include "edgeproof/contact/profile_checks.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
 
@@ -123,6 +124,13 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
         }
     }
     base_working_ = working;
+    if (profile_.kind() == Profile::Kind::piecewise && !profile_.piecewise_linear()) {
+        const PrecisionScope scope(working);
+        const Solved& s = at(working);
+        const long bits = mpfr_get_prec(s.extent.a.backend().data());
+        check_reach(profile_, Ball(s.extent.a, bits), Ball(s.extent.b, bits));
+        sample_slope(profile_, s.law.slope(), s.extent.a, s.extent.b);
+    }
 }
 
 NormalContact::~NormalContact() = default;

@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/profile_checks.hpp"
 #include "edgeproof/contact/require.hpp"
+#include "edgeproof/contact/slope_from_knot.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -46,8 +47,59 @@ Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr>
     for (const Expr& slope : slopes) {
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
+    p.find_forms_at_knots();
     p.corner_.assign(p.knots_.size(), false);
     return p;
+}
+
+void Profile::find_forms_at_knots() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        SlopePiece& piece = pieces_[i];
+        if (piece.linear) {
+            continue;
+        }
+        if (i > 0) {
+            piece.from_left = slope_beside_zero(piece.slope, knots_[i - 1].expr());
+        }
+        if (i < knots_.size()) {
+            piece.from_right = slope_beside_zero(piece.slope, knots_[i].expr());
+        }
+    }
+}
+
+void Profile::continue_outer_pieces() {
+    const auto line_from = [](const RisingLimit& end) {
+        const Expr at = end.at.expr();
+        const Expr rate = Expr::number(end.rate);
+        return substitute(end.slope, "x", at) - rate * at + rate * symbol_x;
+    };
+    const auto add = [&](Edge edge, const RisingLimit& end) {
+        const Expr line = line_from(end);
+        const SlopePiece piece{line, as_linear(line, "x")};
+        if (edge == Edge::right) {
+            right_limit_ = end.at;
+            knots_.push_back(end.at);
+            pieces_.push_back(piece);
+            corner_.push_back(false);
+        } else {
+            left_limit_ = end.at;
+            knots_.insert(knots_.begin(), end.at);
+            pieces_.insert(pieces_.begin(), piece);
+            corner_.insert(corner_.begin(), false);
+            ++origin_;
+        }
+    };
+    const auto right = rising_limit(*this, Edge::right);
+    const auto left = rising_limit(*this, Edge::left);
+    if (right) {
+        add(Edge::right, *right);
+    }
+    if (left) {
+        add(Edge::left, *left);
+    }
+    if (right || left) {
+        find_forms_at_knots();
+    }
 }
 
 Profile Profile::power_law(const Exact& C, const Exact& m) {
@@ -135,6 +187,7 @@ Profile Profile::piecewise(const std::vector<Exact>& knots, const std::vector<Ex
             "give one piece more than knots");
     Profile p = assemble(Kind::piecewise, knots, slopes);
     p.corner_ = checked_corners(p);
+    p.continue_outer_pieces();
     return p;
 }
 
@@ -202,6 +255,12 @@ Profile Profile::reflected() const {
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
     p.origin_ = knots_.size() - 1 - origin_;
+    p.find_forms_at_knots();
+    const auto mirrored_place = [](const std::optional<Exact>& x) {
+        return x ? std::optional(Exact(-x->expr())) : std::nullopt;
+    };
+    p.left_limit_ = mirrored_place(right_limit_);
+    p.right_limit_ = mirrored_place(left_limit_);
     return p;
 }
 

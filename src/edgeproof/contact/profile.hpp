@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/edge.hpp"
 #include "edgeproof/formula/exact.hpp"
 #include "edgeproof/formula/expr.hpp"
 
@@ -20,6 +21,11 @@ struct SlopePiece {
         Expr rate;      ///< 1/length
     };
     std::optional<Linear> linear;
+
+    /// `slope` in the distance from the knot at its left or right end (slope_from_knot.hpp), where
+    /// that keeps digits that x does not.
+    std::optional<Expr> from_left = {};
+    std::optional<Expr> from_right = {};
 };
 
 /// The slope g'(x) of the gap between the bodies: convex (g' does not decrease), piecewise
@@ -48,6 +54,7 @@ public:
                                                          const Exact& R);
     /// The user's own: `slopes[i]` (in x) holds between knots[i-1] and knots[i]. Throws InputError
     /// that names the place where knots do not ascend, g' decreases, or the minimum is not at 0.
+    /// The two outer pieces need to rise, or to have a value, only as far as the contact reaches.
     [[nodiscard]] static Profile piecewise(const std::vector<Exact>& knots,
                                            const std::vector<Expr>& slopes);
     /// The same, given for x > 0 only and continued by g'(-x) = -g'(x).
@@ -70,6 +77,12 @@ public:
     [[nodiscard]] const std::vector<SlopePiece>& pieces() const noexcept { return pieces_; }
     /// Index of the origin among the knots.
     [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
+    /// The place, if any, up to which a user's slope rises on that side, less a millionth of its
+    /// way: beyond, `slopes` ends or decreases, and g' goes on along a straight line so that
+    /// contacts can be searched for. One that reaches it is refused (NormalContact).
+    [[nodiscard]] const std::optional<Exact>& rises_to(Edge edge) const noexcept {
+        return edge == Edge::right ? right_limit_ : left_limit_;
+    }
     /// Whether g' itself jumps at a knot (a corner), rather than only bends.
     [[nodiscard]] bool has_corner(std::size_t knot) const { return corner_.at(knot); }
     /// The same contact seen in a mirror: g'(x) becomes -g'(-x); right becomes left.
@@ -77,6 +90,8 @@ public:
 
 private:
     Profile() = default;
+    void find_forms_at_knots();
+    void continue_outer_pieces();
     static Profile assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes);
 
     Kind kind_ = Kind::piecewise;
@@ -86,6 +101,8 @@ private:
     std::vector<SlopePiece> pieces_;
     std::vector<bool> corner_;
     std::size_t origin_ = 0;
+    std::optional<Exact> left_limit_;
+    std::optional<Exact> right_limit_;
 };
 
 /// a + b x with a, b free of `x`, where the expression has that form by inspection of its tree.

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/rising_slope.hpp"
 
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/slope_from_knot.hpp"
 #include "edgeproof/contact/slope_integral.hpp"
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/precision/interval.hpp"
@@ -86,6 +87,16 @@ Rate atanh(const Rate& f) {
     return continuous(in_unit(f.value), atanh(f.value),
                       f.rate / (interval_of(1) - squared(f.value)));
 }
+Rate gamma(const Rate& f) {
+    if (!f.value.is_finite()) {
+        return continuous(false, f.value, f.rate);
+    }
+    const Ball at = Ball::hull(f.value.lower(), f.value.upper());
+    const std::vector<Ball> series =
+        slope_series(Expr::call("gamma", {Expr::symbol("x")}), at, 2, Interval::bits);
+    return continuous(series[0].is_finite() && series[1].is_finite(), Interval(series[0]),
+                      Interval(series[1]) * f.rate);
+}
 Rate pow(const Rate& f, const Rational& q) {
     const Interval factor(Ball(q, Interval::bits));
     return continuous(denominator(q) == 1 || f.value.nowhere_negative(), pow(f.value, q),
@@ -101,64 +112,6 @@ struct RateEnvironment {
     [[nodiscard]] Rate pi() const { return {Interval(Ball::pi(Interval::bits)), interval_of(0)}; }
     [[nodiscard]] Rate symbol(std::string_view) const { return {x, interval_of(1)}; }
 };
-
-/// The first of the constants in e that are no rational numbers, such as pi and sqrt(2).
-std::optional<Expr> irrational_part(const Expr& e) {
-    using Kind = Expr::Kind;
-    if (e.rational() != nullptr) {
-        return std::nullopt;
-    }
-    if (e.kind() == Kind::pi || e.kind() == Kind::call || e.kind() == Kind::pow) {
-        return e;
-    }
-    for (const Expr& part : e.args()) {
-        if (const auto found = irrational_part(part)) {
-            return found;
-        }
-    }
-    return std::nullopt;
-}
-
-Expr with_symbol_for(const Expr& e, const Expr& part, const Expr& symbol) {
-    if (e == part) {
-        return symbol;
-    }
-    std::vector<Expr> args;
-    for (const Expr& x : e.args()) {
-        args.push_back(with_symbol_for(x, part, symbol));
-    }
-    return args.empty() ? e : Expr::with_args(e, std::move(args));
-}
-
-/// Of a constant that is 0 whatever numbers its irrational parts are: pi/3 - 2*(pi/6).
-bool zero_by_form(const Expr& e) {
-    if (const Rational* q = e.rational()) {
-        return *q == 0;
-    }
-    const auto part = irrational_part(e);
-    const auto linear =
-        part ? as_linear(with_symbol_for(e, *part, Expr::symbol("part")), "part") : std::nullopt;
-    return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
-}
-
-/// e as a function of the distance x - knot, called x again: what is linear in x there loses its
-/// constant exactly where it vanishes on the knot.
-Expr from_knot(const Expr& e, const Expr& knot) {
-    if (!free_symbols(e).contains("x")) {
-        return e;
-    }
-    if (const auto linear = as_linear(e, "x")) {
-        const Expr there = linear->at_origin + linear->rate * knot;
-        const Expr moved = linear->rate * Expr::symbol("x");
-        const Rational* q = there.rational();
-        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
-    }
-    std::vector<Expr> args;
-    for (const Expr& x : e.args()) {
-        args.push_back(from_knot(x, knot));
-    }
-    return Expr::with_args(e, std::move(args));
-}
 
 struct SlopeCell {
     Ball lo;
@@ -250,7 +203,7 @@ SlopeCourse course_from(const Expr& slope, const Exact& knot, bool right, const 
               : !certainly_negative(lower_end(distance))) {
         return {Sign::rises, {}}; // nothing of the piece is in the contact
     }
-    return course(from_knot(slope, knot.expr()), origin, right ? zero : lower_end(distance),
+    return course(slope_from_knot(slope, knot.expr()), origin, right ? zero : lower_end(distance),
                   right ? upper_end(distance) : zero);
 }
 

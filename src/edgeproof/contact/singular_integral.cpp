@@ -2,6 +2,7 @@
 #include "edgeproof/contact/pressure_routes.hpp"
 #include "edgeproof/precision/instantiate.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace edgeproof {
@@ -18,6 +19,7 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
         T left;
         T x;
         bool is_point;
+        std::optional<std::size_t> knot = {};
     };
     std::vector<Cut> cuts;
     cuts.push_back({e.length(), T(0), T(-e.b), false});
@@ -48,7 +50,7 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
             }
             placed = true;
         }
-        cuts.push_back({right, left, knot, at.x == knot});
+        cuts.push_back({right, left, knot, at.x == knot, i});
         piece_of.push_back(piece);
         piece = i + 1;
     }
@@ -86,10 +88,16 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
         const T w = sqrt(T(right * left));
         // From the nearer cut: beside the origin, where |s|^m is steep, s itself is that distance.
         const T s = lo < hi ? T(cuts[i].x + lo) : T(cuts[i + 1].x - hi);
+        const auto& knot = lo < hi ? cuts[i].knot : cuts[i + 1].knot;
+        const T away = lo < hi ? lo : T(-hi); // from that cut
         if (piece_of[i] == piece_of_x) {
-            return T(slope.quotient(piece_of_x, at.x, s, delta) / w);
+            return T((knot ? slope.quotient(piece_of_x, at.x, s, delta, {*knot, away})
+                           : slope.quotient(piece_of_x, at.x, s, delta)) /
+                     w);
         }
-        return T((slope.value(piece_of[i], s) - at_x) / (delta * w));
+        const T at_s =
+            knot ? slope.value(piece_of[i], s, {*knot, away}) : slope.value(piece_of[i], s);
+        return T((at_s - at_x) / (delta * w));
     };
     const auto result =
         integrate_pieces<T>(integrand, lengths, T(0), T(0), {.target_digits = target_digits});

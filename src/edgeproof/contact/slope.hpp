@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace edgeproof {
@@ -35,6 +36,13 @@ public:
         T at_origin{}; ///< g' = at_origin + rate x if linear
         T rate{};
         Expr expression;
+        std::optional<Expr> from_left; ///< in the distance from the knot there (profile.hpp)
+        std::optional<Expr> from_right;
+    };
+    /// A place by a knot at an end of its piece, where the distance from it is better known.
+    struct Beside {
+        std::size_t knot;
+        T away; ///< x - knot
     };
 
     explicit SlopeIn(const Profile& profile) : origin_(profile.origin()) {
@@ -44,6 +52,8 @@ public:
         for (const SlopePiece& piece : profile.pieces()) {
             Piece p;
             p.expression = piece.slope;
+            p.from_left = piece.from_left;
+            p.from_right = piece.from_right;
             if (piece.linear) {
                 p.linear = true;
                 p.at_origin = Exact(piece.linear->at_origin).template to<T>();
@@ -81,10 +91,30 @@ public:
         if (p.linear) {
             return p.rate;
         }
-        using D = DividedDifference<T>;
-        const auto lift = [&](const T& c) { return D::constant(c, delta); };
-        const D at{x, s, T(1), delta};
-        return evaluate<D>(p.expression, SlopeEnvironment<D, T, decltype(lift)>(at, lift)).q;
+        return quotient_of(p.expression, x, s, delta);
+    }
+    /// value() of a piece that begins or ends at the knot.
+    [[nodiscard]] T value(std::size_t piece, const T& x, const Beside& beside) const {
+        const Expr* form = form_at(piece, beside.knot);
+        const auto lift = [](const T& c) { return c; };
+        return form == nullptr
+                   ? value(piece, x)
+                   : evaluate<T>(*form, SlopeEnvironment<T, T, decltype(lift)>(beside.away, lift));
+    }
+    /// rate() likewise, for x a number or a series.
+    template <class U>
+    [[nodiscard]] U rate(std::size_t piece, const U& x, std::size_t knot, const U& away) const {
+        const Expr* form = form_at(piece, knot);
+        return form == nullptr ? rate(piece, x) : rate_of(*form, away);
+    }
+    /// quotient() likewise, s being beside the knot.
+    [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta,
+                             const Beside& beside) const {
+        const Expr* form = form_at(piece, beside.knot);
+        if (form == nullptr) {
+            return quotient(piece, x, s, delta);
+        }
+        return quotient_of(*form, T(x - knots_[beside.knot]), beside.away, delta);
     }
     /// The piece that holds at x; at a knot, the one to its right.
     [[nodiscard]] std::size_t piece_at(const T& x) const {
@@ -96,6 +126,19 @@ public:
     }
 
 private:
+    /// Null where x serves as well.
+    [[nodiscard]] const Expr* form_at(std::size_t piece, std::size_t knot) const {
+        const auto& form = piece == knot ? pieces_[piece].from_right : pieces_[piece].from_left;
+        return form ? &*form : nullptr;
+    }
+    [[nodiscard]] static T quotient_of(const Expr& g, const T& x, const T& s, const T& delta) {
+        using D = DividedDifference<T>;
+        const auto lift = [&](const T& c) { return D::constant(c, delta); };
+        const D at{x, s, T(1), delta};
+        return evaluate<D>(g, SlopeEnvironment<D, T, decltype(lift)>(at, lift)).q;
+    }
+    template <class U> [[nodiscard]] static U rate_of(const Expr& g, const U& x);
+
     std::size_t origin_;
     std::vector<T> knots_;
     std::vector<Piece> pieces_;
@@ -105,24 +148,25 @@ private:
 template <Arithmetic T> template <class U> U SlopeIn<T>::rate(std::size_t piece, const U& x) const {
     const Piece& p = pieces_[piece];
     if constexpr (std::same_as<U, T>) {
-        if (p.linear) {
-            return p.rate;
-        }
+        return p.linear ? p.rate : rate_of(p.expression, x);
+    } else {
+        return p.linear ? U(p.rate, x.order()) : rate_of(p.expression, x);
+    }
+}
+
+template <Arithmetic T> template <class U> U SlopeIn<T>::rate_of(const Expr& g, const U& x) {
+    if constexpr (std::same_as<U, T>) {
         // Two terms of the Taylor series at x: the second is g''.
         using S = Series<T>;
         const auto lift = [](const T& c) { return S(c, 2); };
-        return evaluate<S>(p.expression,
-                           SlopeEnvironment<S, T, decltype(lift)>(S::variable(x, 2), lift))[1];
+        return evaluate<S>(g, SlopeEnvironment<S, T, decltype(lift)>(S::variable(x, 2), lift))[1];
     } else {
         const std::size_t n = x.order();
-        if (p.linear) {
-            return U(p.rate, n);
-        }
         // g'' along the series x(z): the Taylor series of g' at x_0, derived, composed with x -
         // x_0.
         const auto lift = [n](const T& c) { return U(c, n + 1); };
-        const U taylor = evaluate<U>(
-            p.expression, SlopeEnvironment<U, T, decltype(lift)>(U::variable(x[0], n + 1), lift));
+        const U taylor =
+            evaluate<U>(g, SlopeEnvironment<U, T, decltype(lift)>(U::variable(x[0], n + 1), lift));
         const U second = derivative(taylor);
         U result(second[n - 1], n);
         for (std::size_t k = n - 1; k-- > 0;) {

@@ -29,8 +29,16 @@ int sign_of(const TomlSection& section, std::string_view key, const Exact& value
         "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
 }
 
-/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2; `alike`: both bodies are of one material.
-Exact composite_modulus(const TomlSection& load, bool& alike) {
+/// How the materials of the two bodies bear on the shear.
+struct Materials {
+    bool alike = true; ///< one material
+    bool uncoupled =
+        true; ///< Dundurs' beta = 0: shear does not part the surfaces, nor p shear them
+};
+
+/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 where (1 - 2 nu_1)(1 + nu_1)/E_1 is that of
+/// the other body (J. Dundurs, J. Appl. Mech. 36, 650, 1969): decided by symbols.
+Exact composite_modulus(const TomlSection& load, Materials& materials) {
     const auto body = [&](const char* E_key, const char* nu_key) {
         const Exact E = load.exact(E_key);
         const Exact nu = load.exact(nu_key);
@@ -47,15 +55,19 @@ Exact composite_modulus(const TomlSection& load, bool& alike) {
     };
     const auto [E1, nu1] = body("E1", "nu1");
     const auto [E2, nu2] = body("E2", "nu2");
-    alike = Exact(E1.expr() - E2.expr()).sign() == 0 && Exact(nu1.expr() - nu2.expr()).sign() == 0;
+    materials.alike =
+        certainly_zero(E1.expr() - E2.expr()) && certainly_zero(nu1.expr() - nu2.expr());
+    const auto dilation = [](const Exact& E, const Exact& nu) {
+        return (number(1) - number(2) * nu.expr()) * (number(1) + nu.expr()) / E.expr();
+    };
+    materials.uncoupled = materials.alike || certainly_zero(dilation(E1, nu1) - dilation(E2, nu2));
     const auto compliance = [](const Exact& E, const Exact& nu) {
         return (number(1) - nu.expr() * nu.expr()) / E.expr();
     };
     return Exact(number(1) / (compliance(E1, nu1) + compliance(E2, nu2)));
 }
 
-Exact read_modulus(const TomlSection& load, bool& alike) {
-    alike = true;
+Exact read_modulus(const TomlSection& load, Materials& materials) {
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
         if (by_bodies) {
@@ -73,13 +85,13 @@ Exact read_modulus(const TomlSection& load, bool& alike) {
         load.reject(load.line(), "there is no contact_modulus",
                     "add contact_modulus = \"...\" (E*), or E1, nu1, E2 and nu2");
     }
-    return composite_modulus(load, alike);
+    return composite_modulus(load, materials);
 }
 
-void read_load(const TomlSection& load, Scene& scene, bool& alike) {
+void read_load(const TomlSection& load, Scene& scene, Materials& materials) {
     load.allow({"a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
-    scene.contact_modulus = read_modulus(load, alike);
+    scene.contact_modulus = read_modulus(load, materials);
     if (load.has("a") == load.has("P")) {
         load.reject(load.has("a") ? load.line("P") : load.line(),
                     load.has("a") ? "both a and P are given" : "neither a nor P is given",
@@ -117,7 +129,7 @@ void check_reach(const TomlSection& load, const Scene& scene) {
     }
 }
 
-void read_shear(const TomlSection& shear, bool alike, Scene& scene) {
+void read_shear(const TomlSection& shear, const Materials& materials, Scene& scene) {
     shear.allow({"Q", "bulk_tension", "path"});
     if (!shear.has("Q") && !shear.has("bulk_tension")) {
         shear.reject(shear.line(), "the shear section has no load",
@@ -144,9 +156,18 @@ void read_shear(const TomlSection& shear, bool alike, Scene& scene) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
-    if (!alike) {
-        shear.reject(shear.line(), "bodies of different materials couple the shear to the pressure",
-                     "give both bodies the same E and nu, or leave [shear] out");
+    if (!materials.uncoupled) {
+        shear.reject(shear.line(),
+                     "bodies of different materials couple the shear to the pressure: "
+                     "(1 - 2 nu)(1 + nu)/E is not the same in both",
+                     "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
+    }
+    if (!materials.alike && spec.bulk_tension.sign() != 0) {
+        shear.reject(
+            "bulk_tension",
+            "a bulk tension strains bodies of different stiffness differently, so that the "
+            "difference of their tensions does not tell the mismatch",
+            "give both bodies the same E and nu, or bulk_tension = \"0\"");
     }
     scene.shear = spec;
 }
@@ -374,17 +395,17 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     if (top.has("title")) {
         scene.title = top.text("title");
     }
-    bool alike = true;
+    Materials materials;
     const TomlSection load = top.section("load");
     const auto reading = [&](const TomlSection& section, const auto& read) {
         at_place(section.file(), section.line(), [&] { read(section); });
     };
-    reading(load, [&](const TomlSection& s) { read_load(s, scene, alike); });
+    reading(load, [&](const TomlSection& s) { read_load(s, scene, materials); });
     reading(top.section("profile"),
             [&](const TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
     reading(load, [&](const TomlSection& s) { check_reach(s, scene); });
     if (top.has("shear")) {
-        reading(top.section("shear"), [&](const TomlSection& s) { read_shear(s, alike, scene); });
+        reading(top.section("shear"), [&](const TomlSection& s) { read_shear(s, materials, scene); });
     }
     if (top.has("ask")) {
         reading(top.section("ask"), [&](const TomlSection& s) { read_ask(s, scene); });

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/gamma_taylor.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace edgeproof {
 
@@ -169,6 +171,55 @@ template <class T> [[nodiscard]] DividedDifference<T> cosh(const DividedDifferen
 }
 template <class T> [[nodiscard]] DividedDifference<T> tanh(const DividedDifference<T>& f) {
     return sinh(f) / cosh(f);
+}
+
+template <class T> [[nodiscard]] DividedDifference<T> acos(const DividedDifference<T>& f) {
+    using std::acos;
+    const DividedDifference<T> g = asin(f);
+    return {T(acos(f.x)), T(acos(f.s)), T(-g.q), f.delta()};
+}
+/// By asinh(s) - asinh(x) = asinh((s - x)(s + x)/(s sqrt(1 + x^2) + x sqrt(1 + s^2))) for s, x of
+/// one sign; else the difference does not cancel.
+template <class T> [[nodiscard]] DividedDifference<T> asinh(const DividedDifference<T>& f) {
+    using std::asinh;
+    using std::sqrt;
+    const T rx = sqrt(T(T(1) + f.x * f.x));
+    const T rs = sqrt(T(T(1) + f.s * f.s));
+    const T ax = asinh(f.x);
+    const T as = asinh(f.s);
+    const T sum = f.s * rx + f.x * rs;
+    const bool one_sign = f.x * f.s > T(0);
+    const T difference = one_sign ? T(asinh(T(f.difference() * (f.s + f.x) / sum))) : T(as - ax);
+    return from_difference<T>(f, ax, as, difference, T(T(1) / rx));
+}
+template <class T> [[nodiscard]] DividedDifference<T> acosh(const DividedDifference<T>& f) {
+    const auto one = DividedDifference<T>::constant(T(1), f.delta());
+    return log(f + sqrt((f - one) * (f + one)));
+}
+/// By atanh(s) - atanh(x) = atanh((s - x)/(1 - x s)).
+template <class T> [[nodiscard]] DividedDifference<T> atanh(const DividedDifference<T>& f) {
+    using std::atanh;
+    const T difference = atanh(T(f.difference() / (T(1) - f.x * f.s)));
+    return from_difference<T>(f, T(atanh(f.x)), T(atanh(f.s)), difference,
+                              T(T(1) / ((T(1) - f.x) * (T(1) + f.x))));
+}
+/// Of points of opposite signs |s| - |x| = s + x or its negative, as good as these two are known.
+template <class T> [[nodiscard]] DividedDifference<T> abs(const DividedDifference<T>& f) {
+    if (f.x < T(0) && !(f.s > T(0))) {
+        return -f;
+    }
+    if (f.s < T(0)) {
+        return {f.x, T(-f.s), T(-(f.x + f.s) / f.delta()), f.delta()};
+    }
+    if (f.x < T(0)) {
+        return {T(-f.x), f.s, T((f.x + f.s) / f.delta()), f.delta()};
+    }
+    return f;
+}
+template <Arithmetic T> [[nodiscard]] DividedDifference<T> gamma(const DividedDifference<T>& f) {
+    const std::vector<T> at = gamma_taylor_in<T>(f.x, 2);
+    const T difference = gamma_difference_in<T>(f.x, f.difference());
+    return from_difference<T>(f, at[0], T(at[0] + difference), difference, at[1]);
 }
 
 } // namespace edgeproof

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/gamma_taylor.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
@@ -153,6 +154,20 @@ template <class T> [[nodiscard]] Series<T> asinh(const Series<T>& x) {
         return Series<T>(T(asinh(x[0])), 1);
     }
     return integrate_along(T(1) / sqrt(T(1) + x * x), x, T(asinh(x[0])));
+}
+
+/// Euler's gamma function: its Taylor series about x_0, composed with x - x_0.
+template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
+    const std::size_t n = x.order();
+    const std::vector<T> outer = gamma_taylor_in<T>(x[0], n);
+    Series<T> shift = x;
+    shift[0] = T(0);
+    Series<T> result(outer[n - 1], n);
+    for (std::size_t k = n - 1; k-- > 0;) {
+        result = result * shift;
+        result[0] += outer[k];
+    }
+    return result;
 }
 
 /// |x| near a point where x does not vanish. Throws DomainError where it does.

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/slope_from_knot.hpp"
+
+#include "edgeproof/contact/profile.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace edgeproof {
+namespace {
+
+/// The first of the constants in e that are no rational numbers, such as pi and sqrt(2).
+std::optional<Expr> irrational_part(const Expr& e) {
+    using Kind = Expr::Kind;
+    if (e.rational() != nullptr) {
+        return std::nullopt;
+    }
+    if (e.kind() == Kind::pi || e.kind() == Kind::call || e.kind() == Kind::pow) {
+        return e;
+    }
+    for (const Expr& part : e.args()) {
+        if (const auto found = irrational_part(part)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+Expr with_symbol_for(const Expr& e, const Expr& part, const Expr& symbol) {
+    if (e == part) {
+        return symbol;
+    }
+    std::vector<Expr> args;
+    for (const Expr& x : e.args()) {
+        args.push_back(with_symbol_for(x, part, symbol));
+    }
+    return args.empty() ? e : Expr::with_args(e, std::move(args));
+}
+
+/// Of a constant that is 0 whatever numbers its irrational parts are: pi/3 - 2*(pi/6).
+bool zero_by_form(const Expr& e) {
+    if (const Rational* q = e.rational()) {
+        return *q == 0;
+    }
+    const auto part = irrational_part(e);
+    const auto linear =
+        part ? as_linear(with_symbol_for(e, *part, Expr::symbol("part")), "part") : std::nullopt;
+    return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
+}
+
+using Polynomial = std::vector<Rational>; ///< from the constant on
+
+constexpr std::size_t most_coefficients = 33;
+
+Polynomial product(const Polynomial& f, const Polynomial& g) {
+    Polynomial h(f.size() + g.size() - 1, Rational(0));
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        for (std::size_t j = 0; j < g.size(); ++j) {
+            h[i + j] += f[i] * g[j];
+        }
+    }
+    return h;
+}
+
+/// e as a polynomial in the distance x - knot, where it is one with rational coefficients.
+std::optional<Polynomial> as_polynomial(const Expr& e, const Rational& knot) {
+    using Kind = Expr::Kind;
+    if (const Rational* q = e.rational()) {
+        return Polynomial{*q};
+    }
+    if (e.kind() == Kind::symbol) {
+        return Polynomial{knot, Rational(1)};
+    }
+    if (e.kind() == Kind::call || e.args().empty()) {
+        return {};
+    }
+    const auto f = as_polynomial(e.arg(0), knot);
+    if (!f) {
+        return {};
+    }
+    if (e.kind() == Kind::neg) {
+        return product(*f, {Rational(-1)});
+    }
+    const auto g = e.args().size() == 2 ? as_polynomial(e.arg(1), knot) : std::nullopt;
+    if (!g) {
+        return {};
+    }
+    switch (e.kind()) {
+    case Kind::add:
+    case Kind::sub: {
+        Polynomial sum = *f;
+        sum.resize(std::max(f->size(), g->size()), Rational(0));
+        for (std::size_t i = 0; i < g->size(); ++i) {
+            sum[i] += e.kind() == Kind::add ? (*g)[i] : Rational(-(*g)[i]);
+        }
+        return sum;
+    }
+    case Kind::mul:
+        return f->size() + g->size() <= most_coefficients ? std::optional(product(*f, *g))
+                                                          : std::nullopt;
+    case Kind::div:
+        return g->size() == 1 && (*g)[0] != 0 ? std::optional(product(*f, {Rational(1 / (*g)[0])}))
+                                              : std::nullopt;
+    case Kind::pow: {
+        if (g->size() != 1 || denominator((*g)[0]) != 1 || (*g)[0] < 0 ||
+            (*g)[0] * f->size() >= most_coefficients) {
+            return {};
+        }
+        Polynomial power{Rational(1)};
+        for (long n = numerator((*g)[0]).convert_to<long>(); n > 0; --n) {
+            power = product(power, *f);
+        }
+        return power;
+    }
+    default:
+        return {};
+    }
+}
+
+/// By Horner's rule, the vanishing constant left out.
+Expr without_constant(const Polynomial& f) {
+    const Expr x = Expr::symbol("x");
+    Expr sum = Expr::number(f.back());
+    for (std::size_t i = f.size() - 1; i-- > 0;) {
+        sum = f[i] == 0 ? sum * x : sum * x + Expr::number(f[i]);
+    }
+    return sum;
+}
+
+Expr moved_to(const Expr& knot, const Expr& e, bool* vanishes) {
+    if (!free_symbols(e).contains("x")) {
+        return e;
+    }
+    if (const Rational* at = knot.rational()) {
+        const auto f = as_polynomial(e, *at);
+        if (f && f->size() > 2 && (*f)[0] == 0 && f->back() != 0) {
+            *vanishes = true;
+            return without_constant(*f);
+        }
+    }
+    if (const auto linear = as_linear(e, "x")) {
+        const Expr there = linear->at_origin + linear->rate * knot;
+        const Expr moved = linear->rate * Expr::symbol("x");
+        const Rational* q = there.rational();
+        *vanishes = *vanishes || zero_by_form(there);
+        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
+    }
+    std::vector<Expr> args;
+    for (const Expr& x : e.args()) {
+        args.push_back(moved_to(knot, x, vanishes));
+    }
+    return Expr::with_args(e, std::move(args));
+}
+
+} // namespace
+
+Expr slope_from_knot(const Expr& slope, const Expr& knot) {
+    bool vanishes = false;
+    return moved_to(knot, slope, &vanishes);
+}
+
+std::optional<Expr> slope_beside_zero(const Expr& slope, const Expr& knot) {
+    if (const Rational* q = knot.rational(); q != nullptr && *q == 0) {
+        return std::nullopt;
+    }
+    bool vanishes = false;
+    Expr moved = moved_to(knot, slope, &vanishes);
+    return vanishes ? std::optional(std::move(moved)) : std::nullopt;
+}
+
+} // namespace edgeproof

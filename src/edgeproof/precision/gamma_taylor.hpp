@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/arithmetic.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof {
+
+/// The first n coefficients of the Taylor series of Euler's gamma function about x, at the working
+/// precision, by Arb. Throws DomainError at a pole.
+[[nodiscard]] std::vector<Real> gamma_taylor(const Real& x, std::size_t n);
+
+/// gamma(x + h) - gamma(x) without cancellation. Throws DomainError at a pole.
+[[nodiscard]] Real gamma_difference(const Real& x, const Real& h);
+
+/// Digits in which formats of the machine are worked out.
+constexpr unsigned gamma_digits = 50;
+
+template <Arithmetic T> [[nodiscard]] std::vector<T> gamma_taylor_in(const T& x, std::size_t n) {
+    if constexpr (std::same_as<T, Real>) {
+        return gamma_taylor(x, n);
+    } else {
+        const PrecisionScope scope(gamma_digits);
+        std::vector<T> series;
+        for (const Real& c : gamma_taylor(Real(x), n)) {
+            series.push_back(c.convert_to<T>());
+        }
+        return series;
+    }
+}
+
+template <Arithmetic T> [[nodiscard]] T gamma_difference_in(const T& x, const T& h) {
+    if constexpr (std::same_as<T, Real>) {
+        return gamma_difference(x, h);
+    } else {
+        const PrecisionScope scope(gamma_digits);
+        return gamma_difference(Real(x), Real(h)).template convert_to<T>();
+    }
+}
+
+} // namespace edgeproof

@@ -121,12 +121,12 @@ TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint
 
 TEST_CASE("a refutation that the enclosures do not bear out is none") {
     Outcome outcome;
-    outcome.verdict = Verdict::refuted;
+    outcome.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
     const Ball third(Rational(1, 3), 100);
     add_pair("printed", {third, ""}, "exact", {third, ""}, "anywhere", 20, outcome);
     CHECK(outcome.verdict == Verdict::undecided);
     Outcome without;
-    without.verdict = Verdict::refuted;
+    without.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
     add_pair("printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere", 20,
              without);
     CHECK(without.verdict == Verdict::refuted);

@@ -4,25 +4,31 @@
 #include <doctest/doctest.h>
 
 using namespace edgeproof;
-using enum Verdict;
+using enum NotRefuted;
+
+namespace {
+
+const Judgement refuted(Difference::of(Real(1), Real(2), Real(0)));
+
+} // namespace
 
 TEST_CASE("readings: all hold, some hold, none holds") {
-    CHECK(combine_readings({proved, proved}) == proved);
-    CHECK(combine_readings({proved, confirmed}) == confirmed);
-    CHECK(combine_readings({confirmed, refuted}) == imprecise);
-    CHECK(combine_readings({refuted, confirmed, imprecise}) == imprecise);
-    CHECK(combine_readings({refuted, refuted}) == refuted);
+    CHECK(combine_readings({proved, proved}) == Verdict::proved);
+    CHECK(combine_readings({proved, confirmed}) == Verdict::confirmed);
+    CHECK(combine_readings({confirmed, refuted}) == Verdict::imprecise);
+    CHECK(combine_readings({refuted, confirmed, imprecise}) == Verdict::imprecise);
+    CHECK(combine_readings({refuted, refuted}) == Verdict::refuted);
     // A far-fetched reading that is nearly right does not save what the plain one refutes.
-    CHECK(combine_readings({refuted, imprecise}) == refuted);
-    CHECK(combine_readings({imprecise, refuted}) == imprecise);
+    CHECK(combine_readings({refuted, imprecise}) == Verdict::refuted);
+    CHECK(combine_readings({imprecise, refuted}) == Verdict::imprecise);
 }
 
 TEST_CASE("readings: what is not decided decides nothing") {
-    CHECK(combine_readings({}) == undecided);
-    CHECK(combine_readings({undecided}) == undecided);
-    CHECK(combine_readings({confirmed, undecided}) == undecided);
-    CHECK(combine_readings({refuted, undecided}) == undecided);
-    CHECK(combine_readings({underspecified, underspecified}) == underspecified);
+    CHECK(combine_readings({}) == Verdict::undecided);
+    CHECK(combine_readings({undecided}) == Verdict::undecided);
+    CHECK(combine_readings({confirmed, undecided}) == Verdict::undecided);
+    CHECK(combine_readings({refuted, undecided}) == Verdict::undecided);
+    CHECK(combine_readings({underspecified, underspecified}) == Verdict::underspecified);
 }
 
 TEST_CASE("patterns of ids") {

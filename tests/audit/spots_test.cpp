@@ -1,51 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "small_ledger.hpp"
 
 #include <doctest/doctest.h>
 
+#include <type_traits>
+
 using namespace edgeproof;
 
 namespace {
 
-SpotAgreement without_value(Undefined why = Undefined::unknown) {
-    SpotAgreement s;
-    s.undefined = true;
-    s.why = why;
-    s.problem = "sqrt of a number that is negative";
-    s.digits = -1e6;
-    return s;
+SpotAgreement values(const char* printed, const char* exact, const char* error, double digits) {
+    return ValuePair{Real(printed), Real(exact), digits, Real(error)};
 }
-SpotAgreement unsettled(double digits) {
-    SpotAgreement s;
-    s.problem = "an integral did not converge";
-    s.digits = digits;
-    return s;
-}
-SpotAgreement agreeing(double digits) {
-    SpotAgreement s;
-    s.digits = digits;
-    s.good_digits = 60;
-    return s;
-}
-bool undefined(std::vector<SpotAgreement> spots) {
+SpotAgreement agreeing() { return values("1", "1", "1e-50", 50); }
+SpotAgreement apart() { return values("2", "1", "1e-50", 0); }
+Judgement judged(std::vector<SpotAgreement> spots) {
     Agreement a;
     a.spots = std::move(spots);
-    return a.undefined();
+    return judge_samples(a, 45);
 }
+const NoValue no_value{"log of zero", true};
+const OurLimit limit{"more than 100000 terms"};
 
 } // namespace
 
-TEST_CASE("no value at some spot: refuted only where no spot has anything like the right one") {
-    CHECK(undefined({without_value(), without_value()}));
-    CHECK(undefined({unsettled(0.4), without_value(), unsettled(-2)}));
-    CHECK(undefined({agreeing(50), without_value(Undefined::beyond_roundoff)}));
-    CHECK_FALSE(undefined({without_value(), without_value(Undefined::by_roundoff)}));
-    CHECK_FALSE(undefined({}));
-    CHECK_FALSE(undefined({unsettled(0.4), unsettled(1)}));
-    CHECK_FALSE(undefined({agreeing(50), without_value()}));
-    CHECK_FALSE(undefined({unsettled(12), without_value()}));
+TEST_CASE("samples: only two values that differ refute, whatever is missing elsewhere") {
+    CHECK(judged({agreeing(), agreeing()}) == Verdict::confirmed);
+    CHECK(judged({agreeing(), apart()}) == Verdict::refuted);
+    CHECK(judged({no_value, limit, apart()}) == Verdict::refuted);
+    CHECK(judged({no_value, no_value}) == Verdict::underspecified);
+    CHECK(judged({agreeing(), limit, no_value}) == Verdict::underspecified);
+    CHECK(judged({agreeing(), limit}) == Verdict::undecided);
+    CHECK(judged({limit}) == Verdict::undecided);
+    CHECK(judged({}) == Verdict::undecided);
+    // Apart by less than the values are good for; not numbers at all.
+    CHECK(judged({values("1.001", "1", "0.1", 3)}) == Verdict::undecided);
+    CHECK(judged({values("nan", "1", "0", -5)}) == Verdict::undecided);
+    CHECK(judged({values("inf", "1", "0", -5)}) == Verdict::undecided);
+    CHECK(judged({values("2", "1", "nan", -5)}) == Verdict::undecided);
+}
+
+TEST_CASE("refuted is made of a difference, by type") {
+    // No verdict, and so no constant either, becomes a judgement; nor can one be assigned.
+    static_assert(!std::is_convertible_v<Verdict, Judgement>);
+    static_assert(!std::is_constructible_v<Judgement, Verdict>);
+    static_assert(!std::is_assignable_v<Judgement&, Verdict>);
+    static_assert(!std::is_default_constructible_v<Difference>);
+    CHECK(Judgement() == Verdict::undecided);
+    CHECK(Judgement(Difference::of(Real(1), Real(1), Real(0))) == Verdict::undecided);
+    CHECK(Judgement(Difference::of(Real(1), Real(2), Real(0))) == Verdict::refuted);
+    CHECK(Judgement(Difference::of(Ball(1, 64), Ball(2, 64))) == Verdict::refuted);
+    CHECK(Judgement(Difference::of(Ball(1, 64), Ball(1, 64) / 0)) == Verdict::undecided);
+    CHECK(Judgement(Difference::not_above(Real(1), Real(2))) == Verdict::undecided);
+    CHECK(Judgement(Difference::not_above(Real(1), Real(1))) == Verdict::refuted);
 }
 
 TEST_CASE("a few that are spread evenly over all come first") {

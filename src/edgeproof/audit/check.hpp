@@ -3,6 +3,7 @@
 #include "edgeproof/audit/claim.hpp"
 #include "edgeproof/audit/evidence.hpp"
 #include "edgeproof/audit/family.hpp"
+#include "edgeproof/audit/judgement.hpp"
 #include "edgeproof/audit/ledger.hpp"
 #include "edgeproof/audit/verdict.hpp"
 #include "edgeproof/contact/edge.hpp"
@@ -21,12 +22,15 @@ namespace edgeproof {
 
 /// What a check found.
 struct Outcome {
-    Verdict verdict = Verdict::undecided;
+    Judgement verdict;
     std::string note;                    ///< one line for a reader of the table
     std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
     std::optional<std::string> computed; ///< the figure or formula that was computed
     Evidence evidence;
 };
+
+/// Confirmed as a rounded formula: right to the printed digits of its decimals, not beyond.
+[[nodiscard]] bool is_rounded(const Outcome& outcome);
 
 /// A scene, a place in it, and values for the names of `vary`: one sample of a claim.
 struct Sample {
@@ -147,7 +151,8 @@ struct CheckKind {
 [[nodiscard]] const std::vector<CheckKind>& check_kinds();
 /// nullptr if there is none of that name.
 [[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
-/// Keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary, note.
+/// Keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
+/// points, remark, decimals.
 [[nodiscard]] const std::vector<KeySpec>& common_keys();
 
 } // namespace edgeproof

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/claim.hpp"
 
+#include "edgeproof/audit/scope.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -188,7 +189,8 @@ Expr Claim::written(std::string_view key) const {
     try {
         return parse_formula(value, vocabulary);
     } catch (const FormulaError& error) {
-        reject(key, error.problem(), error.instead());
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
     }
 }
 
@@ -197,7 +199,8 @@ Expr Claim::formula(std::string_view key) const {
     try {
         return expand_definitions(e, vocabulary);
     } catch (const InputError& error) {
-        reject(key, error.problem(), error.instead());
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
     }
 }
 
@@ -211,7 +214,8 @@ Condition Claim::condition(std::string_view key) const {
         }
         return c;
     } catch (const InputError& error) {
-        reject(key, error.problem(), error.instead());
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
     }
 }
 

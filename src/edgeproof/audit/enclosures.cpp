@@ -128,7 +128,7 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
     std::vector<std::size_t> order(agreement.spots.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        return agreement.spots[i].digits < agreement.spots[j].digits;
+        return agreement.spots[i].digits() < agreement.spots[j].digits();
     });
     return order;
 }
@@ -140,7 +140,7 @@ void add_refutation(const Agreement& agreement, const Spots& spots, const Formul
     const bool integrals = formulas.have_integrals();
     std::optional<Evidence> overlapping;
     for (const std::size_t i : by_digits(agreement)) {
-        if (!agreement.spots[i].problem.empty()) {
+        if (agreement.spots[i].values() == nullptr) {
             continue;
         }
         if (tried++ == (integrals ? tries_of_integrals : tries)) {
@@ -158,17 +158,18 @@ void add_refutation(const Agreement& agreement, const Spots& spots, const Formul
         }
         // An integral's balls may be wider than the difference, and then they say nothing.
         const auto proved = proved_digits(pair);
-        if (integrals && proved && *proved < agreement.spots[i].digits + 1) {
+        if (integrals && proved && *proved < agreement.spots[i].digits() + 1) {
             problem = "the balls are wider than what the two differ by";
             continue;
         }
         overlapping = std::move(e);
     }
-    if (overlapping && agreement.undefined()) {
-        // Refuted by having no value where it should have one, which no pair of balls shows.
-        problem = "the printed formula has no value at a sample";
-    } else if (overlapping) {
-        outcome.verdict = Verdict::undecided;
+    if (overlapping && agreement.without_value() > 0) {
+        outcome.verdict = NotRefuted::underspecified;
+        return;
+    }
+    if (overlapping) {
+        outcome.verdict = NotRefuted::undecided;
         outcome.note = "the estimates have it differ, the enclosures do not";
         outcome.evidence.add("enclosures", std::move(*overlapping));
         return;
@@ -209,7 +210,7 @@ void add_confirmation(const Agreement& agreement, const Spots& spots, const Form
             continue;
         }
         if (disjoint(*pair.printed, *pair.exact)) {
-            outcome.verdict = Verdict::undecided;
+            outcome.verdict = NotRefuted::undecided;
             outcome.note = "the estimates have it agree, the enclosures do not";
             outcome.evidence.add("enclosures", both(pair, spots.all()[i].text, digits));
             return;
@@ -273,7 +274,7 @@ void add_pair(const std::string& first, const Enclosed& x, const std::string& se
             .add(second, ball_text(*y.ball, digits))
             .add("disjoint", apart);
         if (!apart && outcome.verdict == Verdict::refuted) {
-            outcome.verdict = Verdict::undecided;
+            outcome.verdict = NotRefuted::undecided;
             outcome.note = "the estimates have it differ, the enclosures do not";
         }
     }

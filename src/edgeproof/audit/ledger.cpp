@@ -42,8 +42,8 @@ Field read_field(const TomlSection& section, std::string_view key) {
 
 class LedgerReader {
 public:
-    LedgerReader(std::string_view text, const std::string& file)
-        : top_(TomlSection::parse(text, file)), file_(file) {}
+    LedgerReader(std::string_view text, const std::string& file, ClaimErrors errors)
+        : top_(TomlSection::parse(text, file)), file_(file), errors_(errors) {}
 
     Ledger read() {
         ledger_.file = file_;
@@ -66,17 +66,35 @@ public:
         }
         std::set<std::string> ids;
         for (const TomlSection& claim : top_.sections("claim")) {
-            at_place(file_, claim.line(), [&] { read_claim(claim); });
-            if (!ids.insert(ledger_.claims.back().id).second) {
-                claim.reject("id", "the id " + ledger_.claims.back().id + " stands twice",
-                             "give each claim an id of its own");
+            try {
+                at_place(file_, claim.line(), [&] {
+                    Claim read = read_claim(claim);
+                    if (!ids.insert(read.id).second) {
+                        claim.reject("id", "the id " + read.id + " stands twice",
+                                     "give each claim an id of its own");
+                    }
+                    ledger_.claims.push_back(std::move(read));
+                });
+            } catch (const InputError& error) {
+                if (errors_ == ClaimErrors::thrown) {
+                    throw;
+                }
+                ledger_.errors.push_back({id_of(claim), error});
             }
         }
         return std::move(ledger_);
     }
 
 private:
-    void read_claim(const TomlSection& table) {
+    static std::string id_of(const TomlSection& table) {
+        try {
+            return table.text_or("id", "");
+        } catch (const InputError&) {
+            return "";
+        }
+    }
+
+    [[nodiscard]] Claim read_claim(const TomlSection& table) const {
         Claim claim;
         claim.file = file_;
         claim.line = table.line();
@@ -140,7 +158,7 @@ private:
                 check_fields(under_reading(ledger_, claim, reading), *kind, true);
             }
         }
-        ledger_.claims.push_back(std::move(claim));
+        return claim;
     }
 
     void check_fields(const Claim& claim, const CheckKind& kind, bool complete) const {
@@ -210,6 +228,7 @@ private:
 
     TomlSection top_;
     std::string file_;
+    ClaimErrors errors_;
     Ledger ledger_;
 };
 
@@ -224,12 +243,12 @@ const Family& Ledger::family(std::string_view wanted) const {
     throw Error("the ledger has no family '" + std::string(wanted) + "'");
 }
 
-Ledger parse_ledger(std::string_view text, const std::string& file) {
-    return LedgerReader(text, file).read();
+Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors errors) {
+    return LedgerReader(text, file, errors).read();
 }
 
-Ledger read_ledger(const std::filesystem::path& file) {
-    return parse_ledger(read_text(file, "ledger (TOML)", most_toml_bytes), file.string());
+Ledger read_ledger(const std::filesystem::path& file, ClaimErrors errors) {
+    return parse_ledger(read_text(file, "ledger (TOML)", most_toml_bytes), file.string(), errors);
 }
 
 Claim under_reading(const Ledger& ledger, const Claim& claim, const Claim::Reading& reading) {

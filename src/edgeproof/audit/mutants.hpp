@@ -36,6 +36,11 @@ struct MutantFate {
     bool equivalent = false; ///< proved equal to the original by symbols
     bool named = false;      ///< the diagnosis gives back the original
     std::string note;        ///< of the outcome
+
+    /// Refuted, or found to have no value as it stands: it does not pass for a formula that holds.
+    [[nodiscard]] bool caught() const {
+        return verdict == Verdict::refuted || verdict == Verdict::underspecified;
+    }
 };
 
 struct MutationRun {

@@ -41,6 +41,8 @@ void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string
 Claim broken(const Claim& claim, const Expr& formula) {
     Claim mutant = claim;
     mutant.fields.find("says")->second.value = to_text(formula);
+    // Its fractions are written as decimals here, and are none in print.
+    mutant.fields.insert_or_assign("decimals", Field{std::string("exact"), mutant.line});
     return mutant;
 }
 
@@ -69,9 +71,10 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
                             expand_definitions(original, claim.vocabulary),
                             symbolic_case(claim, context));
     };
-    if (outcome.verdict != Verdict::refuted) {
+    if (!fate.caught()) {
         fate.equivalent = same_as_original(mutant.formula);
-    } else if (outcome.correct && !outcome.evidence.find("derived_instead")) {
+    } else if (outcome.verdict == Verdict::refuted && outcome.correct &&
+               !outcome.evidence.find("derived_instead")) {
         // Named: by an edit, or a factor, that gives back what stood there.
         fate.named = same_as_original(parse_formula(*outcome.correct, claim.vocabulary));
     }

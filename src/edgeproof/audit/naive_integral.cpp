@@ -89,8 +89,8 @@ void require_a_value(const NaiveIntegrand& f, const Split& split, const NaivePre
         const Real length = split.marks[i + 1] - split.marks[i];
         if (grows_beyond_bounds(f, precision, split.marks[i], true, length) ||
             grows_beyond_bounds(f, precision, split.marks[i + 1], false, length)) {
-            throw DomainError("an integral has no finite value: its integrand grows like one over "
-                              "the distance from an end, or faster");
+            throw DivergentIntegral("an integral has no finite value: its integrand grows like one "
+                                    "over the distance from an end, or faster");
         }
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
@@ -35,12 +36,19 @@ struct NaiveIntegral {
     bool converged = true;
 };
 
+/// An integral that has no finite value, as far as an estimate tells: its integrand grows at an end
+/// as no integral bears.
+class DivergentIntegral : public DomainError {
+public:
+    using DomainError::DomainError;
+};
+
 /// f at one point; called at the precision that the point takes.
 using NaiveIntegrand = std::function<Real(const Real&)>;
 
 /// The integral of f from lo to hi (also for hi < lo). `cuts` are places where f is not analytic,
 /// inside (the interval is split there) or outside (an end near to one is taken care of).
-/// Throws DomainError for one that does not settle and grows at an end as no integral bears.
+/// Throws DivergentIntegral for one that does not settle and grows at an end.
 [[nodiscard]] NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo,
                                               const Real& hi, std::vector<Real> cuts,
                                               const NaivePrecision& precision);

@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace edgeproof {
 namespace {
@@ -22,7 +23,6 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
         throw;
     } catch (const Error& e) { // a budget spent, or a way that does not lead there
         Outcome o;
-        o.verdict = Verdict::undecided;
         o.note = e.what();
         return o;
     }
@@ -39,7 +39,7 @@ std::string join(const std::vector<std::string>& parts, const std::string& betwe
 /// The outcome that follows from those under the readings; `undefined` names what print leaves out.
 Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Outcome>>& readings) {
     Outcome all;
-    std::vector<Verdict> verdicts;
+    std::vector<Judgement> verdicts;
     std::vector<std::string> holding;
     std::vector<std::string> failing;
     Evidence each;
@@ -70,7 +70,7 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
     }
     all.verdict = combine_readings(verdicts);
     if (!claim.undefined.empty()) {
-        all.verdict = Verdict::underspecified;
+        all.verdict = NotRefuted::underspecified;
         all.note = "not defined in print: " + join(claim.undefined, ", ") + "; " +
                    (holding.empty() ? "holds under none of the readings tried"
                                     : "would hold for: " + join(holding, "; "));
@@ -85,7 +85,7 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
 
 } // namespace
 
-Verdict combine_readings(const std::vector<Verdict>& verdicts) {
+Judgement combine_readings(const std::vector<Judgement>& verdicts) {
     const auto count = [&](auto&& test) {
         return std::count_if(verdicts.begin(), verdicts.end(), test);
     };
@@ -93,21 +93,21 @@ Verdict combine_readings(const std::vector<Verdict>& verdicts) {
     const auto holding = count([](Verdict v) { return holds(v); });
     const auto is = [&](Verdict which) { return count([&](Verdict v) { return v == which; }); };
     if (n == 0) {
-        return Verdict::undecided;
+        return NotRefuted::undecided;
     }
     if (holding == n) {
         if (is(Verdict::definition) == n) {
-            return Verdict::definition;
+            return NotRefuted::definition;
         }
-        return is(Verdict::proved) + is(Verdict::definition) == n ? Verdict::proved
-                                                                  : Verdict::confirmed;
+        return is(Verdict::proved) + is(Verdict::definition) == n ? NotRefuted::proved
+                                                                  : NotRefuted::confirmed;
     }
     if (holding > 0) {
         const auto known_not =
             is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
-        return known_not > 0 ? Verdict::imprecise : Verdict::undecided;
+        return known_not > 0 ? NotRefuted::imprecise : NotRefuted::undecided;
     }
-    return is(Verdict::undecided) > 0 ? Verdict::undecided : verdicts.front();
+    return is(Verdict::undecided) > 0 ? NotRefuted::undecided : verdicts.front();
 }
 
 bool matches(std::string_view pattern, std::string_view text) {
@@ -129,7 +129,13 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             chosen.push_back(&claim);
         }
     }
-    if (chosen.empty()) {
+    std::vector<ClaimError> errors;
+    for (const ClaimError& e : ledger.errors) {
+        if (matches(options.only, e.id)) {
+            errors.push_back(e);
+        }
+    }
+    if (chosen.empty() && errors.empty()) {
         throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
                          "give a pattern such as 'EQ2*' or 'S1*'");
     }
@@ -139,15 +145,10 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     result.source = ledger.source;
     result.digits = options.digits;
     result.claims.resize(chosen.size());
+    std::vector<std::optional<InputError>> failed(chosen.size());
     std::atomic<std::size_t> done{0};
     std::atomic<bool> skipped{false};
-    const auto run_claim = [&](std::size_t i) {
-        if (context.stopped()) {
-            skipped = true;
-            return;
-        }
-        const Claim& claim = *chosen[i];
-        ClaimResult& r = result.claims[i];
+    const auto judge = [&](const Claim& claim, ClaimResult& r) {
         r.claim = claim;
         if (claim.readings.empty() && claim.undefined.empty()) {
             r.outcome = check_one(claim, context);
@@ -157,6 +158,20 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
                                         check_one(under_reading(ledger, claim, reading), context));
             }
             r.outcome = combined(claim, r.readings);
+        }
+    };
+    const auto run_claim = [&](std::size_t i) {
+        if (context.stopped()) {
+            skipped = true;
+            return;
+        }
+        try {
+            judge(*chosen[i], result.claims[i]);
+        } catch (const InputError& error) {
+            if (options.errors == ClaimErrors::thrown) {
+                throw;
+            }
+            failed[i] = error;
         }
         if (context.stopped()) { // perhaps in the middle
             skipped = true;
@@ -175,6 +190,19 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     if (skipped) {
         throw Interrupted("stopped before all claims were checked");
     }
+    std::vector<ClaimResult> judged;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (failed[i]) {
+            errors.push_back({chosen[i]->id, *failed[i]});
+        } else {
+            judged.push_back(std::move(result.claims[i]));
+        }
+    }
+    result.claims = std::move(judged);
+    std::stable_sort(errors.begin(), errors.end(), [](const ClaimError& x, const ClaimError& y) {
+        return x.error.line() < y.error.line();
+    });
+    result.errors = std::move(errors);
     return result;
 }
 

@@ -24,6 +24,7 @@ struct AuditResult {
     std::string source;
     unsigned digits = 0;
     std::vector<ClaimResult> claims;
+    std::vector<ClaimError> errors; ///< of claims chosen that have no result, in the ledger's order
 };
 
 struct AuditOptions {
@@ -31,6 +32,8 @@ struct AuditOptions {
     int threads = 0;        ///< 0: as many as the machine has
     std::string only = "*"; ///< a pattern of ids, * and ? as in a shell
     std::function<void(std::size_t done, std::size_t total)> progress; ///< from any thread
+    /// Of an error in one claim that shows when it is checked.
+    ClaimErrors errors = ClaimErrors::thrown;
     const std::atomic<bool>* stop = nullptr; ///< set: no further claim is begun, nor sample of one
 };
 
@@ -46,7 +49,7 @@ public:
 /// What the outcomes under several readings of the same words come to: all hold: the claim holds;
 /// some: imprecise; none: what the first reading, the plain one, comes to (undecided, where the
 /// evidence of any did not decide).
-[[nodiscard]] Verdict combine_readings(const std::vector<Verdict>& verdicts);
+[[nodiscard]] Judgement combine_readings(const std::vector<Judgement>& verdicts);
 
 /// Whether an id matches a pattern with * and ?.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view text);

@@ -17,6 +17,7 @@ constexpr unsigned contact_guard = 15;
 constexpr unsigned quadrature_guard = 20;
 constexpr unsigned screening_guard = 6;
 constexpr int screening_level = 6;
+constexpr long most_local_terms = 1000;
 
 /// The number behind a name such as P2 or right_c1.
 std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {
@@ -187,7 +188,11 @@ Real SettingState::call(const std::string& name, std::span<const Real> args, con
     if (name == "right_local" || name == "left_local") {
         const Edge edge = name == "right_local" ? Edge::right : Edge::left;
         const auto n = args[0].convert_to<long>();
-        if (n < 0 || n > 1000 || Real(n) != args[0]) {
+        if (args[0] > most_local_terms) {
+            throw BudgetError(name + " of more than " + std::to_string(most_local_terms) +
+                              " terms");
+        }
+        if (n < 0 || Real(n) != args[0]) {
             throw DomainError(name + " is asked for a number of terms that is no whole number");
         }
         const Extent<Real>& extent = top().extent;

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/spots.hpp"
 
 #include "edgeproof/audit/magnitude.hpp"
+#include "edgeproof/audit/naive_integral.hpp"
 #include "edgeproof/audit/undefined.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -52,32 +53,64 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
 
 } // namespace
 
+double SpotAgreement::digits() const {
+    const ValuePair* both = values();
+    return both == nullptr ? -all_digits : both->digits;
+}
+
+std::string SpotAgreement::problem() const {
+    if (const NoValue* none = no_value()) {
+        return none->why;
+    }
+    return limit() != nullptr ? limit()->what : "";
+}
+
 bool Agreement::to(double digits) const {
     return !spots.empty() && std::all_of(spots.begin(), spots.end(), [&](const SpotAgreement& s) {
-        return s.problem.empty() && s.digits >= digits;
+        return s.values() != nullptr && s.digits() >= digits;
     });
 }
 
-bool Agreement::undefined() const {
-    const auto any = [&](Undefined why) {
-        return std::any_of(spots.begin(), spots.end(),
-                           [&](const SpotAgreement& s) { return s.undefined && s.why == why; });
-    };
-    if (any(Undefined::beyond_roundoff)) {
-        return true;
+std::optional<Difference> Agreement::difference(double digits_needed) const {
+    for (const SpotAgreement& s : spots) {
+        if (const ValuePair* v = s.values(); v != nullptr && v->digits < digits_needed) {
+            if (auto found = Difference::of(v->printed, v->exact, v->error)) {
+                return found;
+            }
+        }
     }
-    constexpr double anything_like = 3;
-    return !any(Undefined::by_roundoff) && any(Undefined::unknown) &&
-           std::all_of(spots.begin(), spots.end(), [](const SpotAgreement& s) {
-               return s.undefined || s.digits < anything_like;
-           });
+    return std::nullopt;
 }
 
-bool Agreement::differ(double digits_needed) const {
-    // Three digits of margin: errors of quadratures are estimates.
-    return std::any_of(spots.begin(), spots.end(), [&](const SpotAgreement& s) {
-        return s.problem.empty() && s.digits < digits_needed && s.digits + 3 < s.good_digits;
-    });
+std::size_t Agreement::without_value() const {
+    return static_cast<std::size_t>(
+        std::count_if(spots.begin(), spots.end(),
+                      [](const SpotAgreement& s) { return s.no_value() != nullptr; }));
+}
+
+std::string Agreement::obstacle(double digits_needed) const {
+    const auto first = [&](auto&& is) {
+        const auto it = std::find_if(spots.begin(), spots.end(), is);
+        return it == spots.end() ? nullptr : &*it;
+    };
+    if (const auto* none = first([](const auto& s) { return s.no_value() != nullptr; })) {
+        const bool others_agree =
+            std::all_of(spots.begin(), spots.end(), [&](const SpotAgreement& s) {
+                return s.no_value() != nullptr || s.digits() >= digits_needed;
+            });
+        const std::size_t count = without_value();
+        return (count == spots.size() ? std::string("has no value as printed")
+                                      : fmt::format("has no value as printed at {} of {} samples",
+                                                    count, spots.size())) +
+               (none->no_value()->proved ? ": " : ", by an estimate: ") + none->problem() +
+               (count == spots.size() ? ""
+                : others_agree        ? "; agrees at the others"
+                                      : "; not decided at the others");
+    }
+    if (const auto* limit = first([](const auto& s) { return s.limit() != nullptr; })) {
+        return "not evaluated here: " + limit->problem();
+    }
+    return "the values are not good enough to decide";
 }
 
 std::shared_ptr<Spots> Spots::of(const Claim& claim, const AuditContext& context, unsigned digits,
@@ -139,49 +172,62 @@ FormulaValue Spots::known(const Expr& e, std::size_t spot) {
     return value;
 }
 
+SpotAgreement Spots::compare_at(std::size_t i, const Expr& printed, const Expr& exact,
+                                const std::optional<Expr>& scale) {
+    bool have_exact = false;
+    try {
+        const FormulaValue x = known(exact, i);
+        have_exact = true;
+        const FormulaValue y = value(printed, i);
+        if (!isfinite(x.value) || !isfinite(y.value)) {
+            return OurLimit{"a number beyond the range of the arithmetic"};
+        }
+        if (!x.converged || !y.converged) {
+            return OurLimit{"an integral did not converge"};
+        }
+        const Real difference = abs(y.value - x.value);
+        Real against = abs(x.value);
+        if (scale) {
+            against = abs(known(*scale, i).value);
+        } else if (difference != 0) {
+            // Where the exact value is zero but for roundoff, hold it against its terms.
+            const Real terms =
+                magnitude(printed, [&](const Expr& part) { return this->value(part, i).value; });
+            if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
+                against = terms;
+            }
+        }
+        if (!isfinite(against)) {
+            return OurLimit{"a number beyond the range of the arithmetic"};
+        }
+        // Three digits of margin: errors of quadratures are estimates.
+        const int good = static_cast<int>(std::min(x.digits, y.digits));
+        return ValuePair{y.value, x.value, digits_of_ratio(difference, against),
+                         Real(against * pow(Real(10), 3 - good))};
+    } catch (const DivergentIntegral& error) {
+        return have_exact ? SpotAgreement(NoValue{error.what(), false})
+                          : SpotAgreement(OurLimit{error.what()});
+    } catch (const DomainError& error) {
+        if (have_exact) {
+            if (auto none = no_value_of(printed, spots_[i])) {
+                return std::move(*none);
+            }
+        }
+        return OurLimit{error.what()};
+    } catch (const BudgetError& error) {
+        return OurLimit{error.what()};
+    }
+}
+
 Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::optional<Expr>& scale) {
     Agreement agreement;
-    bool beyond_roundoff = false;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
         if (context_.stopped()) {
             throw Error("stopped");
         }
-        SpotAgreement s;
-        try {
-            const FormulaValue x = known(exact, i);
-            s.undefined = true; // if what comes next throws
-            const FormulaValue y = value(printed, i);
-            s.undefined = false;
-            s.exact = x.value;
-            s.printed = y.value;
-            s.good_digits = std::min(x.digits, y.digits);
-            if (!x.converged || !y.converged) {
-                s.problem = "an integral did not converge";
-            }
-            const Real difference = abs(s.printed - s.exact);
-            Real against = abs(s.exact);
-            if (scale) {
-                against = abs(known(*scale, i).value);
-            } else if (difference != 0) {
-                // Where the exact value is zero but for roundoff, hold it against its terms.
-                const Real terms = magnitude(
-                    printed, [&](const Expr& part) { return this->value(part, i).value; });
-                if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
-                    against = terms;
-                }
-            }
-            s.digits = digits_of_ratio(difference, against);
-        } catch (const DomainError& error) {
-            s.problem = error.what();
-            s.digits = -all_digits;
-            if (s.undefined && !beyond_roundoff) { // once will do
-                s.why = why_undefined(printed, spots_[i]);
-                beyond_roundoff = s.why == Undefined::beyond_roundoff;
-            }
-        }
-        agreement.spots.push_back(std::move(s));
-        if (agreement.spots.back().digits < agreement.spots[agreement.worst].digits) {
+        agreement.spots.push_back(compare_at(i, printed, exact, scale));
+        if (agreement.spots.back().digits() < agreement.spots[agreement.worst].digits()) {
             agreement.worst = agreement.spots.size() - 1;
         }
     }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/judgement.hpp"
 #include "edgeproof/audit/setting.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace edgeproof {
@@ -23,37 +26,47 @@ struct Spot {
     }
 };
 
-/// Why a formula has no value, as far as that can be told from the numbers.
-enum class Undefined {
-    unknown,        ///< for none of the reasons below
-    by_roundoff,    ///< the number there is negative by no more than roundoff: it may be zero
-    beyond_roundoff ///< negative by more
-};
-
-/// Two formulas at one spot.
-struct SpotAgreement {
+/// The values of two formulas at one spot: finite, and every integral in them converged.
+struct ValuePair {
     Real printed;
     Real exact;
-    double digits = 0;      ///< to which they agree
-    double good_digits = 0; ///< to which both are good
-    std::string problem;    ///< why there is no value, if there is none
-    bool undefined = false; ///< the exact formula has a value here, the printed one has none
-    Undefined why = Undefined::unknown;
+    double digits = 0; ///< to which they agree
+    Real error;        ///< an estimate of what their difference may be off by, with a margin
+};
+
+/// Two formulas at one spot: both values, or that the printed one has none, or that we found none.
+class SpotAgreement {
+public:
+    SpotAgreement(ValuePair values) : found_(std::move(values)) {}   // NOLINT: converts on purpose
+    SpotAgreement(NoValue no_value) : found_(std::move(no_value)) {} // NOLINT
+    SpotAgreement(OurLimit limit) : found_(std::move(limit)) {}      // NOLINT
+
+    /// nullptr where there are none.
+    [[nodiscard]] const ValuePair* values() const { return std::get_if<ValuePair>(&found_); }
+    [[nodiscard]] const NoValue* no_value() const { return std::get_if<NoValue>(&found_); }
+    [[nodiscard]] const OurLimit* limit() const { return std::get_if<OurLimit>(&found_); }
+    /// To which they agree; far below zero where there are no values.
+    [[nodiscard]] double digits() const;
+    /// Why there are no values; empty where there are.
+    [[nodiscard]] std::string problem() const;
+
+private:
+    std::variant<ValuePair, NoValue, OurLimit> found_;
 };
 
 /// Two formulas at all spots.
 struct Agreement {
     std::vector<SpotAgreement> spots;
     std::size_t worst = 0; ///< index of the spot with the fewest digits in common
-    [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits; }
+    [[nodiscard]] double digits() const { return spots.empty() ? 0 : spots[worst].digits(); }
     /// At every spot.
     [[nodiscard]] bool to(double digits) const;
-    /// The printed formula has no value at some spot where the exact one has, by more than
-    /// roundoff; or for reasons that are not roundoff's and nowhere, not even by an integral that
-    /// did not settle, one that is anything like it.
-    [[nodiscard]] bool undefined() const;
     /// At some spot they differ by more than their errors allow for.
-    [[nodiscard]] bool differ(double digits_needed) const;
+    [[nodiscard]] std::optional<Difference> difference(double digits_needed) const;
+    /// Spots where the printed formula has no value, and why at the first of them.
+    [[nodiscard]] std::size_t without_value() const;
+    /// For a reader: what keeps the formula from a verdict by its values.
+    [[nodiscard]] std::string obstacle(double digits_needed) const;
 };
 
 /// All samples of a claim at so many digits, those that its `where` admits; or `most` of them,
@@ -84,6 +97,8 @@ public:
     }
 
 private:
+    [[nodiscard]] SpotAgreement compare_at(std::size_t i, const Expr& printed, const Expr& exact,
+                                           const std::optional<Expr>& scale);
     std::vector<std::unique_ptr<Setting>> settings_;
     std::vector<Spot> spots_;
     std::vector<IntegralCache> caches_;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/undefined.hpp"
 
+#include "edgeproof/audit/enclosed_sample.hpp"
+#include "edgeproof/audit/exact_zero.hpp"
 #include "edgeproof/audit/magnitude.hpp"
+#include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
 
@@ -10,6 +14,7 @@ namespace edgeproof {
 namespace {
 
 using Kind = Expr::Kind;
+using Found = std::optional<NoValue>;
 
 constexpr int halvings = 16; // places in an integral: 2^-16 of its length from an end, at the least
 
@@ -18,64 +23,146 @@ class At {
 public:
     At(const Spot& spot, Variables variables) : spot_(spot), variables_(std::move(variables)) {}
 
-    /// By more than roundoff.
-    [[nodiscard]] bool undefined(const Expr& e) {
-        switch (e.kind()) {
-        case Kind::call:
-            if (negative_inside(e) || (e.name() == "q" && beyond_the_contact(e.arg(0)))) {
-                return true;
-            }
-            break;
-        case Kind::pow:
-            if (const Rational* k = e.arg(1).rational();
-                k != nullptr && denominator(*k) != 1 && negative(e.arg(0))) {
-                return true;
-            }
-            break;
-        case Kind::integral:
-        case Kind::pv:
-            return undefined_within(e);
-        case Kind::neg:
-        case Kind::add:
-        case Kind::sub:
-        case Kind::mul:
-        case Kind::div:
-            break;
-        default:
-            return false;
+    /// The first part without a value, from the innermost.
+    [[nodiscard]] Found undefined(const Expr& e) const {
+        if (e.rational() != nullptr) {
+            return std::nullopt;
         }
-        return std::any_of(e.args().begin(), e.args().end(),
-                           [&](const Expr& part) { return undefined(part); });
+        if (e.kind() == Kind::integral || e.kind() == Kind::pv) {
+            return undefined_within(e);
+        }
+        if (e.is_binder()) {
+            return std::nullopt;
+        }
+        for (const Expr& part : e.args()) {
+            if (auto found = undefined(part)) {
+                return found;
+            }
+        }
+        return undefined_itself(e);
     }
 
-    [[nodiscard]] bool by_roundoff() const { return by_roundoff_; }
-
 private:
+    [[nodiscard]] Found undefined_itself(const Expr& e) const {
+        if (e.kind() == Kind::div) {
+            return zero(e.arg(1)) ? by_symbols("division by zero", e) : std::nullopt;
+        }
+        if (e.kind() == Kind::pow) {
+            const Rational* k = e.arg(1).rational();
+            if (k != nullptr && *k < 0 && zero(e.arg(0))) {
+                return by_symbols("zero to a negative power", e);
+            }
+            return k != nullptr && denominator(*k) != 1
+                       ? beyond(e.arg(0), "a negative number to a power that is not an integer", e)
+                       : std::nullopt;
+        }
+        if (e.kind() != Kind::call) {
+            return std::nullopt;
+        }
+        if (e.name() == "q") {
+            return either(Expr::symbol("a") - e.arg(0), e.arg(0) + Expr::symbol("b"),
+                          "traction at a place beyond the contact", e);
+        }
+        const Expr one = Expr::number(1);
+        const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
+        switch (e.builtin()) {
+        case Builtin::log:
+            if (zero(e.arg(0))) {
+                return by_symbols("log of zero", e);
+            }
+            return beyond(e.arg(0), of + "negative", e);
+        case Builtin::sqrt:
+            return beyond(e.arg(0), of + "negative", e);
+        case Builtin::asin:
+        case Builtin::acos:
+        case Builtin::atanh:
+            return either(one - e.arg(0), one + e.arg(0), of + "not between -1 and 1", e);
+        case Builtin::acosh:
+            return beyond(e.arg(0) - one, of + "less than 1", e);
+        case Builtin::gamma:
+            if (const Rational* k = e.arg(0).rational();
+                k != nullptr && denominator(*k) == 1 && *k <= 0) {
+                return by_symbols(of + "a pole", e);
+            }
+            return std::nullopt;
+        default:
+            return std::nullopt;
+        }
+    }
+
+    static Found by_symbols(const std::string& what, const Expr& e) {
+        return NoValue{inside(what, e), true};
+    }
+    /// Zero for all that its names may stand for.
+    [[nodiscard]] bool zero(const Expr& e) const {
+        if (const Rational* q = e.rational()) {
+            return *q == 0;
+        }
+        switch (e.kind()) {
+        case Kind::neg:
+        case Kind::div:
+            return zero(e.arg(0));
+        case Kind::mul:
+            return zero(e.arg(0)) || zero(e.arg(1));
+        case Kind::pow: {
+            const Rational* k = e.arg(1).rational();
+            return k != nullptr && *k > 0 && zero(e.arg(0));
+        }
+        case Kind::call:
+            if (e.builtin() == Builtin::sqrt || e.builtin() == Builtin::abs) {
+                return zero(e.arg(0));
+            }
+            break;
+        default:
+            break;
+        }
+        return surely_zero(e, spot_.setting->contact().profile().symmetric());
+    }
+
     [[nodiscard]] Real value(const Expr& e) const {
         return spot_.setting->evaluate(e, spot_.place ? &*spot_.place : nullptr, variables_).value;
     }
-    [[nodiscard]] bool negative(const Expr& e) {
+    /// `what`, if `margin` is negative by more than roundoff.
+    [[nodiscard]] Found beyond(const Expr& margin, const std::string& what, const Expr& e) const {
         try {
-            const Real x = value(e);
-            const Real terms = magnitude(e, [this](const Expr& part) { return value(part); });
-            const bool beyond = -x > terms * pow(Real(10), -20);
-            by_roundoff_ = by_roundoff_ || (x < 0 && !beyond);
-            return x < 0 && beyond;
+            const Real x = value(margin);
+            const Real terms = magnitude(margin, [this](const Expr& part) { return value(part); });
+            if (!isfinite(terms) || !(-x > terms * pow(Real(10), -20))) {
+                return std::nullopt;
+            }
+        } catch (const DomainError&) {
+            return std::nullopt; // it has a part that is undefined, which is looked at by itself
+        } catch (const BudgetError&) {
+            return std::nullopt;
+        }
+        return NoValue{inside(what, e), certainly_beyond(margin)};
+    }
+    [[nodiscard]] Found either(const Expr& first, const Expr& second, const std::string& what,
+                               const Expr& e) const {
+        auto found = beyond(first, what, e);
+        return found ? found : beyond(second, what, e);
+    }
+    [[nodiscard]] bool certainly_beyond(const Expr& margin) const {
+        const long bits = bits_for(working_digits());
+        try {
+            EnclosedSample sample(spot_.sample, bits);
+            for (const auto& [name, value] : variables_) {
+                if (!spot_.variables.contains(name)) {
+                    sample.set(name, Ball(value, bits));
+                }
+            }
+            return certainly_negative(sample.evaluate(margin));
         } catch (const Error&) {
-            return false; // it has a part that is undefined, which is looked at by itself
+            return false; // no enclosure: the estimate stands, and is called so
         }
     }
-    [[nodiscard]] bool negative_inside(const Expr& e) {
-        return (e.builtin() == Builtin::sqrt || e.builtin() == Builtin::log) && negative(e.arg(0));
-    }
-    [[nodiscard]] bool beyond_the_contact(const Expr& x) {
-        return negative(Expr::symbol("a") - x) || negative(x + Expr::symbol("b"));
-    }
-    [[nodiscard]] bool undefined_within(const Expr& integral) {
+    [[nodiscard]] Found undefined_within(const Expr& integral) const {
         const Expr& from = integral.arg(2);
         const Expr& to = integral.arg(3);
-        if (undefined(from) || undefined(to)) {
-            return true;
+        for (const Expr* limit : {&from, &to}) {
+            if (auto found = undefined(*limit)) {
+                return found;
+            }
         }
         try {
             const Real lo = value(from);
@@ -85,31 +172,27 @@ private:
                 for (const Real& s : {Real(lo + part), Real(lo + length - part)}) {
                     Variables inside = variables_;
                     inside.insert_or_assign(integral.arg(1).name(), s);
-                    At there(spot_, std::move(inside));
-                    if (there.undefined(integral.arg(0))) {
-                        return true;
+                    if (auto found = At(spot_, std::move(inside)).undefined(integral.arg(0))) {
+                        return found;
                     }
-                    by_roundoff_ = by_roundoff_ || there.by_roundoff();
                 }
             }
-        } catch (const Error&) {
-            return false; // limits without a value, for reasons that are none here
+        } catch (const DomainError&) {
+            return std::nullopt; // limits without a value, for reasons that are none here
+        } catch (const BudgetError&) {
+            return std::nullopt;
         }
-        return false;
+        return std::nullopt;
     }
 
     const Spot& spot_;
     Variables variables_;
-    bool by_roundoff_ = false;
 };
 
 } // namespace
 
-Undefined why_undefined(const Expr& e, const Spot& spot) {
-    At at(spot, spot.variables);
-    return at.undefined(e)    ? Undefined::beyond_roundoff
-           : at.by_roundoff() ? Undefined::by_roundoff
-                              : Undefined::unknown;
+std::optional<NoValue> no_value_of(const Expr& e, const Spot& spot) {
+    return At(spot, spot.variables).undefined(e);
 }
 
 } // namespace edgeproof

@@ -2,12 +2,16 @@
 #pragma once
 #include "edgeproof/audit/spots.hpp"
 
+#include <optional>
+
 namespace edgeproof {
 
-/// Of a formula that was found without a value at a spot: whether that is a root or a logarithm of
-/// a number that is negative, or full-stick traction at a place beyond the contact, and whether by
-/// more than 1e-20 of the terms that the number is the sum of, where some hundred digits are
-/// carried; in an integral, at one of some places within its limits. An estimate.
-[[nodiscard]] Undefined why_undefined(const Expr& e, const Spot& spot);
+/// Why a formula has no value at a spot, if one of these is the cause: division by what is zero
+/// (by symbols), or the logarithm or a negative power of it; a root, a logarithm or an inverse
+/// function of a number outside its domain, or full-stick traction at a place beyond the contact,
+/// by more than 1e-20 of the terms that the number is the sum of, where some hundred digits are
+/// carried; in an integral, at one of some places within its limits. `proved`: by symbols, or a
+/// ball bears it out. Nothing where roundoff may be the cause.
+[[nodiscard]] std::optional<NoValue> no_value_of(const Expr& e, const Spot& spot);
 
 } // namespace edgeproof

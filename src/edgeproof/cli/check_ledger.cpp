@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/check_kinds.hpp"
+#include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/report/verdict_writers.hpp"
@@ -11,10 +12,14 @@
 namespace edgeproof::cli {
 
 int check_ledger(const std::string& ledger, const std::string& threads) {
-    const Ledger formulas = read_ledger(ledger);
+    const Ledger formulas = read_ledger(ledger, ClaimErrors::kept);
+    if (formulas.claims.empty() && !formulas.errors.empty()) {
+        return report_claim_errors(formulas.errors);
+    }
     AuditOptions options;
     options.threads =
         threads.empty() ? 0 : static_cast<int>(whole_number("--threads", threads, 1, 1024));
+    options.errors = ClaimErrors::kept;
     options.stop = &interrupted();
     AuditResult result;
     {
@@ -25,9 +30,15 @@ int check_ledger(const std::string& ledger, const std::string& threads) {
     std::fputs(verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(), stdout);
     const auto wrong = std::count_if(result.claims.begin(), result.claims.end(),
                                      [](const auto& c) { return !holds(c.outcome.verdict); });
-    std::printf("%s: %zu formulas, %zu do not hold\n", wrong == 0 ? "pass" : "FAIL",
-                result.claims.size(), static_cast<std::size_t>(wrong));
-    return wrong == 0 ? 0 : 1;
+    const bool passes = wrong == 0 && result.errors.empty();
+    std::printf("%s: %zu formulas, %zu do not hold", passes ? "pass" : "FAIL", result.claims.size(),
+                static_cast<std::size_t>(wrong));
+    if (!result.errors.empty()) {
+        std::printf("; %zu more could not be judged", result.errors.size());
+    }
+    std::printf("\n");
+    const int bad = report_claim_errors(result.errors);
+    return bad != 0 ? bad : wrong == 0 ? 0 : 1;
 }
 
 } // namespace edgeproof::cli

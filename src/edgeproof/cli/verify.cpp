@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
+#include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -17,9 +19,16 @@ struct VerifyOptions {
     std::string only = "*";
     int threads = 0;
     bool record = false;
+    bool strict = false;
 };
 
 constexpr long long most_digits_of_a_formula = 10000;
+
+/// Exit status of --strict: some claim does not hold.
+bool some_claim_fails(const AuditResult& result) {
+    return std::any_of(result.claims.begin(), result.claims.end(),
+                       [](const ClaimResult& r) { return !holds(r.outcome.verdict); });
+}
 
 int verify(const VerifyOptions& o) {
     if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
@@ -31,7 +40,10 @@ int verify(const VerifyOptions& o) {
         throw InputError("--record with --only would forget the other claims",
                          "record all of them");
     }
-    const Ledger ledger = read_ledger(o.ledger);
+    const Ledger ledger = read_ledger(o.ledger, ClaimErrors::kept);
+    if (ledger.claims.empty() && !ledger.errors.empty()) {
+        return report_claim_errors(ledger.errors);
+    }
     if (!o.out.empty()) {
         make_folder(o.out); // before minutes of work, not after
     }
@@ -39,6 +51,7 @@ int verify(const VerifyOptions& o) {
     options.digits = static_cast<unsigned>(o.digits);
     options.threads = o.threads;
     options.only = o.only;
+    options.errors = ClaimErrors::kept;
     options.stop = &interrupted();
     AuditResult result;
     {
@@ -56,14 +69,20 @@ int verify(const VerifyOptions& o) {
     }
     std::fputs(verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(), stdout);
 
+    if (!result.errors.empty()) {
+        std::printf("%zu of %zu claims could not be judged\n", result.errors.size(),
+                    result.errors.size() + result.claims.size());
+        return report_claim_errors(result.errors); // nothing is recorded, or held against what is
+    }
+    const int failing = o.strict && some_claim_fails(result) ? 1 : 0;
     const std::filesystem::path golden = golden_file(o.ledger);
     if (o.record) {
         write_whole(golden, golden_text(result));
         std::printf("recorded in %s\n", golden.string().c_str());
-        return 0;
+        return failing;
     }
     if (!std::filesystem::exists(golden)) {
-        return 0;
+        return failing;
     }
     const std::vector<std::string> differences = golden_differences(result, golden, o.only);
     for (const std::string& line : differences) {
@@ -72,7 +91,7 @@ int verify(const VerifyOptions& o) {
     if (differences.empty()) {
         std::printf("as recorded in %s\n", golden.filename().string().c_str());
     }
-    return differences.empty() ? 0 : 1;
+    return differences.empty() ? failing : 1;
 }
 
 } // namespace
@@ -88,6 +107,9 @@ void add_verify(CLI::App& app, int& code) {
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
     sub->add_flag("--record", o->record, "write the golden verdicts beside the ledger");
+    sub->add_flag("--strict", o->strict,
+                  "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
+                  "and definition");
     sub->callback([o, &code] { code = verify(*o); });
 }
 

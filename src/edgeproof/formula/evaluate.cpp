@@ -16,16 +16,18 @@ std::pair<long, long> sum_bounds(const Expr& node) {
     constexpr long most_terms = 100'000;
     const auto bound = [&node](std::size_t i) {
         const Rational* q = node.arg(i).rational();
-        const bool integer = q != nullptr && denominator(*q) == 1;
-        if (!integer || abs(*q) > Rational(Integer(1) << 40U)) {
-            throw DomainError(inside("a bound that is not an integer of moderate size", node));
+        if (q == nullptr || denominator(*q) != 1) {
+            throw DomainError(inside("a bound that is not an integer", node));
+        }
+        if (abs(*q) > Rational(Integer(1) << 40U)) {
+            throw BudgetError(inside("a bound beyond 2^40", node));
         }
         return Integer(numerator(*q)).convert_to<long>();
     };
     const long lo = bound(2);
     const long hi = bound(3);
     if (hi - lo >= most_terms) {
-        throw DomainError(inside("more than 100000 terms", node));
+        throw BudgetError(inside("more than 100000 terms", node));
     }
     return {lo, hi};
 }

@@ -79,7 +79,7 @@ template <class T, class Env>
 [[nodiscard]] std::string inside(const std::string& what, const Expr& part);
 
 /// The sum over k = lo ... hi of node's first argument, for bounds that are exact integers.
-/// Throws DomainError for bounds that are not integers, or more than 100,000 terms.
+/// Throws DomainError for bounds that are not integers, BudgetError for more than 100,000 terms.
 [[nodiscard]] std::pair<long, long> sum_bounds(const Expr& node);
 
 template <class T, class Env> [[nodiscard]] T evaluate_sum(const Expr& node, const Env& env) {

@@ -16,6 +16,7 @@ constexpr const char* mutation_columns = "claim,kind,verdict,equivalent,named,or
 struct Count {
     std::size_t made = 0;
     std::size_t refuted = 0;
+    std::size_t no_value = 0;
     std::size_t equivalent = 0;
     std::size_t surviving = 0;
     std::size_t named = 0;
@@ -23,15 +24,16 @@ struct Count {
     void add(const MutantFate& f) {
         ++made;
         refuted += f.verdict == Verdict::refuted ? 1 : 0;
-        equivalent += f.verdict != Verdict::refuted && f.equivalent ? 1 : 0;
-        surviving += f.verdict != Verdict::refuted && !f.equivalent ? 1 : 0;
+        no_value += f.caught() && f.verdict != Verdict::refuted ? 1 : 0;
+        equivalent += !f.caught() && f.equivalent ? 1 : 0;
+        surviving += !f.caught() && !f.equivalent ? 1 : 0;
         named += f.named ? 1 : 0;
     }
 };
 
 std::string row(const std::string& name, const Count& c) {
-    return fmt::format("{:<16}{:>6}{:>9}{:>12}{:>11}{:>8} ({:.0f} % of those refuted)\n", name,
-                       c.made, c.refuted, c.equivalent, c.surviving, c.named,
+    return fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>8} ({:.0f} % of those refuted)\n",
+                       name, c.made, c.refuted, c.no_value, c.equivalent, c.surviving, c.named,
                        c.refuted == 0
                            ? 0.0
                            : 100.0 * static_cast<double>(c.named) / static_cast<double>(c.refuted));
@@ -50,7 +52,7 @@ std::string quoted(const std::string& text) {
 std::vector<const MutantFate*> survivors(const MutationRun& run) {
     std::vector<const MutantFate*> all;
     for (const MutantFate& f : run.fates) {
-        if (f.verdict != Verdict::refuted && !f.equivalent) {
+        if (!f.caught() && !f.equivalent) {
             all.push_back(&f);
         }
     }
@@ -61,9 +63,9 @@ std::string mutation_text(const MutationRun& run, const std::vector<std::string>
     std::string out =
         fmt::format("{} mutants of {} formulas that stand, of {} there are; seed {}, {} digits\n\n",
                     run.fates.size(), run.claims, run.possible, run.seed, run.originals.digits);
-    out += fmt::format("{:<16}{:>6}{:>9}{:>12}{:>11}{:>8}\n", "kind", "made", "refuted",
-                       "equivalent", "surviving", "named");
-    out += std::string(62, '-') + "\n";
+    out += fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>8}\n", "kind", "made", "refuted",
+                       "no value", "equivalent", "surviving", "named");
+    out += std::string(72, '-') + "\n";
     Count total;
     for (const std::string& kind : mutation_kinds()) {
         Count c;
@@ -75,7 +77,7 @@ std::string mutation_text(const MutationRun& run, const std::vector<std::string>
         }
         out += row(kind, c);
     }
-    out += std::string(62, '-') + "\n" + row("all", total);
+    out += std::string(72, '-') + "\n" + row("all", total);
     for (const MutantFate* f : survivors(run)) {
         out += fmt::format("\nsurvives: {} ({}), {}: {}\n  original {}\n  mutant   {}\n", f->claim,
                            f->kind, name_of(f->verdict), f->note, f->original, f->mutated);

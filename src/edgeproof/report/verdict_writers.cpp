@@ -113,11 +113,16 @@ std::array<std::size_t, all_verdicts.size()> count_verdicts(const AuditResult& r
 
 std::string counts_line(const AuditResult& result) {
     const auto counts = count_verdicts(result);
+    const auto rounded = std::count_if(result.claims.begin(), result.claims.end(),
+                                       [](const ClaimResult& r) { return is_rounded(r.outcome); });
     std::string text;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] > 0) {
             text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " +
                     std::string(name_of(all_verdicts[i]));
+            if (all_verdicts[i] == Verdict::confirmed && rounded > 0) {
+                text += " (" + std::to_string(rounded) + " of them to the printed digits)";
+            }
         }
     }
     return text;
@@ -150,6 +155,16 @@ std::string verdicts_json(const AuditResult& result) {
         claims.push_back(std::move(c));
     }
     root["claims"] = std::move(claims);
+    if (!result.errors.empty()) {
+        Json errors = Json::array();
+        for (const ClaimError& e : result.errors) {
+            errors.push_back({{"id", e.id.empty() ? Json(nullptr) : Json(e.id)},
+                              {"line", e.error.line()},
+                              {"problem", e.error.problem()},
+                              {"instead", e.error.instead()}});
+        }
+        root["errors"] = std::move(errors);
+    }
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

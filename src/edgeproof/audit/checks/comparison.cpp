@@ -53,23 +53,26 @@ void report_agreement(const Agreement& agreement, const Spots& spots, unsigned d
         return;
     }
     const SpotAgreement& worst = agreement.spots[agreement.worst];
-    evidence.add("digits", digits_text(std::min(worst.digits, static_cast<double>(digits))));
+    evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits))));
     evidence.add("worst_at", spots.all()[agreement.worst].text);
-    if (!worst.problem.empty()) {
-        evidence.add("problem", worst.problem);
+    const ValuePair* values = worst.values();
+    if (values == nullptr) {
+        evidence.add(worst.no_value() != nullptr ? "no_value" : "limit", worst.problem());
         return;
     }
-    const unsigned shown = worst.digits > 12 ? digits : 20;
-    evidence.add("printed_there", value_text(worst.printed, shown));
-    evidence.add("exact_there", value_text(worst.exact, shown));
+    const unsigned shown = worst.digits() > 12 ? digits : 20;
+    evidence.add("printed_there", value_text(values->printed, shown));
+    evidence.add("exact_there", value_text(values->exact, shown));
 }
 
-Verdict verdict_by_samples(const Agreement& agreement, double needed) {
+Judgement judge_samples(const Agreement& agreement, double needed) {
     if (agreement.to(needed)) {
-        return Verdict::confirmed;
+        return NotRefuted::confirmed;
     }
-    return agreement.differ(needed) || agreement.undefined() ? Verdict::refuted
-                                                             : Verdict::undecided;
+    if (const auto difference = agreement.difference(needed)) {
+        return Judgement(*difference);
+    }
+    return agreement.without_value() > 0 ? NotRefuted::underspecified : NotRefuted::undecided;
 }
 
 std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& spots,
@@ -77,8 +80,8 @@ std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& sp
     std::vector<RatioSample> samples;
     const PrecisionScope scope(30);
     for (std::size_t i = 0; i < agreement.spots.size(); ++i) {
-        const SpotAgreement& s = agreement.spots[i];
-        if (!s.problem.empty() || s.exact == 0) {
+        const ValuePair* s = agreement.spots[i].values();
+        if (s == nullptr || s->exact == 0) {
             continue;
         }
         const Spot& spot = spots.all()[i];
@@ -90,7 +93,7 @@ std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& sp
             parameters.emplace("b", spot.setting->b());
             parameters.emplace("L", spot.setting->length());
         }
-        samples.push_back({std::move(parameters), at_working_precision(s.printed / s.exact)});
+        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
     }
     if (samples.empty()) {
         return std::nullopt;
@@ -115,6 +118,8 @@ QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context, cons
         try {
             targets_.emplace_back(i, spots_->known(exact, i).value);
         } catch (const DomainError&) {
+            continue;
+        } catch (const BudgetError&) {
             continue;
         }
     }

@@ -19,8 +19,9 @@ namespace edgeproof {
 void report_agreement(const Agreement& agreement, const Spots& spots, unsigned digits,
                       Evidence& evidence);
 
-/// confirmed, refuted or undecided by what the samples say, of so many digits that are needed.
-[[nodiscard]] Verdict verdict_by_samples(const Agreement& agreement, double needed);
+/// By what the samples say, of so many digits that are needed: confirmed, refuted (by a difference
+/// of values), underspecified (no value in print at some), undecided.
+[[nodiscard]] Judgement judge_samples(const Agreement& agreement, double needed);
 
 /// printed/exact at all spots, recognised; also puts the ratio's range into the evidence.
 [[nodiscard]] std::optional<Expr> ratio_by_samples(const Agreement& agreement, const Spots& spots,

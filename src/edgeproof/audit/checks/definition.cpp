@@ -6,7 +6,7 @@ namespace edgeproof {
 CheckKind definition_kind() {
     const auto check = [](const Claim&, const AuditContext&) {
         Outcome outcome;
-        outcome.verdict = Verdict::definition;
+        outcome.verdict = NotRefuted::definition;
         return outcome;
     };
     return {"definition", {{.name = "says"}}, check};

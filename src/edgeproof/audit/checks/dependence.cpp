@@ -139,10 +139,14 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
         outcome.note = claim.text("of") + " is a function of the others";
     }
     const bool says_independent = claim.text("says") == "independent";
-    outcome.verdict =
-        independent == gradient_draws ? (says_independent ? Verdict::confirmed : Verdict::refuted)
-        : dependent == gradient_draws ? (says_independent ? Verdict::refuted : Verdict::confirmed)
-                                      : Verdict::undecided;
+    if ((says_independent ? independent : dependent) == gradient_draws) {
+        outcome.verdict = NotRefuted::confirmed;
+    } else if (independent == gradient_draws || dependent == gradient_draws) {
+        // What is left of the gradient: nothing, where it is a function; else at least 1e-6.
+        outcome.verdict =
+            Judgement(says_independent ? Difference::of(pow(Real(10), -6), least, pow(Real(10), -7))
+                                       : Difference::of(Real(0), least, pow(Real(10), -6)));
+    }
     return outcome;
 }
 

@@ -42,19 +42,24 @@ bool close(const Real& x, const Real& y) {
 }
 
 /// The coefficients differ in numbers, at every draw where both have a value.
-bool differ(const ExpansionComparison::Term& term, const std::vector<FormalValues>& values) {
-    std::size_t compared = 0;
+std::optional<Difference> differ(const ExpansionComparison::Term& term,
+                                 const std::vector<FormalValues>& values) {
+    std::optional<Difference> found;
     for (const FormalValues& v : values) {
         try {
-            if (close(v.evaluate(term.printed), v.evaluate(term.derived))) {
-                return false;
+            const Real printed = v.evaluate(term.printed);
+            const Real derived = v.evaluate(term.derived);
+            if (close(printed, derived)) {
+                return std::nullopt;
             }
-            ++compared;
+            if (!found) {
+                found = Difference::of(printed, derived, Real(0));
+            }
         } catch (const Error&) {
             continue; // a draw outside the domain of a root
         }
     }
-    return compared > 0;
+    return found;
 }
 
 /// Both coefficients in balls, at the first draw where both have a value: what is disjoint there
@@ -217,19 +222,20 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const bool rest_is_small = !remainder.order || *remainder.order >= needed;
 
     if (comparison.equal()) {
-        outcome.verdict = rest_is_small ? Verdict::proved : Verdict::undecided;
+        outcome.verdict = rest_is_small ? NotRefuted::proved : NotRefuted::undecided;
         outcome.note = rest_is_small ? "equal power by power; what is left has the order claimed"
                                      : "equal in symbols, but more is left at " + remainder.at;
         return outcome;
     }
     const std::set<std::string> names = names_of(printed, exact);
     const auto* wrong = comparison.first_wrong();
-    if (!differ(*wrong, draw_values(names, under))) {
-        outcome.verdict = rest_is_small ? Verdict::confirmed : Verdict::undecided;
+    const auto difference = differ(*wrong, draw_values(names, under));
+    if (!difference) {
+        outcome.verdict = rest_is_small ? NotRefuted::confirmed : NotRefuted::undecided;
         outcome.note = "not proved in symbols";
         return outcome;
     }
-    outcome.verdict = Verdict::refuted;
+    outcome.verdict = Judgement(*difference);
     enclose_term(*wrong, draw_values(names, under), context.digits(), outcome);
     const std::string first = "departs at " + power_text(variable, wrong->exponent);
     outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));

@@ -124,7 +124,7 @@ void enclose_figure(const Enclosed& computed, const QuotedFigure& figure, const 
         .add("quoted", exact_text(lower) + " ... " + exact_text(upper))
         .add("disjoint", apart);
     if (!apart && (outcome.verdict == Verdict::refuted || outcome.verdict == Verdict::imprecise)) {
-        outcome.verdict = Verdict::undecided;
+        outcome.verdict = NotRefuted::undecided;
         outcome.note = "the estimate has it differ, the enclosure does not";
     }
     outcome.evidence.add("enclosures", std::move(e));

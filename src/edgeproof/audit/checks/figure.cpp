@@ -24,12 +24,14 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
     int worst = -1;
     for (const Spot& spot : spots.all()) {
         const FormulaValue value = spot.evaluate(of);
-        if (!value.converged) {
-            outcome.verdict = Verdict::undecided;
-            outcome.note = "an integral did not converge at " + spot.text;
+        if (!value.converged || !isfinite(value.value)) {
+            outcome.verdict = NotRefuted::undecided;
+            outcome.note = (value.converged ? "a number beyond the range of the arithmetic at "
+                                            : "an integral did not converge at ") +
+                           spot.text;
             return outcome;
         }
-        const Verdict verdict = figure.verdict(value.value);
+        const Judgement verdict = figure.verdict(value.value);
         if (badness(verdict) > worst) {
             worst = badness(verdict);
             at_worst = value.value;

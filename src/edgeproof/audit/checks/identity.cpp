@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/rounded.hpp"
 #include "edgeproof/audit/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -62,13 +63,19 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
     Spots& spots = *sampled;
     const Agreement agreement = spots.compare(printed, exact);
-    outcome.verdict = spots.all().empty() ? Verdict::undecided
-                                          : verdict_by_samples(agreement, context.digits_needed());
+    if (!spots.all().empty()) {
+        outcome.verdict = judge_samples(agreement, context.digits_needed());
+    }
     report_agreement(agreement, spots, context.digits(), outcome.evidence);
     add_enclosures(agreement, spots, printed, exact, std::nullopt, context.digits(), outcome);
-    const Verdict by_samples = outcome.verdict;
+    judge_rounded(claim, spots, exact, context.digits(), outcome);
+    if (outcome.evidence.find("rounded") != nullptr) {
+        return outcome;
+    }
+    const Judgement by_samples = outcome.verdict;
     if (proved) {
-        outcome.verdict = by_samples == Verdict::confirmed ? Verdict::proved : Verdict::undecided;
+        outcome.verdict =
+            by_samples == Verdict::confirmed ? NotRefuted::proved : NotRefuted::undecided;
         outcome.note = by_samples == Verdict::confirmed
                            ? "identically equal to the derived form; agrees at " +
                                  std::to_string(spots.all().size()) + " samples"
@@ -77,9 +84,11 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     outcome.verdict = by_samples;
     if (by_samples != Verdict::refuted) {
-        outcome.note = by_samples == Verdict::confirmed
-                           ? "agrees at the samples; not proved in symbols"
-                           : "the values are not good enough to decide";
+        if (by_samples == Verdict::confirmed) {
+            outcome.note = "agrees at the samples; not proved in symbols";
+        } else if (outcome.note.empty()) {
+            outcome.note = agreement.obstacle(context.digits_needed());
+        }
         return outcome;
     }
     Patient patient;
@@ -98,9 +107,9 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
         const Expr full = expand_definitions(e, claim.vocabulary);
-        if (verdict_by_samples(spots.compare(full, exact), context.digits_needed()) !=
+        if (judge_samples(spots.compare(full, exact), context.digits_needed()) !=
             Verdict::confirmed) {
-            return Verdict::refuted;
+            return std::nullopt;
         }
         return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;
     };

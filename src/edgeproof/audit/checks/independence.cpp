@@ -22,6 +22,8 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
     std::vector<Real> first; // the values in the first scene
     std::set<std::string> profiles;
     double digits = 1e6;
+    unsigned good = 1000000; // digits that the values are good for
+    std::optional<Difference> against;
     std::string worst;
     Evidence values;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
@@ -30,7 +32,16 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
         profiles.insert(scene.profile);
         for (std::size_t k = 0; k < fractions.size(); ++k) {
             const Place place = setting.place(edge, fractions[k]);
-            const Real value = setting.evaluate(e, &place).value;
+            const FormulaValue evaluated = setting.evaluate(e, &place);
+            const Real& value = evaluated.value;
+            if (!evaluated.converged || !isfinite(value)) {
+                outcome.note =
+                    "not evaluated here: " +
+                    std::string(evaluated.converged ? "a number beyond the range of the arithmetic"
+                                                    : "an integral did not converge");
+                return outcome;
+            }
+            good = std::min(good, evaluated.digits);
             if (first.size() == k) {
                 first.push_back(value);
                 values.add("u = " + fractions[k].text() + " L", value_text(value, 20));
@@ -42,6 +53,10 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
             const double agree = off == 0     ? 1e6
                                  : scale == 0 ? -1e6
                                               : (-log10(Real(off / scale))).convert_to<double>();
+            if (agree < context.digits_needed() && !against) {
+                const int known = static_cast<int>(good);
+                against = Difference::of(value, first[k], Real(scale * pow(Real(10), 3 - known)));
+            }
             if (agree < digits) {
                 digits = agree;
                 worst = scene.family + ": " + scene.text() + ", u = " + fractions[k].text() + " L";
@@ -58,7 +73,14 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const bool same = digits >= context.digits_needed();
-    outcome.verdict = same ? Verdict::confirmed : Verdict::refuted;
+    if (same && !against) {
+        outcome.verdict = NotRefuted::confirmed;
+    } else if (against) {
+        outcome.verdict = Judgement(*against);
+    } else {
+        outcome.note = "the values are not good enough to decide";
+        return outcome;
+    }
     outcome.note = same ? "the same in " + std::to_string(scenes.size()) + " scenes of " +
                               std::to_string(profiles.size()) + " profiles"
                         : "differs: " + worst;

@@ -34,6 +34,7 @@ const std::vector<KeySpec>& common_keys() {
         {.name = "vary", .type = Type::table},
         {.name = "points", .type = Type::integer},
         {.name = "remark"},
+        {.name = "decimals", .type = Type::choice, .choices = {"rounded", "exact"}},
     };
     return keys;
 }

@@ -61,12 +61,17 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
         .add("samples", ladder.samples());
     Trend worst = Trend::towards;
     std::string against;
+    std::optional<Difference> apart;
     for (std::size_t k = 0; k < ladder.samples(); ++k) {
         std::vector<Real> f;
         std::vector<std::string> texts;
         for (std::size_t j = 0; j < ladder.values().size(); ++j) {
             f.push_back(ladder.spot(j, k).evaluate(of).value);
             texts.push_back(value_text(f.back(), 12));
+            if (!isfinite(f.back())) {
+                outcome.note = "not evaluated here: a number beyond the range of the arithmetic";
+                return outcome;
+            }
         }
         const Spot& last = ladder.spot(ladder.values().size() - 1, k);
         const Trend trend =
@@ -78,6 +83,11 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
         if (trend == Trend::away && worst != Trend::away) {
             worst = trend;
             against = last.text;
+            // The last value and the limit, or where there is none two values that do not grow.
+            apart = infinite
+                        ? Difference::not_above(Real(abs(f[f.size() - 2]) * 2), Real(abs(f.back())))
+                        : Difference::of(last.evaluate(claim.formula("limit")).value, f.back(),
+                                         Real(0));
         } else if (trend == Trend::unclear && worst == Trend::towards) {
             worst = trend;
         }
@@ -85,13 +95,13 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
     const std::string samples = std::to_string(ladder.samples()) + " samples";
     switch (worst) {
     case Trend::towards:
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note =
             (infinite ? "grows without end at " : "the distance from the limit dies away at ") +
             samples + " (sampled)";
         break;
     case Trend::away:
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(apart);
         outcome.note = (infinite ? "does not grow without end: " : "goes elsewhere: ") + against;
         break;
     case Trend::unclear:

@@ -55,6 +55,9 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
         const Real difference =
             r.op == Op::greater || r.op == Op::greater_equal ? Real(lhs - rhs) : Real(rhs - lhs);
         Margin m{scale == 0 ? Real(0) : Real(difference / scale), difference, true};
+        if (!isfinite(lhs) || !isfinite(rhs)) {
+            throw BudgetError("a number beyond the range of the arithmetic");
+        }
         const bool alike = abs(m.value) <= noise;
         if (r.op == Op::equal) {
             m.value = alike ? Real(1) : Real(-abs(m.value));

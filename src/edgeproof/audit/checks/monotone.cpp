@@ -19,7 +19,8 @@ struct Steps {
     std::size_t bad_sample = 0;
     std::size_t bad_from = 0; ///< the value that the largest of them begins at
     std::string bad_at;
-    std::vector<std::string> values; ///< of `of`, at that sample or at the first
+    std::optional<Difference> against; ///< two values that go the other way
+    std::vector<std::string> values;   ///< of `of`, at that sample or at the first
 };
 
 Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned digits) {
@@ -43,9 +44,14 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
                 ++steps.unclear;
             } else if (rise > 0) {
                 ++steps.good;
+            } else if (!(rise < 0)) {
+                ++steps.unclear; // not a number
             } else {
                 ++steps.bad;
                 bad.push_back(step_text(ladder, j));
+                if (!steps.against) {
+                    steps.against = Difference::of(f[j], f[j + 1], Real(0));
+                }
                 if (-rise > most) {
                     most = -rise;
                     largest = j;
@@ -85,7 +91,7 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
     outcome.evidence.add("values", steps.values);
     const std::string sense = rising ? "grows" : "falls";
     if (steps.bad > 0) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(steps.against);
         outcome.evidence.add("against_at", steps.bad_at).add("against", steps.bad_steps);
         outcome.note = (rising ? "falls from " : "grows from ") + steps.bad_steps.front() + " (" +
                        std::to_string(steps.bad) + " of " +
@@ -100,7 +106,7 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
     } else if (steps.unclear > 0 || steps.good == 0) {
         outcome.note = "some steps are too small for the digits at hand";
     } else {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note = sense + " at each of " + std::to_string(steps.good) + " steps (sampled)";
     }
     return outcome;

@@ -152,6 +152,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     std::vector<EvidenceItem> list;
     bool all_best = true;
     bool approaching = true;
+    std::optional<Difference> farther; // a reach that is farther than at the value claimed
     std::size_t calls = 0;
     const std::size_t scenes = context.scenes(claim).size();
     for (std::size_t k = 0; k < scenes; ++k) {
@@ -164,6 +165,9 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             const bool is_best = best.reach <= here * (1 + pow(Real(10), -12));
             const Real off = is_best ? Real(0) : Real(abs(Real(Rational(best.at - claimed))));
             all_best = all_best && is_best;
+            if (!is_best && !farther) {
+                farther = Difference::of(here, best.reach, Real(0));
+            }
             approaching = approaching && (!last_off || off * 2 < *last_off || off == 0);
             last_off = off;
             Evidence one;
@@ -190,7 +194,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
         .add("tolerances", std::move(list))
         .add("extents_computed", calls);
     const bool right = all_best || (in_the_limit && approaching);
-    outcome.verdict = right ? Verdict::confirmed : Verdict::refuted;
+    outcome.verdict = right ? Judgement(NotRefuted::confirmed) : Judgement(farther);
     outcome.note = all_best ? "none of the values tried reaches farther"
                    : right  ? "the best value tends to the one claimed as the tolerance is lowered"
                             : "reaches farthest with " + *outcome.computed;

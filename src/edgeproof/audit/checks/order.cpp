@@ -57,7 +57,8 @@ std::optional<OrderInScene> measure(const Setting& setting, const Sample& sample
     found.order_said = slope(g[last], g[last - 1], step);
     found.ratio = f[last] / g[last];
     const Real before = slope(f[last - 1], f[last - 2], step);
-    found.clear = abs(found.order - before) < Real(order_tolerance);
+    found.clear = isfinite(found.order_said) && isfinite(found.ratio) &&
+                  abs(found.order - before) < Real(order_tolerance);
     return found;
 }
 
@@ -89,28 +90,28 @@ Scenes measure_all(const Claim& claim, const AuditContext& context, const Expr& 
     return scenes;
 }
 
-Verdict judge(const Scenes& scenes, bool universal, std::string& note) {
+Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
     if (scenes.all.empty()) {
         note = "no scene admits the claim";
-        return Verdict::undecided;
+        return NotRefuted::undecided;
     }
     const Real slack(order_tolerance);
     bool higher = false;
     for (const OrderInScene& s : scenes.all) {
         if (!s.clear) {
             note = "the order is not settled in " + s.text;
-            return Verdict::undecided;
+            return NotRefuted::undecided;
         }
         if (s.order < s.order_said - slack) {
             note = "of order " + to_decimal(s.order, 4) + ", not " + to_decimal(s.order_said, 4) +
                    ", in " + s.text;
-            return Verdict::refuted;
+            return Judgement(Difference::not_above(Real(s.order_said - slack), s.order));
         }
         higher = higher || s.order > s.order_said + slack;
     }
     if (higher) {
         note = "of a higher order than is said";
-        return Verdict::imprecise;
+        return NotRefuted::imprecise;
     }
     const auto [least, most] = std::minmax_element(
         scenes.all.begin(), scenes.all.end(),
@@ -118,14 +119,14 @@ Verdict judge(const Scenes& scenes, bool universal, std::string& note) {
     if (universal && most->ratio > least->ratio * most_spread) {
         note = "the factor is no pure number: from " + to_decimal(least->ratio, 4) + " to " +
                to_decimal(most->ratio, 4) + " over the scenes";
-        return Verdict::refuted;
+        return Judgement(Difference::of(least->ratio, most->ratio, Real(0)));
     }
     note = "the order is that claimed in " + std::to_string(scenes.all.size()) + " scenes";
     if (universal) {
         note += "; the factor lies between " + to_decimal(least->ratio, 4) + " and " +
                 to_decimal(most->ratio, 4);
     }
-    return Verdict::confirmed;
+    return NotRefuted::confirmed;
 }
 
 void report(const Scenes& scenes, Evidence& evidence) {

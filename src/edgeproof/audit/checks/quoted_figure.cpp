@@ -73,9 +73,15 @@ long QuotedFigure::units_off(const Real& computed) const {
     return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
 }
 
-Verdict QuotedFigure::verdict(const Real& computed) const {
+Judgement QuotedFigure::verdict(const Real& computed) const {
+    if (!isfinite(computed)) {
+        return NotRefuted::undecided;
+    }
     const long off = std::labs(units_off(computed));
-    return off == 0 ? Verdict::confirmed : off == 1 ? Verdict::imprecise : Verdict::refuted;
+    if (off <= 1) {
+        return off == 0 ? NotRefuted::confirmed : NotRefuted::imprecise;
+    }
+    return Judgement(Difference::of(Real(value_), computed, Real(unit_)));
 }
 
 std::string QuotedFigure::rounded(const Real& computed) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/claim.hpp"
-#include "edgeproof/audit/verdict.hpp"
+#include "edgeproof/audit/judgement.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
@@ -25,8 +25,8 @@ public:
     /// How many units of the last quoted place the computed value, rounded to it, is above. A half
     /// is rounded up.
     [[nodiscard]] long units_off(const Real& computed) const;
-    /// Rounds to it: confirmed. One unit off: imprecise. More: refuted.
-    [[nodiscard]] Verdict verdict(const Real& computed) const;
+    /// Rounds to it: confirmed. One unit off: imprecise. More: refuted. Not finite: undecided.
+    [[nodiscard]] Judgement verdict(const Real& computed) const;
     /// The numbers from so many units of the last quoted place below to so many above: with 1/2
     /// those that round to it.
     [[nodiscard]] std::pair<Rational, Rational> within_units(const Rational& units) const {

@@ -194,7 +194,8 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
     }
     const std::string of_scenes = std::to_string(found.size()) + " scenes";
     if (!failing.empty()) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(
+            Difference::not_above(Real(0), failing.front()->second.decisive->margin.value));
         outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
                        ", as in " + failing.front()->first;
         if (!failing.front()->second.where.empty()) {
@@ -204,7 +205,7 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
         outcome.note =
             "the digits at hand do not decide in " + std::to_string(unclear) + " of " + of_scenes;
     } else {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note = "holds at " + std::to_string(places) + " places of " + of_scenes +
                        (holds == "somewhere" ? ", each having some" : "");
         if (holds == "somewhere") {

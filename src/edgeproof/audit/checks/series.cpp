@@ -29,6 +29,7 @@ struct FitInScene {
     std::string problem;
     std::vector<std::string> slopes;
     int digits = 1000000;
+    std::optional<Difference> against; ///< of an order, or of a coefficient
 };
 
 FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
@@ -65,9 +66,12 @@ FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>&
                            (!term || fit.agreeing_digits + 5 >= static_cast<int>(digits));
         if (!right && found.as_claimed) {
             found.as_claimed = false;
+            const Real slope_said = orders[fit.n] + (fit.vanishing ? 1 : 0);
+            found.against = Difference::of(slope_said, fit.slope, pow(Real(10), -9));
             found.problem = "after " + std::to_string(fit.n) + " terms the rest goes as u^" +
                             to_decimal(fit.slope, 6) + ", not u^" + to_decimal(orders[fit.n], 6);
             if (off < pow(Real(10), -9)) {
+                found.against = Difference::of(c[fit.n], exact[fit.n], Real(0));
                 found.problem = "coefficient " + std::to_string(fit.n) + " agrees to " +
                                 std::to_string(fit.agreeing_digits) + " digits only";
             }
@@ -95,6 +99,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     std::size_t scenes = 0;
     std::size_t vanishing = 0;
     std::size_t failing = 0;
+    std::optional<Difference> against;
     int digits = 1000000;
     std::vector<std::string> slopes;
     const std::vector<SceneSpec> all = context.scenes(claim);
@@ -116,6 +121,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         vanishing += found.vanishing > 0 ? 1 : 0;
         digits = std::min(digits, found.digits);
         if (!found.as_claimed && ++failing == 1) {
+            against = found.against;
             outcome.note = found.problem + ", in " + scene.family + ": " + scene.text();
             outcome.evidence.add("fails_in", scene.family + ": " + scene.text());
             slopes = found.slopes;
@@ -137,14 +143,14 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         }
     }
     if (failing == 0 && scenes > 0) {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note =
             "the residuals have the orders claimed in " + std::to_string(scenes) + " scenes";
         if (vanishing > 0) {
             outcome.note += " (in " + std::to_string(vanishing) + " a coefficient vanishes)";
         }
     } else if (failing > 0) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(against);
     }
     return outcome;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/judgement.hpp"
 #include "edgeproof/audit/size_extents.hpp"
 #include "edgeproof/audit/size_scan.hpp"
 #include "edgeproof/formula/environment.hpp"
@@ -39,8 +40,25 @@ private:
     ContactsBySize::At& contact_;
 };
 
-bool holds(const Relation& r, const SizeEnvironment& at) {
-    return compare(r.op, evaluate<Float128>(r.lhs, at), evaluate<Float128>(r.rhs, at));
+/// Throws BudgetError where a side is not finite. `against`, if empty, becomes the difference that
+/// the relation fails by.
+bool holds(const Relation& r, const SizeEnvironment& at, std::optional<Difference>& against) {
+    const auto lhs = evaluate<Float128>(r.lhs, at);
+    const auto rhs = evaluate<Float128>(r.rhs, at);
+    if (lhs - lhs != 0 || rhs - rhs != 0) {
+        throw BudgetError("a number beyond the range of the arithmetic");
+    }
+    if (compare(r.op, lhs, rhs)) {
+        return true;
+    }
+    if (!against) {
+        // By how much it holds: positive, it says.
+        const bool below = r.op == Relation::Op::less || r.op == Relation::Op::less_equal;
+        const Float128 off = r.op == Relation::Op::equal ? Float128(-abs(lhs - rhs))
+                                                         : Float128(below ? rhs - lhs : lhs - rhs);
+        against = Difference::not_above(Float128(0), off);
+    }
+    return false;
 }
 
 std::string relation_text(const Relation& r) {
@@ -60,12 +78,13 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     const Profile profile = scenes.front().make_profile();
     const ContactsBySize contacts(profile);
     const SizeScan scan(profile, Exact::parse(range[0]), Exact::parse(range[1]), 4);
+    std::optional<Difference> against;
     const auto where = [&](const Condition& all) {
         return scan.where([&](const Float128& a) {
             ContactsBySize::At contact = contacts.at(a);
             const SizeEnvironment at(contact);
             return std::all_of(all.begin(), all.end(),
-                               [&](const Relation& r) { return holds(r, at); });
+                               [&](const Relation& r) { return holds(r, at, against); });
         });
     };
     const SizeSet set = where(condition);
@@ -79,13 +98,13 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     }
     outcome.evidence.add("edge_on_a_knot_at", breaks).add("holds_for_a", to_text(set));
     if (set.empty()) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(against);
         outcome.note = "for no size of the contact does it hold";
     } else if (is_everything(set)) {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note = "the size is not given, and for every size it holds";
     } else {
-        outcome.verdict = Verdict::underspecified;
+        outcome.verdict = NotRefuted::underspecified;
         outcome.note = "the size is not given; it would hold for a = " + to_text(set, 4);
         Evidence each;
         for (const Relation& r : condition) {

@@ -129,6 +129,13 @@ Found find_sizes(const Quoted& q, const Profile& profile, const Exact& from, con
     return found;
 }
 
+/// A figure that does not round to what is quoted, where none does.
+std::optional<Difference> outside_of(const Quoted& q, const Found& found, std::size_t reading) {
+    return found.least[reading] < q.lower
+               ? Difference::not_above(q.lower, found.least[reading])
+               : Difference::not_above(Float128(-q.upper), Float128(-found.most[reading]));
+}
+
 /// Sizes for which a group of figures holds and no larger group does: "a = 1 ... 2: S39, S40".
 struct Group {
     std::vector<std::string> ids;
@@ -212,7 +219,8 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
                                        range[1] + q.key,
                                    [&] { return find_sizes(q, profile, from, to); });
     };
-    const auto found = sizes_of(read_quoted(claim));
+    const Quoted quoted = read_quoted(claim);
+    const auto found = sizes_of(quoted);
     const std::vector<Quoted> figures = companions(claim, context);
     std::vector<std::shared_ptr<const Found>> of_figures;
     of_figures.reserve(figures.size());
@@ -232,6 +240,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const bool of_side = claim.text("base") == "side";
     std::size_t looked = 0;
     std::size_t some = 0;
+    std::optional<Difference> outside; // the figures over all sizes, and what rounds to the quoted
     std::size_t everything = 0;
     bool jointly = false;
     std::string fitting;
@@ -260,6 +269,9 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         }
         ++looked;
         some += holds.empty() ? 0 : 1;
+        if (holds.empty() && !outside) {
+            outside = outside_of(quoted, *found, r);
+        }
         everything += is_everything(holds) ? 1 : 0;
         jointly = jointly || !all.empty();
         if (fitting.empty() && !holds.empty()) {
@@ -267,13 +279,13 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         }
     }
     if (some == 0) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(outside);
         outcome.note = "for no size of the contact does it round to this";
     } else if (everything == looked) {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note = "the size is not given, and for every size it rounds to this";
     } else {
-        outcome.verdict = everything > 0 ? Verdict::imprecise : Verdict::underspecified;
+        outcome.verdict = everything > 0 ? NotRefuted::imprecise : NotRefuted::underspecified;
         outcome.note = "the size is not given; it would hold for " + fitting;
     }
     if (!figures.empty()) {

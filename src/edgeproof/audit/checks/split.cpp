@@ -145,11 +145,11 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
     }
     const std::string order = fmt::format("{:.2f}", left.order);
     if (left.order > through + 0.8) {
-        outcome.verdict = Verdict::confirmed;
+        outcome.verdict = NotRefuted::confirmed;
         outcome.note = "they cancel through " + claim.text("small") + "^(" + claim.text("through") +
                        "); what is left is of order " + order;
     } else if (left.order < through + 0.2) {
-        outcome.verdict = Verdict::refuted;
+        outcome.verdict = Judgement(Difference::of(Real(through), Real(left.order), Real("0.2")));
         outcome.note = "terms of order " + order + " are left";
     } else {
         outcome.note = "what is left is of order " + order + ", which does not decide";

@@ -19,6 +19,7 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     Outcome outcome;
     std::size_t adding = 0;
     std::size_t subtracting = 0;
+    std::optional<Difference> against; // a product of the other sign
     std::size_t same_signs = 0;
     Evidence shares;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
@@ -32,6 +33,9 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
             parts.second *= second / loaded.second();
         }
         const Real product = parts.first * parts.second;
+        if (!against && (says_add ? product < 0 : product > 0)) {
+            against = Difference::of(Real(0), product, Real(0));
+        }
         adding += product > 0 ? 1 : 0;
         subtracting += product < 0 ? 1 : 0;
         same_signs += (second > 0) == (scene.parameter(loads[0]).sign() > 0) ? 1 : 0;
@@ -46,10 +50,11 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
         .add("loads_of_one_sign", same_signs)
         .add("second_part_over_first", shares);
     const std::size_t as_said = says_add ? adding : subtracting;
-    outcome.verdict = scenes.empty()                          ? Verdict::undecided
-                      : as_said == scenes.size()              ? Verdict::confirmed
-                      : adding + subtracting == scenes.size() ? Verdict::refuted
-                                                              : Verdict::undecided;
+    if (!scenes.empty() && as_said == scenes.size()) {
+        outcome.verdict = NotRefuted::confirmed;
+    } else if (adding + subtracting == scenes.size()) {
+        outcome.verdict = Judgement(against);
+    }
     outcome.note = "the parts of " + claim.text("of") + " by " + loads[0] + " and " + loads[1] +
                    " add in " + std::to_string(adding) + " of " + std::to_string(scenes.size()) +
                    " scenes, subtract in " + std::to_string(subtracting);

@@ -74,6 +74,8 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     }
     // The rest loses order times the decades of the small variable, and those of the distance.
     const unsigned digits = 4 * rungs_to_the_breakdown + 60;
+    const bool says_breaks = claim.text("says") == "breaks down";
+    std::optional<Difference> against;
     std::size_t breaking = 0;
     std::size_t uniform = 0;
     std::size_t nothing_left = 0;
@@ -91,6 +93,10 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         }
         const Rest exact = follow(setting, claim, fixed, variable, rest, digits);
         Evidence one;
+        // The growth claimed: 1 by decade where it breaks down, 0 where it does not.
+        if (!against && !exact.vanishes) {
+            against = Difference::of(Real(says_breaks ? 1 : 0), Real(exact.slope), Real("0.5"));
+        }
         if (exact.vanishes) {
             ++nothing_left;
             one.add("left", "nothing");
@@ -117,13 +123,12 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         .add("break_down", breaking)
         .add("uniform", uniform)
         .add("in_scenes", in_scenes);
-    const bool says_breaks = claim.text("says") == "breaks down";
     if (breaking > 0 && uniform == 0) {
-        outcome.verdict = says_breaks ? Verdict::confirmed : Verdict::refuted;
+        outcome.verdict = says_breaks ? Judgement(NotRefuted::confirmed) : Judgement(against);
         outcome.note = "what is left over " + small + "^" + std::to_string(order) +
                        " grows without bound as " + variable + " -> " + claim.text("towards");
     } else if (uniform > 0 && breaking == 0) {
-        outcome.verdict = says_breaks ? Verdict::refuted : Verdict::confirmed;
+        outcome.verdict = says_breaks ? Judgement(against) : Judgement(NotRefuted::confirmed);
         outcome.note = "what is left over " + small + "^" + std::to_string(order) +
                        " stays bounded as " + variable + " -> " + claim.text("towards") +
                        ", in all of " + std::to_string(uniform) + " samples";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/rounded.hpp"
 
 namespace edgeproof {
 namespace {
@@ -22,17 +23,21 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     }
     const Agreement agreement = spots.compare(printed, exact, scale);
     const double needed = AuditContext::digits_needed(digits);
-    outcome.verdict = verdict_by_samples(agreement, needed);
+    outcome.verdict = judge_samples(agreement, needed);
     outcome.evidence.add("of", claim.text("of"));
     report_agreement(agreement, spots, digits, outcome.evidence);
     add_enclosures(agreement, spots, printed, exact, scale, digits, outcome);
+    judge_rounded(claim, spots, exact, digits, outcome);
+    if (outcome.evidence.find("rounded") != nullptr) {
+        return outcome;
+    }
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(spots.all().size()) + " samples";
         return outcome;
     }
-    if (outcome.verdict == Verdict::undecided) {
+    if (outcome.verdict != Verdict::refuted) {
         if (outcome.note.empty()) {
-            outcome.note = "the values are not good enough to decide";
+            outcome.note = agreement.obstacle(needed);
         }
         return outcome;
     }
@@ -45,8 +50,8 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
     patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
     patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
-        return verdict_by_samples(
-            spots.compare(expand_definitions(e, claim.vocabulary), exact, scale), needed);
+        return judge_samples(spots.compare(expand_definitions(e, claim.vocabulary), exact, scale),
+                             needed);
     };
     diagnose(patient, outcome);
     return outcome;
@@ -63,14 +68,14 @@ bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Eviden
     Evidence more;
     report_agreement(agreement, *spots, context.digits(), more);
     evidence.add("all_digits", std::move(more));
-    return verdict_by_samples(agreement, context.digits_needed()) == Verdict::confirmed;
+    return judge_samples(agreement, context.digits_needed()) == Verdict::confirmed;
 }
 
 Outcome check_value(const Claim& claim, const AuditContext& context) {
     const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
     if (integrals && context.digits() > ManyDigits::everywhere) {
         Outcome outcome = compare_values(claim, context, ManyDigits::everywhere);
-        if (outcome.verdict == Verdict::refuted ||
+        if (outcome.verdict == Verdict::refuted || is_rounded(outcome) ||
             (outcome.verdict == Verdict::confirmed &&
              holds_to_all_digits(claim, context, outcome.evidence))) {
             return outcome;

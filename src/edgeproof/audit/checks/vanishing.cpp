@@ -17,6 +17,7 @@ namespace {
 struct Zero {
     bool agrees = true;
     double digits = 1e6; ///< to which they agree, at worst
+    std::optional<Difference> against;
     std::vector<RatioSample> quotients;
     std::string value; ///< of the ratio, in the first scene
 };
@@ -34,6 +35,9 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
         const double digits = off == 0 ? 1e6 : (-log10(off)).convert_to<double>();
         zero.digits = std::min(zero.digits, digits);
         zero.agrees = zero.agrees && digits >= needed;
+        if (digits < needed && !zero.against) {
+            zero.against = Difference::of(as_printed, at_zero, Real(0));
+        }
         zero.quotients.push_back({parameters[i], Real(as_printed / at_zero)});
         if (i == 0) {
             zero.value = value_text(at_zero, 20);
@@ -106,7 +110,7 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
         .add("ratio", claim.text("ratio"))
         .add("vanishes_at", zero.value)
         .add("digits", digits_text(std::min(zero.digits, 1.0 * context.digits())));
-    outcome.verdict = zero.agrees ? Verdict::confirmed : Verdict::refuted;
+    outcome.verdict = zero.agrees ? Judgement(NotRefuted::confirmed) : Judgement(zero.against);
     outcome.computed = claim.text("ratio") + " = " + zero.value;
     outcome.note = zero.agrees ? claim.text("of") + " vanishes there" : "";
     const SceneSpec first = context.scenes(claim).front();

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/claim_errors.hpp"
+
+#include <cstdio>
+
+namespace edgeproof::cli {
+
+int report_claim_errors(const std::vector<ClaimError>& errors) {
+    std::fflush(stdout);
+    for (const ClaimError& e : errors) {
+        std::fprintf(stderr, "%s\n", e.error.what());
+    }
+    return errors.empty() ? 0 : 2;
+}
+
+} // namespace edgeproof::cli

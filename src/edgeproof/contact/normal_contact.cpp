@@ -18,6 +18,9 @@ constexpr unsigned guard_digits = 20;
 /// A point given exactly is told from a knot down to this many decades below roundoff.
 constexpr unsigned knot_decades = 400;
 
+/// An edge that is solved for and lies so many decades beside a knot is on it, or might as well be.
+constexpr unsigned edge_decades = 300;
+
 /// How many decades x lies below `scale`; 0 where it does not.
 unsigned decades_below(const Real& x, const Real& scale) {
     if (!(x > 0) || !(x < scale)) {
@@ -118,6 +121,12 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
         if (needed <= working) {
             break;
         }
+        if (lost >= edge_decades && lost + guard_digits >= working &&
+            take_edges_on_knots(working)) {
+            solved_.clear();
+            working = digits_ + guard_digits;
+            continue;
+        }
         working = needed;
         if (lost > 100000) {
             throw BudgetError("an edge lies within 1e-100000 of a knot");
@@ -131,6 +140,27 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
         check_reach(profile_, Ball(s.extent.a, bits), Ball(s.extent.b, bits));
         sample_slope(profile_, s.law.slope(), s.extent.a, s.extent.b);
     }
+    (void)take_edges_on_knots(working); // those that came out there exactly
+}
+
+bool NormalContact::take_edges_on_knots(unsigned working) {
+    const Solved& s = at(working);
+    const PrecisionScope scope(working);
+    const auto& knots = s.law.slope().knots();
+    const auto on = [&](const Real& offset) {
+        return offset == 0 ||
+               decades_below(Real(abs(offset)), s.extent.length()) + guard_digits >= working;
+    };
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        if (load_.kind == Load::Kind::force && on(Real(s.extent.a - knots[i]))) {
+            a_on_knot_ = i;
+        }
+        const bool solved = load_.kind == Load::Kind::force || !profile_.symmetric();
+        if (solved && on(Real(s.extent.b + knots[i]))) {
+            b_on_knot_ = i;
+        }
+    }
+    return edge_taken_on_knot();
 }
 
 NormalContact::~NormalContact() = default;
@@ -155,6 +185,13 @@ NormalContact::Solved& NormalContact::at(unsigned working) const {
         }
         const PrecisionScope scope(working);
         slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
+        Solved& s = *slot;
+        if (a_on_knot_) {
+            s.extent.a = s.law.slope().knots()[*a_on_knot_];
+        }
+        if (b_on_knot_) {
+            s.extent.b = -s.law.slope().knots()[*b_on_knot_];
+        }
     }
     return *slot;
 }

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,8 +88,78 @@ TEST_CASE("a part file drops what is not what was written, and work of another k
     CHECK(PartFile(file, 7, 2).entries() == 0); // what comes after it is not trusted either
     write(file, whole);
     CHECK(PartFile(file, 8, 2).entries() == 0);
-    write(file, "another file altogether\n");
-    CHECK(PartFile(file, 7, 2).entries() == 0);
+    // An older version's is begun anew, and a torn first line.
+    for (const char* const text :
+         {"edgeproof part file 2, 0000000000000007\n0 12 99\n", "edgepr"}) {
+        write(file, text);
+        CHECK(PartFile(file, 7, 2).entries() == 0);
+    }
+}
+
+TEST_CASE("a part file's checksum holds the number of the piece and its size") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    {
+        PartFile part(file, 7, 12);
+        part.add(1, PartFile::body({{0, false, "zero"}}));
+    }
+    const std::string whole = read_text(file, "part file");
+    const std::size_t number = whole.find('\n') + 1;
+    for (const char* const other : {"2", "0", "11"}) {
+        std::string changed = whole;
+        changed.replace(number, 1, other);
+        write(file, changed);
+        CAPTURE(other);
+        CHECK(PartFile(file, 7, 12).entries() == 0);
+    }
+    write(file, whole);
+    CHECK(PartFile(file, 7, 12).has(1));
+}
+
+TEST_CASE("a part file takes no file that is not Edgeproof's, and follows no link") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    const auto refused = [&] {
+        CHECK_THROWS_WITH_AS(PartFile(file, 7, 2),
+                             (file.string() + " is where the work that is done would be kept, and "
+                                              "is not a file that Edgeproof made; rename it, or "
+                                              "name another output file")
+                                 .c_str(),
+                             InputError);
+    };
+    const fs::path notes = folder.path / "notes";
+    for (const char* const text :
+         {"another file altogether\n", "x", "edgeproof part files of mine"}) {
+        write(notes, text);
+        fs::copy_file(notes, file);
+        refused();
+        CHECK(read_text(file, "file") == text);
+        fs::remove(file);
+        fs::create_symlink(notes, file);
+        refused();
+        CHECK(read_text(notes, "file") == text);
+        CHECK(fs::is_symlink(file));
+        fs::remove(file);
+    }
+    fs::create_symlink(folder.path / "nowhere", file); // nor one that leads nowhere yet
+    refused();
+    CHECK_FALSE(fs::exists(folder.path / "nowhere"));
+    fs::remove(file);
+    fs::create_directory(file);
+    refused();
+    fs::remove(file);
+    REQUIRE(::mkfifo(file.c_str(), 0600) == 0);
+    refused();
+}
+
+TEST_CASE("a part file removes itself, not what has come under its name since") {
+    const Folder folder;
+    const fs::path file = folder.path / "t.part";
+    PartFile part(file, 7, 2);
+    fs::remove(file);
+    write(file, "mine");
+    part.remove();
+    CHECK(read_text(file, "file") == "mine");
 }
 
 TEST_CASE("a part file takes nothing but whole pieces that it does not have") {

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -20,6 +21,14 @@
 
 namespace edgeproof {
 namespace {
+
+/// What every version of these files begins with: only such a file is written over, or removed.
+constexpr std::string_view first_words = "edgeproof part file ";
+
+/// Of a piece: its number and its size count as well as its text.
+std::uint64_t checksum(std::uint64_t piece, const std::string& body) {
+    return fnv1a(body, fnv1a(fmt::format("{} {} ", piece, body.size())));
+}
 
 /// Numbers, a blank between two, to the end of the line.
 template <std::size_t N>
@@ -56,17 +65,25 @@ std::optional<std::vector<PartFile::Entry>> entries_of(std::string_view body) {
 } // namespace
 
 PartFile::PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces)
-    : file_(std::move(file)), fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
-      head_(fmt::format("edgeproof part file 2, {:016x}\n", fingerprint)), places_(pieces) {
+    : file_(std::move(file)),
+      // No link is followed and no FIFO waited for: what has this name may be anybody's.
+      fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666)),
+      head_(fmt::format("{}3, {:016x}\n", first_words, fingerprint)), places_(pieces) {
     if (fd_ < 0) {
+        if (errno == ELOOP || errno == EISDIR || errno == ENXIO) {
+            not_ours();
+        }
         cannot("write", errno);
     }
-    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        ::close(fd_);
-        throw InputError(file_.string() + " is in use", "wait for the other run, or name another "
-                                                        "file");
-    }
     try {
+        struct stat now {};
+        if (::fstat(fd_, &now) != 0 || !S_ISREG(now.st_mode)) {
+            not_ours();
+        }
+        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+            throw InputError(file_.string() + " is in use",
+                             "wait for the other run, or name another file");
+        }
         read();
     } catch (...) {
         ::close(fd_);
@@ -83,6 +100,12 @@ PartFile::~PartFile() {
 void PartFile::cannot(const char* what, int error) const {
     throw InputError(fmt::format("cannot {} {}: {}", what, file_.string(), std::strerror(error)),
                      make_room);
+}
+
+void PartFile::not_ours() const {
+    throw InputError(file_.string() + " is where the work that is done would be kept, and is not a "
+                                      "file that Edgeproof made",
+                     "rename it, or name another output file");
 }
 
 std::string PartFile::at(std::uint64_t offset, std::size_t size) const {
@@ -106,7 +129,13 @@ std::string PartFile::at(std::uint64_t offset, std::size_t size) const {
 void PartFile::read() {
     end_ = head_.size();
     constexpr std::size_t longest_head = 80;
-    const bool ours = at(0, head_.size()) == head_;
+    const std::string begins = at(0, head_.size());
+    // An older version's, another recipe's, or one whose first line is torn: begun anew.
+    const std::size_t known = std::min(begins.size(), first_words.size());
+    if (begins.compare(0, known, first_words, 0, known) != 0) {
+        not_ours();
+    }
+    const bool ours = begins == head_;
     while (ours) {
         const std::string line = at(end_, longest_head);
         const std::size_t newline = line.find('\n');
@@ -118,7 +147,7 @@ void PartFile::read() {
         }
         const std::uint64_t begin = end_ + newline + 1;
         const std::string body = at(begin, (*head)[1]);
-        if (body.size() != (*head)[1] || fnv1a(body) != (*head)[2]) {
+        if (body.size() != (*head)[1] || checksum((*head)[0], body) != (*head)[2]) {
             break;
         }
         const auto entries = entries_of(body);
@@ -160,7 +189,7 @@ void PartFile::add(std::size_t piece, const std::string& body) {
         throw Error(
             fmt::format("piece {} of {} is not one that was asked for", piece, file_.string()));
     }
-    const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), fnv1a(body));
+    const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), checksum(piece, body));
     struct stat now {};
     if (::fstat(fd_, &now) != 0 || now.st_nlink == 0) {
         throw InputError(file_.string() + " has been removed while it was written", make_room);
@@ -186,6 +215,14 @@ std::vector<PartFile::Entry> PartFile::piece(std::size_t number) const {
     return std::move(*entries);
 }
 
-void PartFile::remove() { ::unlink(file_.c_str()); }
+void PartFile::remove() {
+    // Only this file: another may have come under its name.
+    struct stat mine {};
+    struct stat named {};
+    if (::fstat(fd_, &mine) == 0 && ::lstat(file_.c_str(), &named) == 0 &&
+        mine.st_dev == named.st_dev && mine.st_ino == named.st_ino) {
+        ::unlink(file_.c_str());
+    }
+}
 
 } // namespace edgeproof

@@ -21,8 +21,9 @@ public:
     };
 
     /// Opens what there is of the work that `fingerprint` tells from any other, in `pieces` pieces;
-    /// else begins anew. Throws InputError where the file cannot be written, and where another run
-    /// holds it.
+    /// else begins anew. Throws InputError where the file cannot be written, where another run
+    /// holds it, and where what has its name is a link or not a file of this kind: that is left
+    /// alone.
     PartFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces);
     ~PartFile();
     PartFile(const PartFile&) = delete;
@@ -48,6 +49,7 @@ private:
     void read();
     [[nodiscard]] std::string at(std::uint64_t offset, std::size_t size) const;
     [[noreturn]] void cannot(const char* what, int error) const;
+    [[noreturn]] void not_ours() const;
 
     std::filesystem::path file_;
     int fd_ = -1;

@@ -2,7 +2,7 @@
 #include "edgeproof/report/golden.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/verdict_writers.hpp"
+#include "edgeproof/report/escape.hpp"
 
 #include <fstream>
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 constexpr const char* golden_head = "id,verdict,correct";
 
 std::string row(const ClaimResult& r) {
-    return r.claim.id + "," + std::string(name_of(r.outcome.verdict)) + "," +
+    return csv_cell(r.claim.id) + "," + std::string(name_of(r.outcome.verdict)) + "," +
            csv_cell(r.outcome.correct.value_or(""));
 }
 

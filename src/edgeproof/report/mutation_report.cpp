@@ -3,6 +3,7 @@
 
 #include "edgeproof/conformance/csv.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/escape.hpp"
 
 #include <fmt/format.h>
 
@@ -92,9 +93,9 @@ std::string mutation_text(const MutationRun& run, const std::vector<std::string>
 std::string mutation_csv(const std::vector<MutantFate>& fates) {
     std::string out = std::string(mutation_columns) + "\n";
     for (const MutantFate& f : fates) {
-        out += fmt::format("{},{},{},{},{},{},{},{}\n", f.claim, quoted(f.kind), name_of(f.verdict),
-                           f.equivalent ? "yes" : "no", f.named ? "yes" : "no", quoted(f.original),
-                           quoted(f.mutated), quoted(f.note));
+        out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(f.claim), quoted(f.kind),
+                           name_of(f.verdict), f.equivalent ? "yes" : "no", f.named ? "yes" : "no",
+                           quoted(f.original), quoted(f.mutated), quoted(f.note));
     }
     return out;
 }

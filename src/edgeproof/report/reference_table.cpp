@@ -2,7 +2,7 @@
 #include "edgeproof/report/reference_table.hpp"
 
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/report/verdict_writers.hpp"
+#include "edgeproof/report/escape.hpp"
 
 #include <fmt/format.h>
 
@@ -103,14 +103,15 @@ Table ReferenceRows::table(
     table.title = title_;
     table.columns = {{"id", Column::Kind::text}};
     for (const std::string& key : keys_) {
-        table.columns.push_back({key, Column::Kind::text});
+        table.columns.push_back({key, Column::Kind::text, true});
     }
     for (const char* name :
          {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
         const std::string_view n = name;
         const bool number = n == "x" || n == "value" || n == "bound" || n == "binary64";
         if (n != "tolerance" || tolerances_) {
-            table.columns.push_back({name, number ? Column::Kind::number : Column::Kind::text});
+            table.columns.push_back(
+                {name, number ? Column::Kind::number : Column::Kind::text, true});
         }
     }
     std::uint64_t hash = fnv1a(csv_line(names_of(table.columns)));
@@ -167,12 +168,12 @@ Table question_table(const Questions& questions, const std::string& title) {
                    "u: distance inwards from the edge; x: place, for reading"};
     table.columns = {{"id", Column::Kind::text}};
     for (const std::string& key : keys) {
-        table.columns.push_back({key, Column::Kind::text});
+        table.columns.push_back({key, Column::Kind::text, true});
     }
     const bool tolerances = questions.has_tolerances();
     for (const char* name : {"quantity", "edge", "tolerance", "u", "x"}) {
         if (std::string_view(name) != "tolerance" || tolerances) {
-            table.columns.push_back({name, Column::Kind::text});
+            table.columns.push_back({name, Column::Kind::text, true});
         }
     }
     for (const Question& q : questions.list) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/table.hpp"
 
+#include "edgeproof/report/escape.hpp"
 #include "edgeproof/report/text_width.hpp"
-#include "edgeproof/report/verdict_writers.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -18,11 +18,6 @@ std::string fact_text(const Fact& fact) {
     if (!fact.bound.empty()) {
         text += " +- " + fact.bound + " (" + fact.route + ")";
     }
-    return text;
-}
-
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
 
@@ -50,7 +45,9 @@ std::string csv(const Table& table) {
     out += "\n";
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            out += (i == 0 ? "" : ",") + csv_cell(row[i]);
+            const Column& column = table.columns[i];
+            const bool text = column.kind == Column::Kind::text && !column.exact;
+            out += (i == 0 ? "" : ",") + (text ? csv_text_cell(row[i]) : csv_cell(row[i]));
         }
         out += "\n";
     }
@@ -86,38 +83,26 @@ std::string json(const Table& table) {
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string escaped(const std::string& text, std::string_view specials,
-                    const std::string& with = "\\") {
-    std::string out;
-    for (const char c : text) {
-        if (specials.find(c) != std::string_view::npos) {
-            out += with;
-        }
-        out += c == '\n' ? ' ' : c;
-    }
-    return out;
-}
-
 std::string markdown(const Table& table) {
     std::string out;
     if (!table.title.empty()) {
-        out += "# " + one_line(table.title) + "\n\n";
+        out += "# " + markdown_text(table.title) + "\n\n";
     }
     for (const Fact& fact : table.facts) {
-        out += "- " + one_line(fact_text(fact)) + "\n";
+        out += "- " + markdown_text(fact_text(fact)) + "\n";
     }
     for (const std::string& note : table.notes) {
-        out += "- " + one_line(note) + "\n";
+        out += "- " + markdown_text(note) + "\n";
     }
     out += "\n";
     std::vector<std::vector<std::string>> cells(1);
     for (const Column& column : table.columns) {
-        cells[0].push_back(escaped(column.name, "|"));
+        cells[0].push_back(markdown_text(column.name));
     }
     for (const auto& row : table.rows) {
         cells.emplace_back();
         for (const std::string& cell : row) {
-            cells.back().push_back(escaped(cell, "|"));
+            cells.back().push_back(markdown_text(cell));
         }
     }
     std::vector<std::size_t> width(table.columns.size(), 3);
@@ -130,8 +115,8 @@ std::string markdown(const Table& table) {
     const auto line = [&](const std::vector<std::string>& row) {
         out += "|";
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string room(width[i] - text_width(row[i]), ' ');
-            out += " " + (is_text(i) ? row[i] + room : room + row[i]) + " |";
+            const std::string blanks(width[i] - text_width(row[i]), ' ');
+            out += " " + (is_text(i) ? row[i] + blanks : blanks + row[i]) + " |";
         }
         out += "\n";
     };
@@ -148,26 +133,6 @@ std::string markdown(const Table& table) {
     return out;
 }
 
-std::string latex_cell(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '\\':
-            out += "\\textbackslash{}";
-            break;
-        case '^':
-            out += "\\textasciicircum{}";
-            break;
-        case '~':
-            out += "\\textasciitilde{}";
-            break;
-        default:
-            out += escaped(std::string(1, c), "_%&#${}");
-        }
-    }
-    return out;
-}
-
 /// 1.3e-52 as $1.3\times 10^{-52}$; other text as it is.
 std::string latex_number(const std::string& text) {
     if (text.empty()) {
@@ -176,7 +141,7 @@ std::string latex_number(const std::string& text) {
     const std::size_t e = text.find('e');
     const bool number = text.find_first_not_of("+-.0123456789e") == std::string::npos;
     if (!number) {
-        return latex_cell(text);
+        return latex_text(text);
     }
     if (e == std::string::npos) {
         return "$" + text + "$";
@@ -192,13 +157,13 @@ std::string latex(const Table& table) {
     }
     out += "}\n\\toprule\n";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        out += (i == 0 ? "" : " & ") + latex_cell(table.columns[i].name);
+        out += (i == 0 ? "" : " & ") + latex_text(table.columns[i].name);
     }
     out += " \\\\\n\\midrule\n";
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             out += (i == 0 ? "" : " & ") + (table.columns[i].kind == Column::Kind::text
-                                                ? latex_cell(row[i])
+                                                ? latex_text(row[i])
                                                 : latex_number(row[i]));
         }
         out += " \\\\\n";

@@ -23,6 +23,8 @@ struct Column {
     };
     std::string name;
     Kind kind = Kind::number;
+    /// Of a text: exact numbers as they were given ("-pi/16"), which are read again.
+    bool exact = false;
 };
 
 /// What holds for the whole table: `# key: value` in CSV, a key in JSON.

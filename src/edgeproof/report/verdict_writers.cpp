@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/verdict_writers.hpp"
 
+#include "edgeproof/report/escape.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -56,47 +58,6 @@ std::string lines_text(const Claim& claim) {
     return claim.lines.first == claim.lines.second
                ? std::to_string(claim.lines.first)
                : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
-    }
-    return text;
-}
-
-std::string markdown_cell(const std::string& text) {
-    return replaced(replaced(text, "|", "\\|"), "\n", " ");
-}
-
-std::string latex_text(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '\\':
-            out += "\\textbackslash{}";
-            break;
-        case '~':
-            out += "\\textasciitilde{}";
-            break;
-        case '^':
-            out += "\\textasciicircum{}";
-            break;
-        case '_':
-        case '%':
-        case '&':
-        case '#':
-        case '$':
-        case '{':
-        case '}':
-            out += '\\';
-            out += c;
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
 }
 
 } // namespace
@@ -168,47 +129,40 @@ std::string verdicts_json(const AuditResult& result) {
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    return "\"" + replaced(replaced(text, "\"", "\"\""), "\n", " ") + "\"";
-}
-
 std::string verdicts_csv(const AuditResult& result) {
     std::string out = "id,lines,verdict,quoted,computed,correct,note,printed\n";
     for (const ClaimResult& r : result.claims) {
-        out += r.claim.id + "," + lines_text(r.claim) + "," +
+        out += csv_text_cell(r.claim.id) + "," + lines_text(r.claim) + "," +
                std::string(name_of(r.outcome.verdict)) + "," +
-               csv_cell(quoted(r.claim).value_or("")) + "," +
-               csv_cell(r.outcome.computed.value_or("")) + "," +
-               csv_cell(r.outcome.correct.value_or("")) + "," + csv_cell(r.outcome.note) + "," +
-               csv_cell(r.claim.printed) + "\n";
+               csv_text_cell(quoted(r.claim).value_or("")) + "," +
+               csv_text_cell(r.outcome.computed.value_or("")) + "," +
+               csv_text_cell(r.outcome.correct.value_or("")) + "," + csv_text_cell(r.outcome.note) +
+               "," + csv_text_cell(r.claim.printed) + "\n";
     }
     return out;
 }
 
 std::string verdicts_markdown(const AuditResult& result) {
-    std::string out = "# " + result.ledger + "\n\n" + result.source + "\n\n" +
-                      std::to_string(result.claims.size()) + " claims at " +
+    std::string out = "# " + markdown_text(result.ledger) + "\n\n" + markdown_text(result.source) +
+                      "\n\n" + std::to_string(result.claims.size()) + " claims at " +
                       std::to_string(result.digits) + " digits: " + counts_line(result) + ".\n\n";
     out += "| id | lines | verdict | quoted | computed | correct | note |\n"
            "|---|---|---|---|---|---|---|\n";
     for (const ClaimResult& r : result.claims) {
         const auto code = [](const std::optional<std::string>& text) {
-            return text ? "`" + markdown_cell(*text) + "`" : std::string();
+            return text ? markdown_code(*text) : std::string();
         };
-        out += "| " + r.claim.id + " | " + lines_text(r.claim) + " | " +
+        out += "| " + markdown_text(r.claim.id) + " | " + lines_text(r.claim) + " | " +
                std::string(name_of(r.outcome.verdict)) + " | " +
-               markdown_cell(quoted(r.claim).value_or("")) + " | " +
-               markdown_cell(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
-               " | " + markdown_cell(r.outcome.note) + " |\n";
+               markdown_text(quoted(r.claim).value_or("")) + " | " +
+               markdown_text(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
+               " | " + markdown_text(r.outcome.note) + " |\n";
     }
     return out;
 }
 
 std::string verdicts_latex(const AuditResult& result) {
-    std::string out = "% " + result.ledger + ": " + counts_line(result) + "\n" +
+    std::string out = "% " + one_line(result.ledger) + ": " + counts_line(result) + "\n" +
                       "% needs the package longtable\n"
                       "\\begin{longtable}{llllp{0.5\\textwidth}}\n"
                       "claim & lines & verdict & computed & note \\\\ \\hline \\endhead\n";

@@ -25,7 +25,4 @@ count_verdicts(const AuditResult& result);
 [[nodiscard]] std::string verdicts_terminal(const AuditResult& result, std::size_t width,
                                             bool colour);
 
-/// A cell of a CSV file, quoted where needed.
-[[nodiscard]] std::string csv_cell(const std::string& text);
-
 } // namespace edgeproof

@@ -2,11 +2,13 @@
 #include "edgeproof/audit/run.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace edgeproof {
 namespace {
@@ -133,19 +135,15 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
                          "give a pattern such as 'EQ2*' or 'S1*'");
     }
-    const AuditContext context(ledger, options.digits, options.stop);
+    const AuditContext context(ledger, options.digits);
     AuditResult result;
     result.ledger = ledger.name;
     result.source = ledger.source;
     result.digits = options.digits;
     result.claims.resize(chosen.size());
     std::atomic<std::size_t> done{0};
-    std::atomic<bool> skipped{false};
     const auto run_claim = [&](std::size_t i) {
-        if (context.stopped()) {
-            skipped = true;
-            return;
-        }
+        check_interruption();
         const Claim& claim = *chosen[i];
         ClaimResult& r = result.claims[i];
         r.claim = claim;
@@ -158,10 +156,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             }
             r.outcome = combined(claim, r.readings);
         }
-        if (context.stopped()) { // perhaps in the middle
-            skipped = true;
-            return;
-        }
+        check_interruption();
         const std::size_t now = ++done;
         if (options.progress) {
             options.progress(now, chosen.size());
@@ -172,9 +167,6 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         // One claim a task: they differ a thousandfold in what they cost.
         tbb::parallel_for(std::size_t{0}, chosen.size(), run_claim, tbb::simple_partitioner());
     });
-    if (skipped) {
-        throw Interrupted("stopped before all claims were checked");
-    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/magnitude.hpp"
 #include "edgeproof/audit/undefined.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -144,9 +145,7 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
     bool beyond_roundoff = false;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
-        if (context_.stopped()) {
-            throw Error("stopped");
-        }
+        check_interruption();
         SpotAgreement s;
         try {
             const FormulaValue x = known(exact, i);

@@ -15,7 +15,6 @@ int check_ledger(const std::string& ledger, const std::string& threads) {
     AuditOptions options;
     options.threads =
         threads.empty() ? 0 : static_cast<int>(whole_number("--threads", threads, 1, 1024));
-    options.stop = &interrupted();
     AuditResult result;
     {
         Progress progress("formulas");

@@ -59,11 +59,10 @@ CostReport measured(const CostArguments& a, const std::string& version) {
     options.digits = report.digits = digits_of(a.digits);
     options.points = a.points.empty() ? 0 : whole_number("--points", a.points, 1, most_points);
     options.full = a.full;
-    options.stop = &interrupted();
     if (a.scenes.empty()) {
         Progress progress("effects");
         report.effects =
-            effect_costs(report.usual_digits(), true, &interrupted(),
+            effect_costs(report.usual_digits(), true,
                          [&](std::size_t done, std::size_t total) { progress(done, total); });
     }
     {

@@ -39,7 +39,6 @@ int verify(const VerifyOptions& o) {
     options.digits = static_cast<unsigned>(o.digits);
     options.threads = o.threads;
     options.only = o.only;
-    options.stop = &interrupted();
     AuditResult result;
     {
         Progress progress("claims");

@@ -3,6 +3,7 @@
 
 #include "edgeproof/conformance/piece_work.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
@@ -148,12 +149,6 @@ private:
     std::optional<ContactValues> contact_;
 };
 
-void throw_if_stopped(const std::atomic<bool>* stop) {
-    if (stop != nullptr && *stop) {
-        throw Stopped("interrupted: nothing is written");
-    }
-}
-
 /// Counts questions, and tells of them.
 class Count {
 public:
@@ -191,14 +186,13 @@ std::vector<Piece> pieces_of(const Questions& questions) {
 }
 
 std::vector<Reference> references_in_turn(const Questions& questions, const Digits& digits,
-                                          const std::atomic<bool>* stop,
                                           const std::function<void()>& one) {
     std::vector<Reference> results(questions.list.size());
     for (const Piece& piece : pieces_of(questions)) {
-        throw_if_stopped(stop);
+        check_interruption();
         Answering answering(questions, piece, digits);
         for (const std::size_t i : piece) {
-            throw_if_stopped(stop);
+            check_interruption();
             results[i] = answering.answer(i);
             one();
         }
@@ -211,10 +205,10 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        throw_if_stopped(options.stop);
+        check_interruption();
         Answering answering(questions, pieces[p], options.digits);
         for (const std::size_t i : pieces[p]) {
-            throw_if_stopped(options.stop);
+            check_interruption();
             results[i] = answering.answer(i);
             count.one();
         }
@@ -254,11 +248,10 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        if (options.stop != nullptr && *options.stop) {
-            return;
-        }
+        check_interruption();
         std::optional<Answering> answering;
         for (const std::size_t i : pieces[p]) {
+            check_interruption();
             try {
                 if (!answering) {
                     answering.emplace(questions, pieces[p], options.digits);
@@ -269,7 +262,6 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
             count.one();
         }
     });
-    throw_if_stopped(options.stop);
     return results;
 }
 

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/whole_file.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -67,13 +68,15 @@ int write_all(int fd, const std::string& text) {
     return 0;
 }
 
-WholeFile::WholeFile(std::filesystem::path file)
-    : file_(std::move(file)), aside_(file_.string() + "." + std::to_string(::getpid()) + after) {
+WholeFile::WholeFile(std::filesystem::path file, Content content)
+    : file_(std::move(file)),
+      aside_(std::filesystem::path(file_.string() + "." + std::to_string(::getpid()) + after)),
+      content_(content) {
     remove_left_over(file_);
     fd_ = open_unnamed(folder_of(file_));
     if (fd_ < 0) {
         named_ = true;
-        fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     }
     if (fd_ < 0) {
         cannot(errno);
@@ -84,7 +87,7 @@ WholeFile::~WholeFile() {
     if (fd_ >= 0) {
         ::close(fd_);
         if (named_) {
-            ::unlink(aside_.c_str());
+            ::unlink(aside_.path().c_str());
         }
     }
 }
@@ -109,8 +112,9 @@ void WholeFile::flush() {
 
 void WholeFile::give_name() {
     const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
-    ::unlink(aside_.c_str());
-    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    ::unlink(aside_.path().c_str());
+    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
+        0) {
         cannot(errno);
     }
     named_ = true;
@@ -118,15 +122,20 @@ void WholeFile::give_name() {
 
 void WholeFile::commit() {
     flush();
+    if (content_ == Content::result) {
+        check_interruption();
+    }
     if (::fsync(fd_) != 0) {
         cannot(errno);
     }
+    const auto lock = hold_cleanup();
     if (!named_) {
         give_name();
     }
-    if (::rename(aside_.c_str(), file_.c_str()) != 0) {
+    if (::rename(aside_.path().c_str(), file_.c_str()) != 0) {
         cannot(errno);
     }
+    aside_.keep_locked();
     ::close(fd_);
     fd_ = -1;
 }

@@ -17,6 +17,9 @@ int main(int argc, char** argv) {
                  "edgeproof"};
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("edgeproof ") + EDGEPROOF_VERSION);
+    app.footer(
+        "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
+        "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     cli::add_pressure(app, code);
     cli::add_expand(app, code);
     cli::add_extent(app, code);

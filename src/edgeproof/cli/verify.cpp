@@ -3,9 +3,11 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/report.hpp"
+#include "edgeproof/report/staged_folder.hpp"
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace edgeproof::cli {
 namespace {
@@ -21,6 +23,21 @@ struct VerifyOptions {
 
 constexpr long long most_digits_of_a_formula = 10000;
 
+void write_files(const AuditResult& result, const Ledger& ledger, StagedFolder& staged,
+                 int threads) {
+    try {
+        const std::filesystem::path& out = staged.path();
+        write_whole(out / "verdicts.json", verdicts_json(result));
+        write_whole(out / "verdicts.csv", verdicts_csv(result));
+        write_whole(out / "verdicts.md", verdicts_markdown(result));
+        write_whole(out / "verdicts.tex", verdicts_latex(result));
+        write_html_report(result, ledger, out, threads);
+    } catch (const InputError& error) {
+        throw staged.told(error);
+    }
+    staged.commit();
+}
+
 int verify(const VerifyOptions& o) {
     if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
@@ -32,8 +49,9 @@ int verify(const VerifyOptions& o) {
                          "record all of them");
     }
     const Ledger ledger = read_ledger(o.ledger);
+    std::optional<StagedFolder> staged; // fails before minutes of work, not after
     if (!o.out.empty()) {
-        make_folder(o.out); // before minutes of work, not after
+        staged.emplace(o.out);
     }
     AuditOptions options;
     options.digits = static_cast<unsigned>(o.digits);
@@ -45,13 +63,8 @@ int verify(const VerifyOptions& o) {
         options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
         result = run_audit(ledger, options);
     }
-    if (!o.out.empty()) {
-        const std::filesystem::path out = o.out;
-        write_whole(out / "verdicts.json", verdicts_json(result));
-        write_whole(out / "verdicts.csv", verdicts_csv(result));
-        write_whole(out / "verdicts.md", verdicts_markdown(result));
-        write_whole(out / "verdicts.tex", verdicts_latex(result));
-        write_html_report(result, ledger, out, o.threads);
+    if (staged) {
+        write_files(result, ledger, *staged, o.threads);
     }
     std::fputs(verdicts_terminal(result, terminal_width(), stdout_is_terminal()).c_str(), stdout);
 

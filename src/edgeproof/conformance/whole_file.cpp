@@ -24,7 +24,18 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// What processes that are no more left beside the file.
+/// A file without a name, where the system has such files and a way to name them later; else -1.
+int open_unnamed(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    }
+#endif
+    return -1;
+}
+
+} // namespace
+
 void remove_left_over(const std::filesystem::path& file) {
     const std::string before = file.filename().string() + ".";
     std::error_code ignored;
@@ -39,22 +50,10 @@ void remove_left_over(const std::filesystem::path& file) {
         const auto [stop, error] = std::from_chars(name.data() + before.size(), end, process);
         const bool ours = error == std::errc{} && stop == end && process > 0;
         if (ours && ::kill(process, 0) != 0 && errno == ESRCH) {
-            std::filesystem::remove(entry.path(), ignored);
+            std::filesystem::remove_all(entry.path(), ignored);
         }
     }
 }
-
-/// A file without a name, where the system has such files and a way to name them later; else -1.
-int open_unnamed(const std::filesystem::path& folder) {
-#ifdef O_TMPFILE
-    if (::access("/proc/self/fd", X_OK) == 0) {
-        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-    }
-#endif
-    return -1;
-}
-
-} // namespace
 
 int write_all(int fd, const std::string& text) {
     std::size_t at = 0;

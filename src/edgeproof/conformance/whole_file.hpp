@@ -13,6 +13,10 @@ namespace edgeproof {
 /// What to do about a file that cannot be written.
 inline constexpr const char* make_room = "give a folder that can be written to, with room in it";
 
+/// Removes what processes that are no more left beside a file, or a folder, under names of the kind
+/// "t.csv.4711.tmp".
+void remove_left_over(const std::filesystem::path& file);
+
 /// A file written in parts, seen by others only when it is whole: until then it has no name, or,
 /// where the file system knows no such files, one by the process ("t.csv.4711.tmp"). Throws
 /// InputError where it cannot be written, Interrupted where that was asked for; what was written is

@@ -222,10 +222,10 @@ std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        throw_if_stopped(options.stop);
+        check_interruption();
         Answering answering(questions, pieces[p], options.digits);
         for (const std::size_t i : pieces[p]) {
-            throw_if_stopped(options.stop);
+            check_interruption();
             try {
                 results[i].reference = answering.answer(i);
             } catch (const InputError& error) {

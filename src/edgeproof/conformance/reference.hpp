@@ -41,7 +41,7 @@ struct ReferenceOrWhy {
     std::string why; ///< a point outside the contact, a budget that ran out
 };
 /// The same with the reason for each that has none. Throws as references() does for a contact that
-/// is none; Stopped.
+/// is none; Interrupted.
 [[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                                             const ReferenceOptions& options);
 

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "small_ledger.hpp"
 
 #include <doctest/doctest.h>
@@ -68,17 +69,17 @@ TEST_CASE("a few that are spread evenly over all come first") {
     CHECK(spread_first(0, 6).empty());
 }
 
-TEST_CASE("a run that has been stopped compares no more") {
+TEST_CASE("an interrupted run compares no more") {
     const Ledger ledger = parse_ledger(
         small_ledger::head + "[[claim]]\nid = \"C\"\nkind = \"value\"\nover = \"hertz\"\n"
                              "of = \"p(x)\"\nsays = \"Es*C/2*sqrt(a^2-x^2)\"\n",
         "small.toml");
     const Claim& claim = ledger.claims.front();
-    std::atomic<bool> stop{false};
-    const AuditContext context(ledger, 34, &stop);
+    const AuditContext context(ledger, 34);
     const auto spots = Spots::of(claim, context, 34);
     const Agreement agreement = spots->compare(claim.formula("says"), claim.formula("of"));
     CHECK(agreement.digits() > 29);
-    stop = true;
-    CHECK_THROWS_AS((void)spots->compare(claim.formula("says"), claim.formula("of")), Error);
+    request_interruption(2);
+    CHECK_THROWS_AS((void)spots->compare(claim.formula("says"), claim.formula("of")), Interrupted);
+    withdraw_interruption();
 }

@@ -93,8 +93,8 @@ Outcome share(std::size_t processes, std::size_t pieces, const Make& make, const
                           also(p, text);
                           outcome.kept[p] += text;
                       });
-        } catch (const Stopped& e) {
-            outcome.error = std::string("stopped: ") + e.what();
+        } catch (const Interrupted& e) {
+            outcome.error = std::string("interrupted: ") + e.what();
         } catch (const ProcessFailure& e) {
             outcome.error = std::string("process: ") + e.what();
         } catch (const Error& e) {
@@ -151,12 +151,12 @@ TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
 TEST_CASE("a stop in any process ends all of them, and so does what cannot be kept") {
     const auto stops = [](std::size_t process, std::size_t p) -> std::string {
         if (process == 1 && p > 20) {
-            throw Stopped("interrupted");
+            throw Interrupted("interrupted");
         }
         return slowly(process, p);
     };
     const Outcome stopped = share(3, 100'000, stops, keep_nothing_else);
-    CHECK(stopped.error == "stopped: interrupted");
+    CHECK(stopped.error == "interrupted: interrupted");
     CHECK(stopped.kept.size() < 50'000);
 
     const Outcome full = share(3, 100'000, slowly, [](std::size_t, const std::string&) {

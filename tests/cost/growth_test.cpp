@@ -75,7 +75,7 @@ TEST_CASE("a cell counts what failed and keeps it out of the rest") {
 }
 
 TEST_CASE("an effect adds what it should and nothing else") {
-    const auto costs = effect_costs(20, false, nullptr, {});
+    const auto costs = effect_costs(20, false, {});
     const auto counts = [&](const std::string& effect) {
         for (const EffectCost& e : costs) {
             if (e.effect == effect) {

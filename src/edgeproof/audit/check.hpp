@@ -55,13 +55,9 @@ struct ManyDigits {
 /// What a check may ask for beside the claim.
 class AuditContext {
 public:
-    /// `stop`, where there is one, is looked at between samples.
-    AuditContext(const Ledger& ledger, unsigned digits, const std::atomic<bool>* stop = nullptr)
-        : ledger_(ledger), digits_(digits), stop_(stop) {}
+    AuditContext(const Ledger& ledger, unsigned digits) : ledger_(ledger), digits_(digits) {}
 
     [[nodiscard]] const Ledger& ledger() const noexcept { return ledger_; }
-    /// Somebody has asked for the run to end: what is computed now will not be used.
-    [[nodiscard]] bool stopped() const noexcept { return stop_ != nullptr && stop_->load(); }
     /// D: the digits that were asked for.
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
     /// Digits that a claim must agree to to be confirmed: D - 5.
@@ -114,7 +110,6 @@ private:
     void give_back(const std::string& key, std::shared_ptr<void> object) const;
     const Ledger& ledger_;
     unsigned digits_;
-    const std::atomic<bool>* stop_;
     mutable std::mutex lent_mutex_;
     mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> at_home_;
     mutable std::mutex slots_mutex_;

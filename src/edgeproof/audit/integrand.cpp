@@ -4,6 +4,7 @@
 #include "edgeproof/audit/integrand_state.hpp"
 #include "edgeproof/contact/profile.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 
@@ -81,6 +82,7 @@ void Integrand::Program::run(const Box& v, bool analytic) {
 }
 
 void Integrand::Program::at(acb_ptr out, const Box& v, bool analytic) {
+    check_interruption();
     run(v, analytic);
     const ValuedBox& f = valued_[steps_.last()];
     Box y = f.w;

@@ -88,7 +88,7 @@ public:
 private:
     static std::string id_of(const TomlSection& table) {
         try {
-            return table.text_or("id", "");
+            return table.has("id") ? table.text("id") : "";
         } catch (const InputError&) {
             return "";
         }

@@ -64,7 +64,7 @@ struct MutationOptions {
 /// Breaks the `value` and `identity` claims of a ledger that are confirmed or proved, and has each
 /// mutant checked as the claim was. Mutants are drawn from all that there are, claim by claim in
 /// turn, in an order that the seed decides; the result does not depend on the threads. Claims with
-/// several readings are left out. Throws Interrupted when stopped.
+/// several readings are left out. Throws Interrupted.
 [[nodiscard]] MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options);
 
 } // namespace edgeproof

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/equivalence.hpp"
 #include "edgeproof/audit/mutants.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -183,26 +184,24 @@ MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
             open.push_back(i);
         }
     }
-    std::atomic<bool> skipped{false};
     tbb::task_arena arena(options.audit.threads > 0 ? options.audit.threads
                                                     : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(
-            std::size_t{0}, open.size(),
-            [&](std::size_t k) {
-                if (options.audit.stop != nullptr && options.audit.stop->load()) {
-                    skipped = true;
-                    return;
-                }
-                const auto& [claim, mutant] = chosen[open[k]];
-                fates.found(open[k], fate_of(*claim, *mutant, context));
-            },
-            tbb::simple_partitioner());
-    });
-    fates.lay_aside();
-    if (skipped) {
-        throw Interrupted("stopped before all mutants were checked");
+    try {
+        arena.execute([&] {
+            tbb::parallel_for(
+                std::size_t{0}, open.size(),
+                [&](std::size_t k) {
+                    check_interruption();
+                    const auto& [claim, mutant] = chosen[open[k]];
+                    fates.found(open[k], fate_of(*claim, *mutant, context));
+                },
+                tbb::simple_partitioner());
+        });
+    } catch (const Interrupted&) {
+        fates.lay_aside();
+        throw;
     }
+    fates.lay_aside();
     run.fates = fates.all();
     return run;
 }

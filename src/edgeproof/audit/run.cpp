@@ -2,11 +2,13 @@
 #include "edgeproof/audit/run.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 namespace edgeproof {
@@ -139,7 +141,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         throw InputError("no claim of " + ledger.file + " has an id like '" + options.only + "'",
                          "give a pattern such as 'EQ2*' or 'S1*'");
     }
-    const AuditContext context(ledger, options.digits, options.stop);
+    const AuditContext context(ledger, options.digits);
     AuditResult result;
     result.ledger = ledger.name;
     result.source = ledger.source;
@@ -147,7 +149,6 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     result.claims.resize(chosen.size());
     std::vector<std::optional<InputError>> failed(chosen.size());
     std::atomic<std::size_t> done{0};
-    std::atomic<bool> skipped{false};
     const auto judge = [&](const Claim& claim, ClaimResult& r) {
         r.claim = claim;
         if (claim.readings.empty() && claim.undefined.empty()) {
@@ -161,10 +162,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         }
     };
     const auto run_claim = [&](std::size_t i) {
-        if (context.stopped()) {
-            skipped = true;
-            return;
-        }
+        check_interruption();
         try {
             judge(*chosen[i], result.claims[i]);
         } catch (const InputError& error) {
@@ -173,10 +171,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             }
             failed[i] = error;
         }
-        if (context.stopped()) { // perhaps in the middle
-            skipped = true;
-            return;
-        }
+        check_interruption(); // perhaps in the middle
         const std::size_t now = ++done;
         if (options.progress) {
             options.progress(now, chosen.size());
@@ -187,9 +182,6 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         // One claim a task: they differ a thousandfold in what they cost.
         tbb::parallel_for(std::size_t{0}, chosen.size(), run_claim, tbb::simple_partitioner());
     });
-    if (skipped) {
-        throw Interrupted("stopped before all claims were checked");
-    }
     std::vector<ClaimResult> judged;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (failed[i]) {

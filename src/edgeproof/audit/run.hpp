@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/check.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -34,17 +33,11 @@ struct AuditOptions {
     std::function<void(std::size_t done, std::size_t total)> progress; ///< from any thread
     /// Of an error in one claim that shows when it is checked.
     ClaimErrors errors = ClaimErrors::thrown;
-    const std::atomic<bool>* stop = nullptr; ///< set: no further claim is begun, nor sample of one
 };
 
 /// Runs the claims of a ledger whose ids match. Results do not depend on the number of threads.
-/// Throws InputError where the pattern matches nothing, Interrupted when stopped.
+/// Throws InputError where the pattern matches nothing, Interrupted.
 [[nodiscard]] AuditResult run_audit(const Ledger& ledger, const AuditOptions& options);
-
-class Interrupted : public Error {
-public:
-    using Error::Error;
-};
 
 /// What the outcomes under several readings of the same words come to: all hold: the claim holds;
 /// some: imprecise; none: what the first reading, the plain one, comes to (undecided, where the

@@ -5,6 +5,7 @@
 #include "edgeproof/audit/naive_integral.hpp"
 #include "edgeproof/audit/undefined.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -223,9 +224,7 @@ Agreement Spots::compare(const Expr& printed, const Expr& exact, const std::opti
     Agreement agreement;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < spots_.size(); ++i) {
-        if (context_.stopped()) {
-            throw Error("stopped");
-        }
+        check_interruption();
         agreement.spots.push_back(compare_at(i, printed, exact, scale));
         if (agreement.spots.back().digits() < agreement.spots[agreement.worst].digits()) {
             agreement.worst = agreement.spots.size() - 1;

@@ -86,7 +86,7 @@ public:
     [[nodiscard]] std::size_t left_out() const noexcept { return left_out_; }
     [[nodiscard]] std::size_t scenes() const noexcept { return settings_.size(); }
     /// `scale`: what a difference is held against where the exact value is zero.
-    /// Throws Error in a run that has been stopped.
+    /// Throws Interrupted.
     [[nodiscard]] Agreement compare(const Expr& printed, const Expr& exact,
                                     const std::optional<Expr>& scale = std::nullopt);
     /// The value of a formula that many others are compared with, at a spot.

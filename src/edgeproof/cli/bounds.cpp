@@ -3,9 +3,11 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/conformance/process_cleanup.hpp"
 #include "edgeproof/conformance/program.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/files.hpp"
 
 #include <cstdio>
@@ -56,7 +58,6 @@ int hard_cases(const CasesOptions& o) {
     CaseOptions options;
     options.digits = digits_of_option(o.digits);
     options.threads = threads_of(o.threads);
-    options.stop = &interrupted();
     std::vector<CaseOutcome> outcomes;
     {
         Progress progress("cases");
@@ -115,7 +116,6 @@ int count(const CountingOptions& o) {
     options.seed = whole_number("--seed", o.seed, 0, most_values);
     options.digits = digits_of_option(o.digits);
     options.threads = threads_of(o.threads);
-    options.stop = &interrupted();
     CountState state;
     state.seed = options.seed;
     state.values = options.values;
@@ -125,19 +125,22 @@ int count(const CountingOptions& o) {
             state = parse_count_state(read_text(o.state, "state of a count"), o.state, state);
         }
         options.checkpoint = [&](const CountState& now) {
-            write_whole(o.state, write_count_state(now));
+            write_checkpoint(o.state, write_count_state(now));
         };
     }
     CountResult result;
-    {
+    const KeptNote note(o.state.empty() ? ""
+                                        : "what is done is kept in " + o.state +
+                                              "; the same command goes on from there");
+    try {
         Progress progress("values");
         options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
         result = count_values(options, state);
-    }
-    if (!result.finished) {
-        throw Error("interrupted after " + std::to_string(result.total.values) + " values" +
-                    (o.state.empty() ? "; with --state FILE a count can be gone on with"
-                                     : ", kept in " + o.state));
+    } catch (const Interrupted& e) {
+        throw Interrupted(e.what() +
+                          (o.state.empty()
+                               ? "; with --state FILE a count can be gone on with"
+                               : ", kept in " + o.state + "; the same command goes on from there"));
     }
     std::printf("%s", written(count_table(options, result), o.output).c_str());
     for (const CountFinding& f : result.findings) {
@@ -178,7 +181,6 @@ std::string shell_quoted(const std::string& text) {
 int honesty_of_routes(const HonestyChoice& o) {
     HonestyOptions options;
     options.digits = digits_of_option(o.digits);
-    options.stop = &interrupted();
     const auto points = honesty_points();
     std::vector<std::pair<std::string, ClaimedValues>> others;
     std::vector<std::string> skipped;
@@ -193,7 +195,6 @@ int honesty_of_routes(const HonestyChoice& o) {
             ProgramCall call = shell_call(command);
             call.input = input;
             call.seconds = script_seconds;
-            call.stop = &interrupted();
             call.said = ProgramMessages();
             return run_program(call);
         };

@@ -116,7 +116,6 @@ Answers ask_program(const CheckOptions& o) {
         throw InputError("--lines " + o.lines + " is no way to speak", "write csv or json");
     }
     options.lines = o.lines == "json" ? Lines::json : Lines::csv;
-    options.stop = &interrupted();
     ProgramMessages messages;
     options.said = std::ref(messages);
     Progress progress("answers");
@@ -156,7 +155,6 @@ int check(const CheckOptions& o) {
     options.threads = o.threads.empty()
                           ? 0
                           : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
-    options.stop = &interrupted();
     result.answers = answers_of(o);
     {
         Progress progress("references");

@@ -20,7 +20,6 @@ int check_ledger(const std::string& ledger, const std::string& threads) {
     options.threads =
         threads.empty() ? 0 : static_cast<int>(whole_number("--threads", threads, 1, 1024));
     options.errors = ClaimErrors::kept;
-    options.stop = &interrupted();
     AuditResult result;
     {
         Progress progress("formulas");

@@ -36,8 +36,6 @@ std::string complaint(const Questions& asked, const std::string& text,
     try {
         result.answers = answers_to(asked, parse_csv(text, "answers", {.keep_faults = true}));
         result.agreements = compare(result.answers, result.target, options);
-    } catch (const Stopped&) {
-        throw;
     } catch (const InputError& error) { // refused: found as well
         return error.what();
     }
@@ -56,7 +54,6 @@ int self_test(const std::string& recipe_file, const SelfTestOptions& o,
     options.digits.binary64 = true;
     options.threads =
         threads.empty() ? 0 : static_cast<unsigned>(whole_number("--threads", threads, 1, 1024));
-    options.stop = &interrupted();
     const Csv right = right_answers(asked, recipe.title, options);
     const std::string said = complaint(asked, csv_text(right), options);
 

@@ -2,10 +2,9 @@
 #pragma once
 /// The program's subcommands, a file each. Every one adds itself to the command line and, when it
 /// is the one asked for, leaves its exit code in `code`: 0 good, 1 differs or fails the target, 2
-/// bad input.
+/// bad input. An interruption (130, 143) is thrown (signals.hpp).
 #include <CLI/CLI.hpp>
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <mutex>
@@ -24,9 +23,6 @@ void add_check(CLI::App& app, int& code);
 void add_mutate(CLI::App& app, int& code);
 void add_bounds(CLI::App& app, int& code);
 void add_cost(CLI::App& app, int& code);
-
-/// Set by SIGINT and SIGTERM: long work looks at it between pieces and stops whole.
-[[nodiscard]] const std::atomic<bool>& interrupted();
 
 /// A count of work done, with its rate and what is left, on stderr, only where that is a terminal
 /// that obeys escapes;

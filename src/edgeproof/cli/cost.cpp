@@ -4,12 +4,14 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/cost_page.hpp"
+#include "edgeproof/report/staged_folder.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace edgeproof::cli {
@@ -59,11 +61,10 @@ CostReport measured(const CostArguments& a, const std::string& version) {
     options.digits = report.digits = digits_of(a.digits);
     options.points = a.points.empty() ? 0 : whole_number("--points", a.points, 1, most_points);
     options.full = a.full;
-    options.stop = &interrupted();
     if (a.scenes.empty()) {
         Progress progress("effects");
         report.effects =
-            effect_costs(report.usual_digits(), true, &interrupted(),
+            effect_costs(report.usual_digits(), true,
                          [&](std::size_t done, std::size_t total) { progress(done, total); });
     }
     {
@@ -99,9 +100,18 @@ void print(const CostReport& report, bool usual) {
 }
 
 int cost(const CostArguments& a, const std::string& version) {
-    const CostReport report = measured(a, version);
+    std::optional<StagedFolder> staged; // fails before minutes of work, not after
     if (!a.out.empty()) {
-        write_cost_page(report, a.out);
+        staged.emplace(a.out);
+    }
+    const CostReport report = measured(a, version);
+    if (staged) {
+        try {
+            write_cost_page(report, staged->path());
+        } catch (const InputError& error) {
+            throw staged->told(error);
+        }
+        staged->commit();
     }
     if (a.json) {
         std::fputs(cost_json(report).c_str(), stdout);

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/signals.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 #include <string_view>
-
-namespace edgeproof::cli {
-namespace {
-std::atomic<bool> stop{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-/// The second time the user means it: what runs between two looks at `stop` can be long.
-extern "C" void on_signal(int signal) {
-    stop = true;
-    std::signal(signal, SIG_DFL);
-}
-} // namespace
-const std::atomic<bool>& interrupted() { return stop; }
-} // namespace edgeproof::cli
 
 namespace {
 /// One line, fit for a terminal.
@@ -36,13 +24,16 @@ void say(std::string_view message) {
 
 int main(int argc, char** argv) {
     using namespace edgeproof;
-    std::signal(SIGINT, cli::on_signal);
-    std::signal(SIGTERM, cli::on_signal);
+    cli::take_aborts();
+    cli::take_signals();
     int code = 0;
     CLI::App app{"Contact pressures near an edge, to any number of digits, and claims held to them",
                  "edgeproof"};
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("edgeproof ") + EDGEPROOF_VERSION);
+    app.footer(
+        "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
+        "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     cli::add_pressure(app, code);
     cli::add_expand(app, code);
     cli::add_extent(app, code);
@@ -71,6 +62,9 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "%s\n", e.what());
         }
         return 2;
+    } catch (const Interrupted& e) {
+        std::fprintf(stderr, "%s\n", e.what().c_str());
+        return cli::interrupted_status();
     } catch (const Error& e) {
         std::fprintf(stderr, "%s\n", shown(e.what()).c_str());
         return 2;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/conformance/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/mutation_report.hpp"
 #include "edgeproof/report/report.hpp"
@@ -59,7 +61,6 @@ int mutate(const MutateOptions& o, const std::string& version) {
     options.audit.digits = static_cast<unsigned>(o.digits);
     options.audit.threads = o.threads;
     options.audit.only = o.only;
-    options.audit.stop = &interrupted();
     options.mutants = static_cast<std::size_t>(o.mutants);
     options.seed = o.seed;
     if (!o.state.empty()) {
@@ -71,21 +72,24 @@ int mutate(const MutateOptions& o, const std::string& version) {
                 parse_mutation_state(read_text(o.state, "state of mutants"), o.state, of);
         }
         options.checkpoint = [&o, of](const std::vector<MutantFate>& fates) {
-            write_whole(o.state, mutation_state(of, fates));
+            write_checkpoint(o.state, mutation_state(of, fates));
         };
     }
     MutationRun run;
+    const std::string kept = o.state.empty() ? ""
+                                             : "what is done is kept in " + o.state +
+                                                   "; the same command goes on from there";
+    const KeptNote note(kept);
     try {
         Progress progress("mutants");
         options.audit.progress = [&](std::size_t done, std::size_t total) {
             progress(done, total);
         };
         run = run_mutants(ledger, options);
-    } catch (const Interrupted& e) {
-        throw Interrupted(e.what() +
-                          (o.state.empty()
-                               ? std::string("; with --state FILE they can be gone on with")
-                               : ", those done kept in " + o.state));
+    } catch (const Interrupted&) {
+        throw Interrupted(o.state.empty() ? "interrupted: nothing is written; with --state FILE a "
+                                            "run keeps what is done"
+                                          : "interrupted: " + kept);
     }
     if (!o.out.empty()) {
         write_whole(o.out, mutation_csv(run.fates));

@@ -125,7 +125,6 @@ std::vector<Edge> asked_edges(const SceneOptions& o) {
 SceneResult done(const Scene& scene) {
     Progress progress("values");
     RunOptions options;
-    options.stop = &interrupted();
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     return at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
 }

@@ -6,6 +6,7 @@
 #include "edgeproof/conformance/shared_work.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"
 
@@ -32,7 +33,6 @@ ReferenceOptions reference_options(const TableOptions& o, const Recipe& recipe,
     ReferenceOptions options;
     options.digits = recipe.digits;
     options.threads = threads_of(o.threads);
-    options.stop = &interrupted();
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     return options;
 }
@@ -103,6 +103,7 @@ int to_file(const TableOptions& o, const std::string& version) {
         table->make(threads, processes.get());
     } else {
         table->help(threads, *processes);
+        check_interruption(); // its exit status tells, too
     }
     return 0;
 }

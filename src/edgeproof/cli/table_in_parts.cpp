@@ -2,11 +2,13 @@
 #include "edgeproof/cli/table_in_parts.hpp"
 
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/conformance/process_cleanup.hpp"
 #include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/conformance/shared_work.hpp"
 #include "edgeproof/conformance/whole_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"
 
@@ -37,8 +39,7 @@ std::string program_mark(const std::string& version) {
 MakePiece rows_of(const RecipeGrid& recipe, const std::function<void()>& one) {
     return [&recipe, one, rows = ReferenceRows(recipe)](std::size_t p) {
         const RecipeGrid::Piece piece = recipe.piece(p);
-        const auto values =
-            references_in_turn(piece.questions, recipe.digits(), &interrupted(), one);
+        const auto values = references_in_turn(piece.questions, recipe.digits(), one);
         std::vector<PartFile::Entry> entries;
         for (std::size_t k = 0; k < values.size(); ++k) {
             entries.push_back({piece.rows[k], !values[k].value.proved,
@@ -114,6 +115,8 @@ void TableInParts::make(unsigned threads, Processes* processes) {
     const std::size_t total = recipe_.rows();
     PartFile& part = *part_;
     bool cannot_keep = false;
+    const KeptNote note("what is done is kept in " + part.path().string() +
+                        "; the same command goes on from there");
     try {
         Progress progress("rows");
         const auto open =
@@ -147,10 +150,11 @@ void TableInParts::make(unsigned threads, Processes* processes) {
         } else {
             lead_work(*processes, sign(), open, threads, rows, keep);
         }
-    } catch (const Stopped&) {
-        throw Error(fmt::format("interrupted: {} of {} rows are kept in {}; the same command goes "
-                                "on from there",
-                                part.entries(), total, part.path().string()));
+    } catch (const Interrupted&) {
+        throw Interrupted(
+            fmt::format("interrupted: {} of {} rows are kept in {}; the same command goes "
+                        "on from there",
+                        part.entries(), total, part.path().string()));
     } catch (const ProcessFailure&) {
         throw;
     } catch (const Error&) {

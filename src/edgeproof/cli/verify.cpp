@@ -4,10 +4,12 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/report.hpp"
+#include "edgeproof/report/staged_folder.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace edgeproof::cli {
 namespace {
@@ -30,6 +32,21 @@ bool some_claim_fails(const AuditResult& result) {
                        [](const ClaimResult& r) { return !holds(r.outcome.verdict); });
 }
 
+void write_files(const AuditResult& result, const Ledger& ledger, StagedFolder& staged,
+                 int threads) {
+    try {
+        const std::filesystem::path& out = staged.path();
+        write_whole(out / "verdicts.json", verdicts_json(result));
+        write_whole(out / "verdicts.csv", verdicts_csv(result));
+        write_whole(out / "verdicts.md", verdicts_markdown(result));
+        write_whole(out / "verdicts.tex", verdicts_latex(result));
+        write_html_report(result, ledger, out, threads);
+    } catch (const InputError& error) {
+        throw staged.told(error);
+    }
+    staged.commit();
+}
+
 int verify(const VerifyOptions& o) {
     if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
@@ -44,28 +61,23 @@ int verify(const VerifyOptions& o) {
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
+    std::optional<StagedFolder> staged; // fails before minutes of work, not after
     if (!o.out.empty()) {
-        make_folder(o.out); // before minutes of work, not after
+        staged.emplace(o.out);
     }
     AuditOptions options;
     options.digits = static_cast<unsigned>(o.digits);
     options.threads = o.threads;
     options.only = o.only;
     options.errors = ClaimErrors::kept;
-    options.stop = &interrupted();
     AuditResult result;
     {
         Progress progress("claims");
         options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
         result = run_audit(ledger, options);
     }
-    if (!o.out.empty()) {
-        const std::filesystem::path out = o.out;
-        write_whole(out / "verdicts.json", verdicts_json(result));
-        write_whole(out / "verdicts.csv", verdicts_csv(result));
-        write_whole(out / "verdicts.md", verdicts_markdown(result));
-        write_whole(out / "verdicts.tex", verdicts_latex(result));
-        write_html_report(result, ledger, out, o.threads);
+    if (staged) {
+        write_files(result, ledger, *staged, o.threads);
     }
     std::fputs(verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(), stdout);
 

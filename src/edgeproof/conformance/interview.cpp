@@ -161,7 +161,6 @@ private:
         call.input = text;
         call.seconds = options_.seconds;
         call.most_output = std::min(bytes_of_a_run + bytes_an_answer * questions, most_bytes);
-        call.stop = options_.stop;
         call.said = options_.said;
         return call;
     }

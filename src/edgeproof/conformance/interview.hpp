@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/conformance/answers.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -20,7 +19,6 @@ struct InterviewOptions {
     double seconds = 600;    ///< that one run may take
     std::size_t batch = 500; ///< questions that one run is asked
     std::size_t runs = 200;  ///< the program is started at most so often
-    const std::atomic<bool>* stop = nullptr;
     /// Questions done with, of how many.
     std::function<void(std::size_t, std::size_t)> progress = {};
     /// The questions as text for Lines::csv.
@@ -35,8 +33,8 @@ struct InterviewOptions {
 /// answers had been written when it ended: so each question that ends the program is found, and is
 /// State::died, and none of the others suffers. After three single questions that ended it where
 /// none was ever answered it is given up, as it is after options.runs: what is left is missing, and
-/// a fault says so. What is kept of a run is bounded by the questions it is asked. Throws Stopped;
-/// Error where no program can be started at all.
+/// a fault says so. What is kept of a run is bounded by the questions it is asked. Throws
+/// Interrupted; Error where no program can be started at all.
 [[nodiscard]] Answers interview(const Questions& asked, const InterviewOptions& options);
 
 /// The questions as JSON lines: an object each, every value a string, empty ones left out.

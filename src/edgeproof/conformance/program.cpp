@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/program.hpp"
 
-#include "edgeproof/conformance/reference.hpp"
+#include "edgeproof/conformance/process_cleanup.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -69,38 +70,6 @@ public:
 private:
     sigset_t pipe_{};
     sigset_t before_{};
-};
-
-/// The child with all that it started, ended when this is.
-class Child {
-public:
-    explicit Child(pid_t pid) : pid_(pid) {}
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    ~Child() {
-        if (pid_ > 0) {
-            (void)end_all();
-        }
-    }
-    /// Ends what is left of its group, the child included, and gives the child's status. The group
-    /// keeps its number until the child has been waited for: nobody else can be hit.
-    int end_all() {
-        ::kill(-pid_, SIGKILL);
-        int status = 0;
-        while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-        }
-        pid_ = -1;
-        return status;
-    }
-    /// Whether it has ended; it is still to be waited for.
-    [[nodiscard]] bool ended() const {
-        siginfo_t info{};
-        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-               info.si_pid == pid_;
-    }
-
-private:
-    pid_t pid_;
 };
 
 std::pair<int, int> make_pipe() {
@@ -263,7 +232,7 @@ ProgramRun run_program(const ProgramCall& call) {
     const auto [our_err, their_err] = make_pipe();
     Descriptor theirs_err(their_err);
     Descriptor ours_err(our_err);
-    Child child(start(call, their_in, their_out, their_err));
+    ChildGroup child([&] { return start(call, their_in, their_out, their_err); });
     theirs_in.close();
     theirs_out.close();
     theirs_err.close();
@@ -278,9 +247,7 @@ ProgramRun run_program(const ProgramCall& call) {
         // keep the pipes open: that is not waited for.
         const bool ended = child.ended();
         listener.read();
-        if (call.stop != nullptr && *call.stop) {
-            throw Stopped("interrupted: nothing is written");
-        }
+        check_interruption();
         if (ended) {
             break;
         }
@@ -292,7 +259,8 @@ ProgramRun run_program(const ProgramCall& call) {
         ::poll(ends.data(), ends.size(), silent ? look_for_the_end_every_ms : look_every_ms);
     }
     const bool killed = run.too_much || run.timed_out;
-    const int status = child.end_all();
+    child.end();
+    const int status = child.wait();
     if (!killed) {
         // A pipe holds less than is read at once: all of what it wrote is here now.
         listener.read();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -19,7 +18,6 @@ struct ProgramCall {
     std::string input = {};                ///< on its standard input
     double seconds = 600;                  ///< that it may take
     std::size_t most_output = 200'000'000; ///< bytes on its standard output
-    const std::atomic<bool>* stop = nullptr;
     /// Is given its standard error, as it comes; without it that is read and dropped.
     std::function<void(std::string_view)> said = {};
 };
@@ -39,10 +37,10 @@ struct ProgramRun {
     [[nodiscard]] std::string ending() const;
 };
 
-/// Runs a program until it ends, or until the seconds are over, the output is too much or `stop` is
-/// set: then it is killed. What it started and left behind (its process group) is killed in either
+/// Runs a program until it ends, or until the seconds are over, the output is too much: then it
+/// is killed. What it started and left behind (its process group) is killed in either
 /// case, and is not waited for. The only place where processes are started. Throws Error where it
-/// cannot be started or was stopped.
+/// cannot be started; Interrupted.
 [[nodiscard]] ProgramRun run_program(const ProgramCall& call);
 
 } // namespace edgeproof

@@ -4,6 +4,7 @@
 #include "edgeproof/conformance/piece_work.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/plan.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
@@ -168,12 +169,6 @@ Reference placed_answer(std::optional<Answering>& answering, const Questions& qu
     });
 }
 
-void throw_if_stopped(const std::atomic<bool>* stop) {
-    if (stop != nullptr && *stop) {
-        throw Stopped("interrupted: nothing is written");
-    }
-}
-
 /// Counts questions, and tells of them.
 class Count {
 public:
@@ -211,14 +206,13 @@ std::vector<Piece> pieces_of(const Questions& questions) {
 }
 
 std::vector<Reference> references_in_turn(const Questions& questions, const Digits& digits,
-                                          const std::atomic<bool>* stop,
                                           const std::function<void()>& one) {
     std::vector<Reference> results(questions.list.size());
     for (const Piece& piece : pieces_of(questions)) {
-        throw_if_stopped(stop);
+        check_interruption();
         std::optional<Answering> answering;
         for (const std::size_t i : piece) {
-            throw_if_stopped(stop);
+            check_interruption();
             results[i] = placed_answer(answering, questions, piece, digits, i);
             one();
         }
@@ -231,10 +225,10 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        throw_if_stopped(options.stop);
+        check_interruption();
         std::optional<Answering> answering;
         for (const std::size_t i : pieces[p]) {
-            throw_if_stopped(options.stop);
+            check_interruption();
             results[i] = placed_answer(answering, questions, pieces[p], options.digits, i);
             count.one();
         }
@@ -248,10 +242,10 @@ std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        throw_if_stopped(options.stop);
+        check_interruption();
         Answering answering(questions, pieces[p], options.digits);
         for (const std::size_t i : pieces[p]) {
-            throw_if_stopped(options.stop);
+            check_interruption();
             try {
                 results[i].reference = answering.answer(i);
             } catch (const InputError& error) {
@@ -274,11 +268,10 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
     const std::vector<Piece> pieces = pieces_of(questions);
     Count count(options, questions.list.size());
     work_through(all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-        if (options.stop != nullptr && *options.stop) {
-            return;
-        }
+        check_interruption();
         std::optional<Answering> answering;
         for (const std::size_t i : pieces[p]) {
+            check_interruption();
             try {
                 if (!answering) {
                     answering.emplace(questions, pieces[p], options.digits);
@@ -289,7 +282,6 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
             count.one();
         }
     });
-    throw_if_stopped(options.stop);
     return results;
 }
 

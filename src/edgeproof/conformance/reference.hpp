@@ -3,7 +3,6 @@
 #include "edgeproof/conformance/question.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -21,25 +20,18 @@ struct Reference {
 struct ReferenceOptions {
     Digits digits;
     unsigned threads = 0; ///< 0: as many as the machine has
-    const std::atomic<bool>* stop = nullptr;
     /// Values done, of how many; from any thread.
     std::function<void(std::size_t, std::size_t)> progress = {};
-};
-
-/// Thrown where `stop` was set.
-class Stopped : public Error {
-public:
-    using Error::Error;
 };
 
 /// The answer to each question, in their order and the same whatever the number of threads.
 /// Throws InputError, with the line of the question, for a point outside the contact or on a
 /// corner and for a load that no contact carries; of several, always the same one.
-/// BudgetError where a quadrature does not reach its digits; Stopped.
+/// BudgetError where a quadrature does not reach its digits; Interrupted.
 [[nodiscard]] std::vector<Reference> references(const Questions& questions,
                                                 const ReferenceOptions& options);
 
-/// The same with nothing where there is no answer. Throws Stopped.
+/// The same with nothing where there is no answer. Throws Interrupted.
 [[nodiscard]] std::vector<std::optional<Reference>>
 references_where_any(const Questions& questions, const ReferenceOptions& options);
 
@@ -49,14 +41,13 @@ struct ReferenceOrWhy {
     std::string why; ///< a point outside the contact, a budget that ran out
 };
 /// The same with the reason for each that has none. Throws as references() does for a contact that
-/// is none; Stopped.
+/// is none; Interrupted.
 [[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                                             const ReferenceOptions& options);
 
 /// The same one after another in this thread. `one` is called after each.
 [[nodiscard]] std::vector<Reference> references_in_turn(const Questions& questions,
                                                         const Digits& digits,
-                                                        const std::atomic<bool>* stop,
                                                         const std::function<void()>& one);
 
 /// Questions (by index) that are answered together, of one contact. They are cut alike however many

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/shared_work.hpp"
 
-#include "edgeproof/conformance/reference.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -54,7 +54,7 @@ std::size_t take_number(std::string_view& text) {
 
 /// Why a piece failed; of a process that cannot take part, for no piece.
 struct Failure {
-    enum class Kind : char { error = 'e', stopped = 's', process = 'p' };
+    enum class Kind : char { error = 'e', interrupted = 's', process = 'p' };
     std::size_t piece = 0;
     Kind kind = Kind::error;
     std::string why;
@@ -73,8 +73,8 @@ template <class F> std::optional<Failure> failure_of(std::size_t piece, const F&
     try {
         f();
         return {};
-    } catch (const Stopped& e) {
-        return Failure{piece, Failure::Kind::stopped, e.what()};
+    } catch (const Interrupted& e) {
+        return Failure{piece, Failure::Kind::interrupted, e.what()};
     } catch (const std::exception& e) {
         return Failure{piece, Failure::Kind::error, e.what()};
     }
@@ -121,8 +121,8 @@ public:
             return;
         }
         switch (failure_->kind) {
-        case Failure::Kind::stopped:
-            throw Stopped(failure_->why);
+        case Failure::Kind::interrupted:
+            throw Interrupted(failure_->why);
         case Failure::Kind::process:
             throw ProcessFailure(failure_->why);
         case Failure::Kind::error:

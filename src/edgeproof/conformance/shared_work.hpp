@@ -28,7 +28,7 @@ void work_alone(const PieceSource& next, unsigned threads, const MakePiece& make
 /// The same by several processes: the first hands out the pieces in small blocks, works as well,
 /// and keeps what all make. `sign` must be the same in all: it tells that they are at the same
 /// work. Returns when all of them have ended. Where pieces fail, throws Error with the text of the
-/// least one (Stopped where that was the reason), as a process alone would; ProcessFailure.
+/// least one (Interrupted where that was the reason), as a process alone would; ProcessFailure.
 ///
 /// A process that dies is not noticed here: whoever started the processes ends the others then, and
 /// what was kept is kept.

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/whole_file.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -23,7 +24,18 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// What processes that are no more left beside the file.
+/// A file without a name, where the system has such files and a way to name them later; else -1.
+int open_unnamed(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    }
+#endif
+    return -1;
+}
+
+} // namespace
+
 void remove_left_over(const std::filesystem::path& file) {
     const std::string before = file.filename().string() + ".";
     std::error_code ignored;
@@ -38,22 +50,10 @@ void remove_left_over(const std::filesystem::path& file) {
         const auto [stop, error] = std::from_chars(name.data() + before.size(), end, process);
         const bool ours = error == std::errc{} && stop == end && process > 0;
         if (ours && ::kill(process, 0) != 0 && errno == ESRCH) {
-            std::filesystem::remove(entry.path(), ignored);
+            std::filesystem::remove_all(entry.path(), ignored);
         }
     }
 }
-
-/// A file without a name, where the system has such files and a way to name them later; else -1.
-int open_unnamed(const std::filesystem::path& folder) {
-#ifdef O_TMPFILE
-    if (::access("/proc/self/fd", X_OK) == 0) {
-        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-    }
-#endif
-    return -1;
-}
-
-} // namespace
 
 int write_all(int fd, const std::string& text) {
     std::size_t at = 0;
@@ -67,13 +67,15 @@ int write_all(int fd, const std::string& text) {
     return 0;
 }
 
-WholeFile::WholeFile(std::filesystem::path file)
-    : file_(std::move(file)), aside_(file_.string() + "." + std::to_string(::getpid()) + after) {
+WholeFile::WholeFile(std::filesystem::path file, Content content)
+    : file_(std::move(file)),
+      aside_(std::filesystem::path(file_.string() + "." + std::to_string(::getpid()) + after)),
+      content_(content) {
     remove_left_over(file_);
     fd_ = open_unnamed(folder_of(file_));
     if (fd_ < 0) {
         named_ = true;
-        fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     }
     if (fd_ < 0) {
         cannot(errno);
@@ -84,7 +86,7 @@ WholeFile::~WholeFile() {
     if (fd_ >= 0) {
         ::close(fd_);
         if (named_) {
-            ::unlink(aside_.c_str());
+            ::unlink(aside_.path().c_str());
         }
     }
 }
@@ -109,8 +111,9 @@ void WholeFile::flush() {
 
 void WholeFile::give_name() {
     const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
-    ::unlink(aside_.c_str());
-    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    ::unlink(aside_.path().c_str());
+    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
+        0) {
         cannot(errno);
     }
     named_ = true;
@@ -118,15 +121,20 @@ void WholeFile::give_name() {
 
 void WholeFile::commit() {
     flush();
+    if (content_ == Content::result) {
+        check_interruption();
+    }
     if (::fsync(fd_) != 0) {
         cannot(errno);
     }
+    const auto lock = hold_cleanup();
     if (!named_) {
         give_name();
     }
-    if (::rename(aside_.c_str(), file_.c_str()) != 0) {
+    if (::rename(aside_.path().c_str(), file_.c_str()) != 0) {
         cannot(errno);
     }
+    aside_.keep_locked();
     ::close(fd_);
     fd_ = -1;
 }

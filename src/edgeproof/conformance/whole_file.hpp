@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/conformance/process_cleanup.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -11,13 +13,22 @@ namespace edgeproof {
 /// What to do about a file that cannot be written.
 inline constexpr const char* make_room = "give a folder that can be written to, with room in it";
 
+/// Removes what processes that are no more left beside a file, or a folder, under names of the kind
+/// "t.csv.4711.tmp".
+void remove_left_over(const std::filesystem::path& file);
+
 /// A file written in parts, seen by others only when it is whole: until then it has no name, or,
 /// where the file system knows no such files, one by the process ("t.csv.4711.tmp"). Throws
-/// InputError where it cannot be written; what was written is removed then, and where it is not
-/// committed. What runs that were killed left beside it under such names is removed first.
+/// InputError where it cannot be written, Interrupted where that was asked for; what was written is
+/// removed then, and where it is not committed. What runs that were killed left beside it under
+/// such names is removed first.
 class WholeFile {
 public:
-    explicit WholeFile(std::filesystem::path file);
+    /// What a checkpoint holds is right in an interrupted process as well; a result is not written
+    /// there, as it may be of work that was cut off.
+    enum class Content { result, checkpoint };
+
+    explicit WholeFile(std::filesystem::path file, Content content = Content::result);
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
@@ -31,7 +42,8 @@ private:
     [[noreturn]] void cannot(int error);
 
     std::filesystem::path file_;
-    std::filesystem::path aside_; ///< its name before it is whole
+    TemporaryPath aside_; ///< its name before it is whole
+    Content content_;
     std::string waiting_;
     int fd_ = -1;
     bool named_ = false;

@@ -4,6 +4,7 @@
 #include "edgeproof/cost/machine.hpp"
 #include "edgeproof/cost/measure.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -69,13 +70,11 @@ Scene scene_of(const Added& e, unsigned digits) {
 } // namespace
 
 std::vector<EffectCost>
-effect_costs(unsigned digits, bool timed, const std::atomic<bool>* stop,
+effect_costs(unsigned digits, bool timed,
              const std::function<void(std::size_t, std::size_t)>& progress) {
     std::vector<EffectCost> costs;
     for (const Added& e : effects) {
-        if (stop != nullptr && *stop) {
-            throw Error("interrupted: nothing is written");
-        }
+        check_interruption();
         if (progress) {
             progress(costs.size(), std::size(effects));
         }

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/work.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -20,9 +19,9 @@ struct EffectCost {
 };
 
 /// What a tilt, shear, expansions and extents add to ten pressures of a punch, at so many digits.
-/// Throws Error where it was stopped.
+/// Throws Interrupted.
 [[nodiscard]] std::vector<EffectCost>
-effect_costs(unsigned digits, bool timed, const std::atomic<bool>* stop,
+effect_costs(unsigned digits, bool timed,
              const std::function<void(std::size_t, std::size_t)>& progress);
 
 } // namespace edgeproof

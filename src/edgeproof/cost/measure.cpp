@@ -7,6 +7,7 @@
 #include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,16 +184,14 @@ public:
             const auto contact = route->ready(case_, digits);
             cell.contact_seconds = thread_seconds() - begun;
             for (std::size_t p = 0; p < chosen.size(); ++p) { // tables are made, caches warm
-                throw_if_stopped();
+                check_interruption();
                 cell.points.push_back(point_cost(*contact, chosen[p], exact[p]));
             }
             if (options_.timed) {
-                Timing(*contact, cell.points).run([&] { throw_if_stopped(); });
+                Timing(*contact, cell.points).run([&] { check_interruption(); });
             }
         } catch (const InputError&) {
             throw;
-        } catch (const Stop&) {
-            throw Error("interrupted: nothing is written");
         } catch (const std::exception& error) {
             cell.points.clear();
             for (const std::size_t i : chosen) {
@@ -203,12 +202,6 @@ public:
     }
 
 private:
-    struct Stop {};
-    void throw_if_stopped() const {
-        if (options_.stop != nullptr && *options_.stop) {
-            throw Stop();
-        }
-    }
     const std::vector<Ball>& exact_at(unsigned digits, const std::vector<std::size_t>& chosen) {
         for (const auto& [known, points, balls] : exact_) {
             if (known == digits && points == chosen) {

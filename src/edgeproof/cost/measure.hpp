@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/cost/cost_route.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -57,7 +56,6 @@ struct CostOptions {
     std::size_t points = 0; ///< of a case, at most; 0: fewer the more digits there are
     bool full = false;      ///< dear routes as the others
     bool timed = true;      ///< else counts and digits only
-    const std::atomic<bool>* stop = nullptr;
     /// Cells done, of how many.
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
@@ -68,7 +66,7 @@ struct CostOptions {
 
 /// Every route that takes a case, at each number of digits (a machine's arithmetic once, where its
 /// digits are no more than the most asked for), case by case. True errors are taken against an
-/// enclosure with more digits than any route is asked for. Throws Error where it was stopped,
+/// enclosure with more digits than any route is asked for. Throws Interrupted,
 /// InputError for a point that is not inside the contact.
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);

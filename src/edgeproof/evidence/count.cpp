@@ -3,6 +3,7 @@
 
 #include "edgeproof/evidence/count_contact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -49,10 +50,7 @@ CountResult count_values(const CountOptions& options, CountState& state) {
     }
     const auto one = [&](std::size_t i) {
         const std::size_t number = left[i];
-        CountedContact found;
-        if (!count_contact(options, number, size_of(number), found)) {
-            return;
-        }
+        CountedContact found = count_contact(options, number, size_of(number));
         const std::lock_guard lock(mutex);
         state.contacts[number] = std::move(found.cells);
         findings[number] = std::move(found.findings);
@@ -67,21 +65,28 @@ CountResult count_values(const CountOptions& options, CountState& state) {
     };
     tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                                : static_cast<int>(options.threads));
-    arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, left.size(), 1),
-            [&](const auto& range) {
-                for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    one(i);
-                }
-            },
-            tbb::simple_partitioner());
-    });
+    try {
+        arena.execute([&] {
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, left.size(), 1),
+                [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        one(i);
+                    }
+                },
+                tbb::simple_partitioner());
+        });
+    } catch (const Interrupted&) {
+        if (options.checkpoint) {
+            options.checkpoint(state);
+        }
+        throw Interrupted("interrupted after " + std::to_string(done) + " of " +
+                          std::to_string(options.values) + " values");
+    }
     if (options.checkpoint) {
         options.checkpoint(state);
     }
     CountResult result;
-    result.finished = state.contacts.size() == contacts;
     for (const auto& [number, cells] : state.contacts) {
         for (const auto& [cell, found] : cells) {
             result.cells.at(cell / sampled_regimes.size())

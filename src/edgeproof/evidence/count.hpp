@@ -3,7 +3,6 @@
 #include "edgeproof/evidence/sample.hpp"
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -44,7 +43,6 @@ struct CountOptions {
     std::size_t values = 100'000;
     unsigned digits = 50;
     unsigned threads = 0; ///< 0: as many as the machine has
-    const std::atomic<bool>* stop = nullptr;
     std::function<void(std::size_t, std::size_t)> progress = {};
     /// Called now and then, and at the end, with what is done, from one thread at a time.
     std::function<void(const struct CountState&)> checkpoint = {};
@@ -65,7 +63,6 @@ struct CountResult {
     CountCells cells{};
     CountCell total;
     std::vector<CountFinding> findings; ///< in the order of the contacts
-    bool finished = false;
 };
 
 /// Draws the values and tests of each:

@@ -2,6 +2,7 @@
 #include "edgeproof/evidence/count_contact.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
 #include <algorithm>
@@ -200,16 +201,14 @@ std::string held_to(const Vouched& first, const Vouched& finer, const Real& seco
     return wrong;
 }
 
-bool count_contact(const CountOptions& options, std::size_t number, std::size_t values,
-                   CountedContact& found) {
+CountedContact count_contact(const CountOptions& options, std::size_t number, std::size_t values) {
+    CountedContact found;
     const SampledContact contact = sampled_contact(options.seed, number, values);
     std::optional<Enclosures> coarse;
     std::optional<Enclosures> fine;
     std::optional<Reals> reals;
     for (std::size_t i = 0; i < values; ++i) {
-        if (options.stop != nullptr && *options.stop) {
-            return false;
-        }
+        check_interruption();
         const SampledValue& v = contact.values[i];
         CountCell& cell = found.cells[contact.profile * sampled_regimes.size() + v.regime];
         CountFinding finding{number, i, false, "", asked_text(v.asked), "", "", contact.text};
@@ -240,7 +239,7 @@ bool count_contact(const CountOptions& options, std::size_t number, std::size_t 
             found.findings.push_back(std::move(finding));
         }
     }
-    return true;
+    return found;
 }
 
 } // namespace edgeproof

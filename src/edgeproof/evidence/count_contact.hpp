@@ -15,9 +15,9 @@ struct CountedContact {
     std::vector<CountFinding> findings;
 };
 
-/// False where it was stopped: nothing of it counts.
-[[nodiscard]] bool count_contact(const CountOptions& options, std::size_t number,
-                                 std::size_t values, CountedContact& found);
+/// Throws Interrupted: nothing of it counts then.
+[[nodiscard]] CountedContact count_contact(const CountOptions& options, std::size_t number,
+                                           std::size_t values);
 
 /// What is wrong with one value, empty where nothing is. `error` is what `second` may owe to its
 /// own rounding. Adds to the cell.

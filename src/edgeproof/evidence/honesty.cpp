@@ -5,6 +5,7 @@
 #include "edgeproof/evidence/plain_tanh_sinh.hpp"
 #include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,9 +118,7 @@ std::vector<HonestyRow> honesty(const std::vector<HonestyPoint>& points,
     for (std::size_t r = 0; r < routes.size(); ++r) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const HonestyPoint& p = points[i];
-            if (options.stop != nullptr && *options.stop) {
-                throw Error("interrupted: nothing is written");
-            }
+            check_interruption();
             if (r > 1 && !p.integral) {
                 continue;
             }

@@ -3,7 +3,6 @@
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/scene/scene_file.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -67,7 +66,6 @@ struct HonestyRow {
 
 struct HonestyOptions {
     unsigned digits = 50;
-    const std::atomic<bool>* stop = nullptr;
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
@@ -75,7 +73,7 @@ struct HonestyOptions {
 /// Boost.Math's tanh-sinh used plainly (plain_tanh_sinh.hpp) in double and in MPFR of that many
 /// digits, and of `others` (by name). The true error is taken against a ball enclosure of at least
 /// twice the digits; a ratio counts as understated where even the nearest number of the ball is
-/// further away than claimed. Throws Error where it was stopped.
+/// further away than claimed. Throws Interrupted.
 [[nodiscard]] std::vector<HonestyRow>
 honesty(const std::vector<HonestyPoint>& points,
         const std::vector<std::pair<std::string, ClaimedValues>>& others,

@@ -4,11 +4,13 @@
 #include "edgeproof/evidence/obvious.hpp"
 #include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <utility>
 
@@ -106,12 +108,8 @@ CaseOutcome run_case(const HardCase& c, unsigned digits) {
 std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases, const CaseOptions& options) {
     std::vector<CaseOutcome> outcomes(cases.size());
     std::atomic<std::size_t> done{0};
-    std::atomic<bool> left_out{false};
     const auto one = [&](std::size_t i) {
-        if (options.stop != nullptr && *options.stop) {
-            left_out = true;
-            return;
-        }
+        check_interruption();
         outcomes[i] = run_case(cases[i], options.digits);
         const std::size_t n = ++done;
         if (options.progress) {
@@ -121,9 +119,6 @@ std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases, const Cas
     tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                                : static_cast<int>(options.threads));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, cases.size(), one); });
-    if (left_out) {
-        throw Error("interrupted: nothing is written");
-    }
     return outcomes;
 }
 

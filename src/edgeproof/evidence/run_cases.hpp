@@ -3,7 +3,6 @@
 #include "edgeproof/evidence/hard_cases.hpp"
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -41,7 +40,6 @@ struct CaseOutcome {
 struct CaseOptions {
     unsigned digits = 50;
     unsigned threads = 0; ///< 0: as many as the machine has
-    const std::atomic<bool>* stop = nullptr;
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
@@ -50,7 +48,7 @@ struct CaseOptions {
 /// on the way: that is the case's fault.
 [[nodiscard]] CaseOutcome run_case(const HardCase& c, unsigned digits);
 
-/// All of them, in their order. Throws Error where it was stopped.
+/// All of them, in their order. Throws Interrupted.
 [[nodiscard]] std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases,
                                                  const CaseOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <flint/arb.h>
@@ -51,6 +52,7 @@ public:
     explicit Encloser(long bits) : bits_(bits) {}
 
     [[nodiscard]] ArbBall operator()(const Expr& e) const {
+        check_interruption();
         ArbBall y;
         if (const Rational* q = e.rational()) {
             arb_set_fmpq(y.get(), Fraction(*q).get(), bits_);

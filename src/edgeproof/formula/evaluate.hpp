@@ -3,6 +3,7 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/functions.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <concepts>
 #include <span>
@@ -175,6 +176,7 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
 /// or binder that neither T nor env has.
 template <class T, class Env> T evaluate(const Expr& e, const Env& env) {
     static_assert(EnvironmentOf<Env, T>);
+    check_interruption();
     if (const Rational* q = e.rational()) {
         return T(env.number(*q));
     }

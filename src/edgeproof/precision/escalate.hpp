@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/precision/ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <string>
 
@@ -25,6 +26,7 @@ template <class F, class Enough>
 [[nodiscard]] Escalated try_escalate(const F& f, const Enough& enough, const BitBudget& budget) {
     Escalated e;
     for (long bits = budget.first;; bits *= 2) {
+        check_interruption();
         e.value = f(bits);
         e.bits = bits;
         e.reached = enough(e.value);

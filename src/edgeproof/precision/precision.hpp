@@ -3,6 +3,7 @@
 /// Numbers. Bottom of the house: everything above is written in terms of these.
 ///   error.hpp       the exceptions that the library throws
 ///   rational.hpp    Rational, Integer: what a decimal in a file means
+///   interruption.hpp  work that is asked to end
 ///   real.hpp        Real (MPFR at any precision) and PrecisionScope
 ///   arithmetic.hpp  the same few words for double, long double, Float128 and Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
@@ -20,6 +21,7 @@
 #include "edgeproof/precision/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/escalate.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/interval.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"

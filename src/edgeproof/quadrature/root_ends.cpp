@@ -2,6 +2,7 @@
 #include "edgeproof/quadrature/root_ends.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 
@@ -83,6 +84,7 @@ struct Sum {
     Real value{0};
     Real magnitude{0};
     void add(const Real& term) {
+        check_interruption();
         if (!isfinite(term)) {
             throw DomainError("an integrand is not finite inside its interval");
         }

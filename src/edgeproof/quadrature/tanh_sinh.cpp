@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/instantiate.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
@@ -51,6 +52,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
     };
     const auto evaluate = [&](const T& lo, const T& hi) {
         ++evaluations;
+        check_interruption();
         R value = f(lo, hi);
         if (!V::finite(value)) {
             throw DomainError("an integrand is not finite inside its interval");

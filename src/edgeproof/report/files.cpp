@@ -25,6 +25,12 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     whole.commit();
 }
 
+void write_checkpoint(const std::filesystem::path& file, const std::string& text) {
+    WholeFile whole(file, WholeFile::Content::checkpoint);
+    whole.write(text);
+    whole.commit();
+}
+
 void make_folder(const std::filesystem::path& folder) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);

@@ -7,8 +7,11 @@ namespace edgeproof {
 
 /// Writes the text beside `file` and renames it: a reader sees the old file or the whole new one,
 /// whatever happens in between. Throws InputError where it cannot be written (the part written is
-/// removed).
+/// removed), Interrupted where that was asked for.
 void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// The same for the state that work goes on from: written in an interrupted process as well.
+void write_checkpoint(const std::filesystem::path& file, const std::string& text);
 
 /// Makes a folder (and those above it). Throws InputError where that cannot be done, or where
 /// nothing can be written into it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/html_report.hpp"
 
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures_gnuplot.hpp"
 #include "edgeproof/report/figures_residual.hpp"
 #include "edgeproof/report/files.hpp"
@@ -42,17 +43,25 @@ void run_all(std::vector<Job>& jobs, int threads,
              const std::filesystem::path& scratch) {
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
-        for (std::size_t i = next++; i < jobs.size(); i = next++) {
-            run_job(jobs[i], gnuplot, scratch);
+        try {
+            for (std::size_t i = next++; i < jobs.size(); i = next++) {
+                check_interruption();
+                run_job(jobs[i], gnuplot, scratch);
+            }
+        } catch (const Interrupted&) { // thrown below, where no thread is left
+            next = jobs.size();
         }
     };
     const unsigned wanted =
         threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-    std::vector<std::jthread> pool;
-    for (unsigned i = 1; i < std::max(1U, wanted); ++i) {
-        pool.emplace_back(work);
+    {
+        std::vector<std::jthread> pool;
+        for (unsigned i = 1; i < std::max(1U, wanted); ++i) {
+            pool.emplace_back(work);
+        }
+        work();
     }
-    work();
+    check_interruption();
 }
 
 DrawnFigure::Panel panel_of(const Job& job, const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 #include "edgeproof/scene/run_scene.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <utility>
 
@@ -97,9 +98,7 @@ private:
     }
 
     void step() {
-        if (options_.stop != nullptr && *options_.stop) {
-            throw Error("interrupted: nothing is written");
-        }
+        check_interruption();
         if (options_.progress) {
             const std::size_t extents = plan_.extents ? scene_.ask.terms.size() : 0;
             const std::size_t coefficients = scene_.ask.wants(Quantity::coefficients) ? 1 : 0;

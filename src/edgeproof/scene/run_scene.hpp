@@ -26,14 +26,13 @@ struct SceneResult {
 };
 
 struct RunOptions {
-    const std::atomic<bool>* stop = nullptr; ///< looked at between values; true ends the run
     /// Points, coefficients and extents done, of how many.
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
 /// Does what the plan of a scene foretells. Throws InputError (with the line of the scene) for a
 /// load that no contact carries and for a point beyond the contact or on a corner, BudgetError
-/// where a quadrature does not reach its digits, Error where it was stopped.
+/// where a quadrature does not reach its digits, Interrupted.
 [[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
 
 } // namespace edgeproof

@@ -174,7 +174,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
         outcome.note = "there is no first exit up to " + figure.text(*at_worst) +
                        ", the end of the part looked at";
         if (Real(figure.value()) >= *at_worst || outcome.verdict != Verdict::refuted) {
-            outcome.verdict = Verdict::undecided;
+            outcome.verdict = NotRefuted::undecided;
         }
     }
     return outcome;

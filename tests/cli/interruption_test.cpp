@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hertz_ledger.hpp"
+#include "run_program.hpp"
+#include "tilted_recipe.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace edgeproof::test;
+
+// SIGINT and SIGTERM end every subcommand, wherever it is, with an exit status of their own;
+// nothing half-written is left, and no child.
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Two seconds by design. Machines that run tests are loaded.
+constexpr std::chrono::seconds longest_end{20};
+
+struct LongRun {
+    std::string name;
+    std::string arguments;
+    std::string file;                ///< what it reads, as `in`
+    std::set<std::string> kept = {}; ///< files that may stay
+};
+
+std::string scene(const std::string& profile, const std::string& ask,
+                  const std::string& load = "a = \"1\"") {
+    return "[profile]\n" + profile + "[load]\n" + load + "\ncontact_modulus = \"1\"\n[ask]\n" + ask;
+}
+
+std::string tilted(const std::string& ask) {
+    return scene("kind = \"tilted-flat-and-rounded\"\nalpha = \"1/100\"\nt = \"2/5\"\nR = \"1\"\n",
+                 ask);
+}
+
+/// A convex slope of straight pieces.
+std::string knots(int count) {
+    std::string knots;
+    std::string slopes;
+    for (int i = 0; i < count; ++i) {
+        const std::string k = std::to_string(i - count / 2);
+        knots += (i == 0 ? "\"" : ", \"") + k + "/" + std::to_string(count) + "\"";
+    }
+    for (int i = 0; i <= count; ++i) {
+        slopes += std::string(i == 0 ? "" : ", ") + "\"x\"";
+    }
+    return scene("kind = \"piecewise\"\nknots = [" + knots + "]\nslopes = [" + slopes + "]\n",
+                 "u = [\"1/10\"]\n");
+}
+
+std::string recipe_of_answers(int contacts) { return tilted_recipe(contacts, 20); }
+
+std::vector<LongRun> long_runs() {
+    const std::string many_u = "u = { from = \"1e-12\", to = \"0.9\", per_decade = 200 }\n";
+    const std::string nested =
+        "integral(integral(integral(exp(s*t*w)*Es, s, 0, 1), t, 0, x), w, 0, 1)";
+    std::vector<LongRun> all{
+        {"nested integrals", "verify in", hertz_head + hertz_claim("nested", nested)},
+        {"nested integrals, files", "verify in --out new/folder --digits 200",
+         hertz_head + hertz_claim("nested", nested)},
+        {"an expansion inside a formula", "check --ledger in",
+         hertz_head + hertz_claim("far", "right_local(400, x)")},
+        {"100,000 knots", "pressure in --out t.csv", knots(100'000)},
+        {"many knots, plan", "explain in", knots(100'000)},
+        {"20,000 digits", "pressure in --digits 20000", tilted("terms = 3\n" + many_u)},
+        {"100,000 digits", "pressure in --digits 100000", tilted("terms = 3\n" + many_u)},
+        {"coefficients", "expand in --terms 400 --digits 3000", tilted("u = [\"1/9\"]\n")},
+        {"extent", "extent in --digits 5000",
+         tilted("terms = [2, 3, 4]\ntolerance = \"0.01\"\nu = [\"1/9\"]\n")},
+        {"a run explained", "explain in --run --digits 20000", tilted(many_u)},
+        {"table", "table in", tilted_recipe(3000, 1000)},
+        {"table in parts",
+         "table in --out t.csv --threads 1",
+         tilted_recipe(3000, 1000),
+         {"t.csv.part"}},
+        {"mutants", "mutate in --digits 1000", hertz_head + hertz_right},
+        {"mutants kept",
+         "mutate in --digits 1000 --state kept --out m.csv",
+         hertz_head + hertz_right,
+         {"kept"}},
+        {"a count", "bounds count --values 1000000", ""},
+        {"a count kept", "bounds count --values 1000000 --state kept", "", {"kept"}},
+        {"honesty", "bounds honesty --digits 1000 --scripts nowhere", ""},
+        {"costs", "cost --digits 5000 --full --out costs", ""},
+        {"a program that hangs",
+         "check in --exec 'echo $$ >child; exec sleep 1000'",
+         recipe_of_answers(3),
+         {"child"}},
+        {"a program that ignores signals",
+         "check in --exec 'trap \"\" INT TERM HUP; echo $$ >child; sleep 1000; sleep 1000'",
+         recipe_of_answers(3),
+         {"child"}},
+        {"self-test", "check --self-test in --files 100000", recipe_of_answers(3)},
+        {"input that does not come", "check -", ""},
+    };
+    return all;
+}
+
+/// A run of the program with what it says aside, to be interrupted.
+class Running {
+public:
+    explicit Running(const LongRun& what) {
+        if (!what.file.empty()) {
+            folder_.write("in", what.file);
+        }
+        std::filesystem::create_directory(aside_.path() / "tmp");
+        const std::string command =
+            "cd '" + folder_.path().string() + "' && TMPDIR='" + (aside_.path() / "tmp").string() +
+            "' exec '" + program().string() + "' " + what.arguments + " >'" +
+            (aside_.path() / "out").string() + "' 2>'" + (aside_.path() / "err").string() + "'";
+        const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
+        int ends[2];
+        REQUIRE(::pipe2(ends, O_CLOEXEC) == 0); // a standard input that nothing comes in
+        pid_ = ::fork();
+        if (pid_ == 0) {
+            ::dup2(ends[0], STDIN_FILENO);
+            ::execv("/bin/sh", const_cast<char* const*>(arguments));
+            ::_exit(127);
+        }
+        ::close(ends[0]);
+        input_ = ends[1];
+    }
+    ~Running() {
+        ::close(input_);
+        if (pid_ > 0) {
+            ::kill(pid_, SIGKILL);
+            ::waitpid(pid_, nullptr, 0);
+        }
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    void send(int signal) const { ::kill(pid_, signal); }
+    /// Waits until it takes signals: its first thread has them blocked.
+    void wait_for_begin() const {
+        const std::string file = "/proc/" + std::to_string(pid_) + "/status";
+        for (const auto last = Clock::now() + longest_end; Clock::now() < last;) {
+            const std::string status = file_text(file);
+            const std::size_t at = status.find("SigBlk:");
+            if (at != std::string::npos &&
+                (std::stoull(status.substr(at + 7), nullptr, 16) & (1U << (SIGINT - 1))) != 0) {
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+    /// Its exit status; -1: it is killed since it does not end, -2: it was ended by a signal.
+    int end(Clock::time_point last) {
+        int status = 0;
+        while (::waitpid(pid_, &status, WNOHANG) == 0) {
+            if (Clock::now() > last) {
+                return -1;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        pid_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -2;
+    }
+    [[nodiscard]] std::string err() const { return file_text(aside_.path() / "err"); }
+    [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+    [[nodiscard]] std::set<std::string> files() const { return names(folder_.path()); }
+    [[nodiscard]] std::set<std::string> temporary_files() const {
+        return names(aside_.path() / "tmp");
+    }
+
+private:
+    static std::set<std::string> names(const std::filesystem::path& folder) {
+        std::set<std::string> all;
+        for (const auto& e : std::filesystem::recursive_directory_iterator(folder)) {
+            if (!e.is_directory()) {
+                all.insert(std::filesystem::relative(e.path(), folder).string());
+            }
+        }
+        return all;
+    }
+
+    Folder folder_;
+    Folder aside_;
+    pid_t pid_ = -1;
+    int input_ = -1;
+};
+
+/// Whether a process runs: one that nobody has waited for does not.
+bool runs(const std::string& pid) {
+    const std::string status = file_text("/proc/" + pid + "/stat");
+    const std::size_t name_end = status.rfind(')');
+    return name_end != std::string::npos && status.size() > name_end + 2 &&
+           status[name_end + 2] != 'Z';
+}
+
+/// Each of the runs interrupted after so long, several at a time: they wait more than they work.
+void interrupt_all(const std::vector<LongRun>& all, std::chrono::milliseconds after,
+                   const std::function<int(std::size_t)>& signal_of, std::size_t at_a_time = 4) {
+    for (std::size_t begin = 0; begin < all.size(); begin += at_a_time) {
+        const std::size_t end = std::min(begin + at_a_time, all.size());
+        std::vector<std::unique_ptr<Running>> some;
+        for (std::size_t i = begin; i < end; ++i) {
+            some.push_back(std::make_unique<Running>(all[i]));
+        }
+        for (const auto& run : some) {
+            run->wait_for_begin();
+        }
+        std::this_thread::sleep_for(after);
+        for (std::size_t i = begin; i < end; ++i) {
+            some[i - begin]->send(signal_of(i));
+        }
+        const auto last = Clock::now() + longest_end;
+        for (std::size_t i = begin; i < end; ++i) {
+            Running& run = *some[i - begin];
+            CAPTURE(all[i].name);
+            CAPTURE(after.count());
+            CHECK(run.end(last) == 128 + signal_of(i));
+            const std::string err = run.err();
+            CAPTURE(err);
+            CHECK(lines(err).size() == 1);
+            CHECK(err.rfind("interrupted", 0) == 0);
+            for (const std::string& file : run.files()) {
+                CAPTURE(file);
+                CHECK((file == "in" || all[i].kept.contains(file)));
+            }
+            CHECK(run.temporary_files().empty());
+            if (all[i].kept.contains("child") && run.files().contains("child")) {
+                CHECK_FALSE(runs(lines(file_text(run.folder() / "child")).at(0)));
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("every subcommand is interrupted wherever it is: its own exit status, nothing left") {
+    interrupt_all(long_runs(), std::chrono::milliseconds(200),
+                  [](std::size_t i) { return i % 2 == 0 ? SIGINT : SIGTERM; });
+}
+
+TEST_CASE("what is kept goes on after an interruption, and the message says so") {
+    const std::vector<LongRun> all{
+        {"table", "table in --out t.csv --threads 1", tilted_recipe(3000, 1000), {"t.csv.part"}}};
+    Running run(all.front());
+    const auto last = Clock::now() + longest_end;
+    while (!run.files().contains("t.csv.part") && Clock::now() < last) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    run.send(SIGTERM);
+    CHECK(run.end(Clock::now() + longest_end) == 143);
+    CHECK(has(run.err(), "kept in t.csv.part; the same command goes on from there"));
+    CHECK(run.files() == std::set<std::string>{"in", "t.csv.part"});
+}
+
+TEST_CASE("a second signal ends at once, and the first one's number is told") {
+    const std::vector<LongRun> all = long_runs();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [](const LongRun& r) { return r.name == "100,000 digits"; });
+    REQUIRE(found != all.end());
+    Running run(*found);
+    run.wait_for_begin();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run.send(SIGINT);
+    run.send(SIGTERM);
+    const auto last = Clock::now() + longest_end;
+    CHECK(run.end(last) == 130);
+}
+
+TEST_SUITE("slow") {
+    TEST_CASE("every subcommand is interrupted at many moments, by each signal") {
+        for (const int ms : {0, 5, 20, 60, 150, 1000, 3000}) {
+            for (const int signal : {SIGINT, SIGTERM}) {
+                interrupt_all(long_runs(), std::chrono::milliseconds(ms),
+                              [signal](std::size_t) { return signal; });
+            }
+        }
+    }
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/interruption.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <exception>
+#include <type_traits>
+
+using namespace edgeproof;
+
+TEST_CASE("an interruption is thrown while it is asked for; its first reason stays") {
+    CHECK(interruption_requested() == 0);
+    CHECK_NOTHROW(check_interruption());
+    request_interruption(15);
+    request_interruption(2);
+    CHECK(interruption_requested() == 15);
+    CHECK_THROWS_AS(check_interruption(), Interrupted);
+    withdraw_interruption();
+    CHECK_NOTHROW(check_interruption());
+}
+
+TEST_CASE("nothing that catches errors catches an interruption") {
+    CHECK_FALSE(std::is_base_of_v<Error, Interrupted>);
+    CHECK_FALSE(std::is_base_of_v<std::exception, Interrupted>);
+}

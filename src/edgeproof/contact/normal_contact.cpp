@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgeproof {
 namespace {
@@ -116,7 +117,10 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
     for (;;) {
         const Solved& s = at(working);
         const PrecisionScope scope(working);
-        const unsigned lost = decades_below(s.smallest_gap(), s.extent.length());
+        // An edge that came out on a knot lies beside it by less than these digits show.
+        const bool on_knot = !edge_taken_on_knot() && solved_edge_on_knot(s);
+        const unsigned lost =
+            on_knot ? working : decades_below(s.smallest_gap(), s.extent.length());
         const unsigned needed = digits_ + guard_digits + 2 * lost;
         if (needed <= working) {
             break;
@@ -140,7 +144,12 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
         check_reach(profile_, Ball(s.extent.a, bits), Ball(s.extent.b, bits));
         sample_slope(profile_, s.law.slope(), s.extent.a, s.extent.b);
     }
-    (void)take_edges_on_knots(working); // those that came out there exactly
+}
+
+bool NormalContact::solved_edge_on_knot(const Solved& s) const {
+    const bool by_force = load_.kind == Load::Kind::force;
+    return (by_force && s.law.right_edge_on_knot(s.extent)) ||
+           ((by_force || !profile_.symmetric()) && s.law.left_edge_on_knot(s.extent));
 }
 
 bool NormalContact::take_edges_on_knots(unsigned working) {
@@ -176,7 +185,7 @@ NormalContact::Solved& NormalContact::at(unsigned working) const {
     auto& slot = solved_[working];
     if (!slot) {
         if (work_ != nullptr) {
-            if (solved_.size() > 1) {
+            if (std::exchange(counted_, true)) {
                 ++work_->raised;
             } else {
                 work_->counts.consistency += profile_.symmetric() ? 0 : 1;

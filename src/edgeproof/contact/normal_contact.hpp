@@ -98,6 +98,8 @@ private:
     [[nodiscard]] RoutedPressure<Real> hypergeometric(Solved& solved, Edge edge, const Real& u,
                                                       unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
+    /// An edge that is not given came out as a knot, to all of its digits.
+    [[nodiscard]] bool solved_edge_on_knot(const Solved& s) const;
     /// Takes edges that no digits tell from a knot to be on it; false where there is none.
     bool take_edges_on_knots(unsigned working);
     [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working, Route route) const;
@@ -112,6 +114,7 @@ private:
     std::optional<std::size_t> a_on_knot_; ///< the knot that an edge is taken to be on
     std::optional<std::size_t> b_on_knot_;
     Work* work_;
+    mutable bool counted_ = false; ///< the first solution, in work_
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 

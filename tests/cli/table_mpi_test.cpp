@@ -141,7 +141,7 @@ TEST_CASE("a table is not begun by several processes that cannot find each other
     folder.write("r.toml", tilted_recipe(2, 30));
     const std::string said = shell_text(folder, "OMPI_COMM_WORLD_SIZE=2 '" + program().string() +
                                                     "' table r.toml --out t.csv");
-    CHECK(said.rfind("started as one of 2 processes, and ", 0) == 0);
+    CHECK(said.rfind("edgeproof: started as one of 2 processes, and ", 0) == 0);
     CHECK(lines(said).size() == 1);
     CHECK(folder.files() == 1);
 }

@@ -65,6 +65,22 @@ std::vector<std::string> commands(const std::string& latex) {
     return found;
 }
 
+/// Markdown without its code spans, in which nothing is a tag.
+std::string without_code(const std::string& markdown) {
+    std::string out;
+    bool code = false;
+    for (std::size_t i = 0; i < markdown.size(); ++i) {
+        if (!code && markdown[i] == '\\') {
+            ++i; // what it stands before is itself
+        } else if (markdown[i] == '`') {
+            code = !code;
+        } else if (!code) {
+            out += markdown[i];
+        }
+    }
+    return out;
+}
+
 Table hostile_table() {
     Table table;
     table.columns = {{"name", Column::Kind::text}, {"value"}};
@@ -151,10 +167,11 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
     }
     const std::string markdown = verdicts_markdown(result);
     CHECK(lines(markdown) == hostile.size() + 8);
-    CHECK(markdown.find("<script") == std::string::npos);
+    CHECK(without_code(markdown).find('<') == std::string::npos);
     const std::string latex = verdicts_latex(result);
     CHECK(lines(latex) == hostile.size() + 5);
-    for (const std::string& command : commands(latex)) {
+    REQUIRE(latex.rfind("% ", 0) == 0); // the ledger's name is a comment, one line of it
+    for (const std::string& command : commands(latex.substr(latex.find('\n')))) {
         CAPTURE(command);
         CHECK((command == "begin" || command == "end" || command == "hline" ||
                command == "endhead" || command == "textwidth" || command == "texttt"));

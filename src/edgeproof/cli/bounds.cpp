@@ -120,6 +120,7 @@ int count(const CountingOptions& o) {
     state.seed = options.seed;
     state.values = options.values;
     state.digits = options.digits;
+    check_state(o.state);
     if (!o.state.empty()) {
         if (std::filesystem::exists(o.state)) {
             state = parse_count_state(read_text(o.state, "state of a count"), o.state, state);

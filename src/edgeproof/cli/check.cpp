@@ -13,6 +13,7 @@
 #include "edgeproof/report/agreement_report.hpp"
 #include "edgeproof/report/files.hpp"
 #include "edgeproof/report/reference_table.hpp"
+#include "edgeproof/report/scratch.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -148,6 +149,11 @@ int check(const CheckOptions& o) {
     if (o.self_test) {
         return self_test(o.answers, o.self, o.threads);
     }
+    check_output(o.junit);
+    check_output(o.figure);
+    if (!o.figure.empty()) {
+        const Scratch usable; // needed in the end: told before the work
+    }
     Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
@@ -163,7 +169,7 @@ int check(const CheckOptions& o) {
         result.conventions = infer_conventions(result.answers, result.agreements, options);
     }
     if (!o.junit.empty()) {
-        write_whole(o.junit, conformance_junit(result));
+        write_output(o.junit, conformance_junit(result));
     }
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -56,6 +57,8 @@ int mutate(const MutateOptions& o, const std::string& version) {
         throw InputError("--mutants " + std::to_string(o.mutants) + " is out of range",
                          "give a number from 1 to 1000000");
     }
+    check_output(o.out);
+    check_state(o.state);
     const Ledger ledger = read_ledger(o.ledger);
     MutationOptions options;
     options.audit.digits = static_cast<unsigned>(o.digits);
@@ -92,7 +95,7 @@ int mutate(const MutateOptions& o, const std::string& version) {
                                           : "interrupted: " + kept);
     }
     if (!o.out.empty()) {
-        write_whole(o.out, mutation_csv(run.fates));
+        write_output(o.out, mutation_csv(run.fates));
     }
     const std::vector<std::string> alarms = false_alarms(run, o.ledger);
     std::fputs(printable_lines(mutation_text(run, alarms)).c_str(), stdout);

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/conformance/whole_file.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/files.hpp"
@@ -55,7 +56,7 @@ void add_scene_options(CLI::App& sub, SceneOptions& o) {
     sub.add_option("scene", o.scene, "the scene (TOML)")->required();
     sub.add_option("--digits", o.digits, "significant digits (default: the scene's, else 50)");
     sub.add_option("--format", o.format, "csv, json, md or tex")->capture_default_str();
-    sub.add_option("--out", o.out, "write to this file, whole or not at all");
+    sub.add_option("--out", o.out, "write to this file, whole or not at all (-: standard output)");
     sub.add_option("--round", o.rounding, "nearest, down, up or enclosure")->capture_default_str();
     sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
 }
@@ -91,6 +92,17 @@ std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::
     return numbers;
 }
 
+void check_state(const std::string& file) {
+    if (file.empty()) {
+        return;
+    }
+    check_output(file);
+    if (file == "-" || OutputTarget::of(file).special) {
+        throw InputError("--state " + file + ": a state is read again, which that cannot be",
+                         "name a file");
+    }
+}
+
 Scene asked_scene(const SceneOptions& o) {
     (void)format_of(o.format); // before any work
     const Rounding rounding = rounding_of(o.rounding);
@@ -101,12 +113,7 @@ Scene asked_scene(const SceneOptions& o) {
     }
     scene.ask.digits.rounding = rounding;
     scene.ask.digits.binary64 = o.binary64;
-    if (!o.out.empty()) {
-        const std::filesystem::path folder = std::filesystem::path(o.out).parent_path();
-        if (!folder.empty()) {
-            make_folder(folder);
-        }
-    }
+    check_output(o.out);
     return scene;
 }
 
@@ -192,14 +199,7 @@ void ValueColumns::add_none(std::vector<std::string>& row, bool route) const {
 
 void emit(const Table& table, const SceneOptions& o) {
     const std::string text = write_table(table, format_of(o.format));
-    if (!o.out.empty()) {
-        write_whole(o.out, text);
-        return;
-    }
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-        std::fflush(stdout) != 0) {
-        throw InputError("the output cannot be written", "give --out FILE, or make room");
-    }
+    write_output(o.out.empty() ? "-" : o.out, text);
 }
 
 } // namespace edgeproof::cli

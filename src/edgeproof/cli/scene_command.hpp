@@ -27,6 +27,9 @@ void add_scene_options(CLI::App& sub, SceneOptions& options);
 void add_edge_option(CLI::App& sub, SceneOptions& options);
 
 /// The scene with what the options say instead. Throws InputError for options that make no sense.
+/// As check_output (report/files.hpp), of a file that is written and read again: no "-", no device.
+void check_state(const std::string& file);
+
 [[nodiscard]] Scene asked_scene(const SceneOptions& options);
 /// Both edges, or those of --edge.
 [[nodiscard]] std::vector<Edge> asked_edges(const SceneOptions& options);

@@ -4,6 +4,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/table_in_parts.hpp"
 #include "edgeproof/conformance/shared_work.hpp"
+#include "edgeproof/conformance/whole_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -82,11 +83,8 @@ int to_file(const TableOptions& o, const std::string& version) {
         threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
         recipe = RecipeGrid::read(o.recipe);
         table.emplace(*recipe, o.out, *table_format(o.format), version);
-        const auto folder = std::filesystem::path(o.out).parent_path();
-        if (leads && !folder.empty()) {
-            make_folder(folder);
-        }
         if (leads) {
+            check_output(o.out);
             table->open();
         }
     } catch (const Error& error) {
@@ -118,12 +116,15 @@ int table(const TableOptions& o, const std::string& version) {
     if (!o.every.empty() && !o.check) {
         throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
     }
-    if (launched_count() > 1 && (o.check || o.out.empty())) {
+    if (launched_count() > 1 && (o.check || o.out.empty() || o.out == "-")) {
         throw InputError("several processes share the making of a file, and nothing else",
                          "add --out FILE, or start one process");
     }
     if (!o.out.empty() && !o.check) {
-        return to_file(o, version);
+        if (o.out != "-" && !OutputTarget::of(o.out).special) {
+            return to_file(o, version);
+        }
+        check_output(o.out); // nothing is kept beside a device
     }
     Recipe recipe = read_recipe(o.recipe);
     if (o.check) {

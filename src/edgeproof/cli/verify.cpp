@@ -4,6 +4,7 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/report.hpp"
+#include "edgeproof/report/scratch.hpp"
 #include "edgeproof/report/staged_folder.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ int verify(const VerifyOptions& o) {
     std::optional<StagedFolder> staged; // fails before minutes of work, not after
     if (!o.out.empty()) {
         staged.emplace(o.out);
+        const Scratch usable; // the figures need one
     }
     AuditOptions options;
     options.digits = static_cast<unsigned>(o.digits);

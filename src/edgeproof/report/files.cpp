@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 namespace edgeproof {
@@ -29,6 +30,28 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& text
     WholeFile whole(file, WholeFile::Content::checkpoint);
     whole.write(text);
     whole.commit();
+}
+
+void write_output(const std::filesystem::path& file, const std::string& text) {
+    if (file != "-") {
+        write_whole(file, text);
+    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+               std::fflush(stdout) != 0) {
+        cannot("write", "standard output", errno);
+    }
+}
+
+void check_output(const std::filesystem::path& file) {
+    if (file.empty() || file == "-") {
+        return;
+    }
+    const OutputTarget target = OutputTarget::of(file);
+    if (!target.special) {
+        const auto folder = target.path.parent_path();
+        make_folder(folder.empty() ? std::filesystem::path(".") : folder);
+    } else if (target.descriptor < 0 && ::access(target.path.c_str(), W_OK) != 0) {
+        cannot("write", file, errno);
+    }
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -26,9 +26,12 @@ public:
 
 private:
     static std::filesystem::path make() {
-        std::string name = (std::filesystem::temp_directory_path() / "edgeproof-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw Error("no temporary folder can be made as " + name);
+        std::error_code failed;
+        const std::filesystem::path folder = std::filesystem::temp_directory_path(failed);
+        std::string name = (folder / "edgeproof-XXXXXX").string();
+        if (failed || mkdtemp(name.data()) == nullptr) {
+            throw InputError("no temporary folder can be made",
+                             "set TMPDIR to a folder that can be written to");
         }
         return name;
     }

@@ -5,6 +5,8 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/files.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <string>
@@ -50,9 +52,17 @@ fs::path make_stage(const fs::path& target, bool inside) {
 
 StagedFolder::StagedFolder(const fs::path& target)
     : target_(without_slash(target)), inside_(fs::exists(fs::status(target_))),
-      stage_([this] { return make_stage(checked(target_, inside_), inside_); }) {}
+      stage_([this] { return make_stage(checked(target_, inside_), inside_); }),
+      lock_(::open(stage_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (lock_ >= 0) {
+        (void)::flock(lock_, LOCK_SH | LOCK_NB);
+    }
+}
 
 StagedFolder::~StagedFolder() {
+    if (lock_ >= 0) {
+        ::close(lock_);
+    }
     std::error_code ignored;
     fs::remove_all(path(), ignored);
 }

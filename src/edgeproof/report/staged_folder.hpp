@@ -34,6 +34,7 @@ private:
     std::filesystem::path target_;
     bool inside_; ///< the target was there
     TemporaryPath stage_;
+    int lock_; ///< on the stage: tells other runs that it is in use
 };
 
 } // namespace edgeproof

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where output goes: devices, FIFOs, links, descriptors, files with permissions, and places that
+// cannot be written.
+#include "tests/cli/run_program.hpp"
+#include "tests/cli/tilted_recipe.hpp"
+
+#include <doctest/doctest.h>
+
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace edgeproof::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* output_scene = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                                     "[load]\na = \"1\"\ncontact_modulus = \"2\"\n"
+                                     "[ask]\nedges = [\"right\"]\nu = [\"2/5\"]\n";
+const std::string output_recipe = tilted_recipe(1, 20);
+
+std::string called(const std::string& arguments) {
+    return "'" + program().string() + "' " + arguments;
+}
+
+/// A command of the shell, run in the folder.
+Outcome in_shell(const Folder& folder, const std::string& command) {
+    const Folder aside;
+    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } >'" +
+                            (aside.path() / "out").string() + "' 2>'" +
+                            (aside.path() / "err").string() + "'";
+    const int status = std::system(all.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(aside.path() / "out"),
+            file_text(aside.path() / "err")};
+}
+
+} // namespace
+
+TEST_CASE("--out follows a link, keeps permissions, and leaves nothing beside the file") {
+    const Folder folder;
+    folder.write("in.toml", output_scene);
+    folder.write("file", "old");
+    fs::permissions(folder.path() / "file", fs::perms(0640));
+    fs::create_directory(folder.path() / "sub");
+    fs::create_symlink("../file", folder.path() / "sub" / "link");
+    fs::create_symlink("sub/link", folder.path() / "link");
+    const std::string expected = run(folder, "pressure in.toml").out;
+    REQUIRE(expected.find("\nright,2/5,") != std::string::npos);
+    REQUIRE(run(folder, "pressure in.toml --out link").code == 0);
+    CHECK(fs::is_symlink(folder.path() / "link"));
+    CHECK(fs::is_symlink(folder.path() / "sub" / "link"));
+    CHECK(file_text(folder.path() / "file") == expected);
+    CHECK((fs::status(folder.path() / "file").permissions() & fs::perms(07777)) == fs::perms(0640));
+    CHECK(folder.files() == 4); // in.toml, file, link, sub
+    // A link that leads nowhere yet makes what it names; one that leads to itself is refused.
+    fs::create_symlink("made", folder.path() / "dangling");
+    REQUIRE(run(folder, "pressure in.toml --out dangling").code == 0);
+    CHECK(file_text(folder.path() / "made") == expected);
+    fs::create_symlink("loop", folder.path() / "loop");
+    CHECK(run(folder, "pressure in.toml --out loop").code == 2);
+}
+
+TEST_CASE("--out writes to a FIFO, a device and a descriptor as they are") {
+    const Folder folder;
+    folder.write("in.toml", output_scene);
+    folder.write("recipe.toml", output_recipe);
+    for (const std::string command : {"pressure in.toml", "table recipe.toml"}) {
+        CAPTURE(command);
+        const Outcome printed = run(folder, command);
+        REQUIRE(printed.code == 0);
+        for (const std::string file : {"-", "/dev/stdout", "/proc/self/fd/1", "/dev/fd/1"}) {
+            CAPTURE(file);
+            const Outcome o = run(folder, command + " --out " + file);
+            CHECK(o.code == 0);
+            CHECK(o.out == printed.out);
+        }
+        const Outcome piped =
+            in_shell(folder, "mkfifo fifo && (cat fifo > got & " + called(command + " --out fifo") +
+                                 "; code=$?; wait; exit $code)");
+        CHECK(piped.code == 0);
+        CHECK(file_text(folder.path() / "got") == printed.out);
+        CHECK(fs::is_fifo(folder.path() / "fifo"));
+        CHECK_FALSE(fs::exists(folder.path() / "fifo.part"));
+        fs::remove(folder.path() / "fifo");
+        // A device of the test's own, like /dev/null (root makes one).
+        const fs::path device = folder.path() / "null";
+        if (::mknod(device.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) {
+            CHECK(run(folder, command + " --out null").code == 0);
+            CHECK(fs::is_character_file(device));
+            CHECK_FALSE(fs::exists(folder.path() / "null.part"));
+            fs::remove(device);
+        }
+    }
+}
+
+TEST_CASE("a place that cannot be written is told before the work, in one line") {
+    const Folder folder;
+    folder.write("in.toml", output_scene);
+    folder.write("recipe.toml", output_recipe);
+    folder.write("file", "old");
+    fs::create_directory(folder.path() / "sub");
+    // A hundred thousand digits would take far longer than any of these may.
+    for (const std::string out : {"sub", "file/x", "/proc/nowhere", "/proc/self/fd/0"}) {
+        for (const std::string command :
+             {"pressure in.toml --digits 20000", "table recipe.toml", "expand in.toml"}) {
+            CAPTURE(command);
+            CAPTURE(out);
+            const Outcome o = in_shell(folder, called(command + " --out " + out) + " < in.toml");
+            CHECK(o.code == 2);
+            CHECK(lines(o.err).size() == 1);
+            CHECK(o.err.find(';') != std::string::npos);
+            CHECK(o.out.empty());
+        }
+    }
+    CHECK(file_text(folder.path() / "file") == "old");
+    const Outcome state = run(folder, "bounds count --values 10 --state -");
+    CHECK(state.code == 2);
+    CHECK(lines(state.err).size() == 1);
+    const Outcome temporary = in_shell(folder, "TMPDIR=" + (folder.path() / "file").string() + " " +
+                                                   called("check --figure f.svg a.csv"));
+    CHECK(temporary.code == 2);
+    CHECK(temporary.err.find("set TMPDIR") != std::string::npos);
+}
+
+TEST_CASE("FILE.part: neither a link nor a file of the user's is taken") {
+    const Folder folder;
+    folder.write("recipe.toml", output_recipe);
+    folder.write("mine", "notes");
+    fs::create_symlink("mine", folder.path() / "t.csv.part");
+    CHECK(run(folder, "table recipe.toml --out t.csv").code == 2);
+    CHECK(file_text(folder.path() / "mine") == "notes");
+    fs::remove(folder.path() / "t.csv.part");
+    folder.write("t.csv.part", "notes");
+    const Outcome o = run(folder, "table recipe.toml --out t.csv");
+    CHECK(o.code == 2);
+    CHECK(lines(o.err).size() == 1);
+    CHECK(file_text(folder.path() / "t.csv.part") == "notes");
+    CHECK_FALSE(fs::exists(folder.path() / "t.csv"));
+    fs::remove(folder.path() / "t.csv.part");
+    CHECK(run(folder, "table recipe.toml --out t.csv").code == 0);
+    CHECK_FALSE(fs::exists(folder.path() / "t.csv.part"));
+}

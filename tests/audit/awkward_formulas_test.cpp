@@ -17,8 +17,8 @@ constexpr std::array ones{
     "(sum(1, k, 1, 100001)/100001)",
     "(sum(1, k, 1, 50)/50)",
     "(sum(k, k, 1, 1e15)*2/(1e15*(1e15+1)))",
-    "(1e-90000/1e-90000)",
-    "(1e90000*1e-90000)",
+    "(1e-3000/1e-3000)",
+    "(1e3000*1e-3000)",
     "(exp(exp(exp(20)))/exp(exp(exp(20))))",
     "exp(1e30 - 1e30*(1+1e-40) + 1e-10)",
     "(exp(1e5)*exp(-1e5))",
@@ -72,26 +72,33 @@ std::vector<ClaimResult> judged(const std::vector<std::string>& formulas) {
 
 const std::string hertz = "Es*C/2*sqrt(a^2-x^2)";
 
+void never_refuted(const std::vector<std::string>& formulas) {
+    for (const ClaimResult& r : judged(formulas)) {
+        CAPTURE(r.claim.text("says"));
+        CAPTURE(r.outcome.note);
+        CHECK(r.outcome.verdict != Verdict::refuted);
+        CHECK_FALSE(r.outcome.note.empty());
+    }
+}
+void never_hold(const std::vector<std::string>& formulas) {
+    for (const ClaimResult& r : judged(formulas)) {
+        CAPTURE(r.claim.text("says"));
+        CAPTURE(r.outcome.note);
+        CHECK_FALSE(holds(r.outcome.verdict));
+    }
+}
+
 void fuzz(std::uint64_t seed, std::size_t count) {
     std::mt19937_64 random(seed);
     std::vector<std::string> right;
     std::vector<std::string> wrong;
     for (std::size_t k = 0; k < count; ++k) {
         right.push_back(product(random, hertz, 1 + random() % 2));
-        wrong.push_back(product(random, hertz + "*" + wrongs.at(random() % wrongs.size()),
-                                1 + random() % 2));
+        wrong.push_back(
+            product(random, hertz + "*" + wrongs.at(random() % wrongs.size()), 1 + random() % 2));
     }
-    for (const ClaimResult& r : judged(right)) {
-        CAPTURE(r.claim.text("says"));
-        CAPTURE(r.outcome.note);
-        CHECK(r.outcome.verdict != Verdict::refuted);
-        CHECK_FALSE(r.outcome.note.empty());
-    }
-    for (const ClaimResult& r : judged(wrong)) {
-        CAPTURE(r.claim.text("says"));
-        CAPTURE(r.outcome.note);
-        CHECK_FALSE(holds(r.outcome.verdict));
-    }
+    never_refuted(right);
+    never_hold(wrong);
 }
 
 std::string verdict_of_factor(const std::string& factor) {
@@ -101,46 +108,47 @@ std::string verdict_of_factor(const std::string& factor) {
 
 } // namespace
 
-TEST_CASE("each awkward way to write 1: a right formula is never refuted, a wrong one never holds") {
+TEST_CASE("each awkward way to write 1: a right formula is never refuted") {
     std::vector<std::string> right;
-    std::vector<std::string> wrong;
     for (const char* one : ones) {
         right.push_back(hertz + "*" + one);
-        wrong.push_back("2*" + hertz + "*" + one);
     }
-    for (const ClaimResult& r : judged(right)) {
-        CAPTURE(r.claim.text("says"));
-        CAPTURE(r.outcome.note);
-        CHECK(r.outcome.verdict != Verdict::refuted);
-    }
-    for (const ClaimResult& r : judged(wrong)) {
-        CAPTURE(r.claim.text("says"));
-        CAPTURE(r.outcome.note);
-        CHECK_FALSE(holds(r.outcome.verdict));
-    }
+    never_refuted(right);
 }
 
-TEST_CASE("products of awkward ways to write 1, seed 1") { fuzz(1, 4); }
+TEST_CASE("awkward and wrong: what cancels, cannot be evaluated, or has no value does not hold") {
+    never_hold({"2*" + hertz + "*(cosh(1e6)^2 - sinh(1e6)^2)",
+                "2*" + hertz + "*(sum(1, k, 1, 100001)/100001)", "2*" + hertz + "*((a-a)/(a-a))",
+                "2*" + hertz + "*(exp(exp(exp(20)))/exp(exp(exp(20))))",
+                "2*" + hertz + "*(1 + 0*log(a-a))", hertz + "*(1 + 1e-20)"});
+}
 
-TEST_CASE("products of awkward ways to write 1, seeds 2 to 9" * doctest::test_suite("slow")) {
-    for (std::uint64_t seed = 2; seed < 10; ++seed) {
+TEST_CASE("products of awkward ways to write 1, right and wrong, seeds 1 to 9" *
+          doctest::test_suite("slow")) {
+    std::vector<std::string> wrong;
+    for (const char* one : ones) {
+        wrong.push_back("2*" + hertz + "*" + one);
+    }
+    never_hold(wrong);
+    for (std::uint64_t seed = 1; seed < 10; ++seed) {
         CAPTURE(seed);
-        fuzz(seed, 40);
+        fuzz(seed, 20);
     }
 }
 
 TEST_CASE("a limit of ours is undecided and named; no value in print is underspecified") {
-    CHECK(verdict_of_factor("sum(1, k, 1, 100001)/100001").find("undecided: not evaluated here: "
-                                                                "more than 100000 terms") == 0);
+    CHECK(verdict_of_factor("sum(1, k, 1, 100001)/100001")
+              .find("undecided: not evaluated here: "
+                    "more than 100000 terms") == 0);
     CHECK(verdict_of_factor("(right_local(100000, x)/right_local(100000, x))")
               .find("undecided: not evaluated here: right_local of more than 1000 terms") == 0);
     CHECK(verdict_of_factor("exp(exp(exp(100)))/exp(exp(exp(100)))").find("undecided: ") == 0);
     CHECK(verdict_of_factor("(1/(a - a))")
               .find("underspecified: has no value as printed: division by zero in ") == 0);
-    CHECK(verdict_of_factor("log(0)").find("underspecified: has no value as printed: log of zero") ==
-          0);
-    CHECK(verdict_of_factor("sqrt(x^2 - a^2)").find("underspecified: has no value as printed: sqrt") ==
-          0);
+    CHECK(verdict_of_factor("log(0)").find(
+              "underspecified: has no value as printed: log of zero") == 0);
+    CHECK(verdict_of_factor("sqrt(x^2 - a^2)")
+              .find("underspecified: has no value as printed: sqrt") == 0);
     CHECK(verdict_of_factor("asin(1 + a)").find("underspecified: ") == 0);
     CHECK(verdict_of_factor("gamma(-3)").find("underspecified: ") == 0);
     CHECK(verdict_of_factor("integral(1/s, s, 0, 1)")

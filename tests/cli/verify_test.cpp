@@ -72,7 +72,6 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
     const Bad all[] = {
         {head + hertz_claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
         {head + hertz_claim("one", "Es*C/"), "own.toml:22: "},
-        {head + right + right, "own.toml:24: "},
         {head + hertz_claim("one", "Es", "quotd = \"1\"\n"), "own.toml:23: "},
         {head + "[[claim]]\nid = \"one\"\nkind = \"guess\"\nlines = [1, 1]\nprinted = \"x\"\n",
          "own.toml:17: unknown kind 'guess'"},
@@ -102,6 +101,57 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
         CHECK(o.err.find("; ") != std::string::npos);
         CHECK(folder.files() == 1);
     }
+}
+
+TEST_CASE("verify: a claim that cannot be read is named, the others are judged; exit 2") {
+    const Folder folder;
+    const std::string good = hertz_claim("good", "Es*C/2*sqrt(a^2-x^2)");
+    folder.write("own.toml", head + good + hertz_claim("unknown", "Es*K") + wrong +
+                                 hertz_claim("key", "Es", "quotd = \"1\"\n") + good +
+                                 hertz_claim("cut", "Es*(C/2") + hertz_claim("below", "tau_max") +
+                                 hertz_claim("slides", "mu*P") + hertz_claim("ball", "sphere(x)"));
+    for (const char* command : {"verify own.toml --out out", "check --ledger own.toml"}) {
+        CAPTURE(std::string(command));
+        const Outcome o = run(folder, command);
+        CHECK(o.code == 2);
+        CHECK(o.out.find("good") != std::string::npos);
+        CHECK(o.out.find("refuted") != std::string::npos);
+        const std::vector<std::string> all = lines(o.err);
+        REQUIRE(all.size() == 7);
+        for (const std::string& line : all) {
+            CAPTURE(line);
+            CHECK(line.starts_with("own.toml:"));
+            CHECK(line.find("; ") != std::string::npos);
+        }
+        CHECK(all[0].find("unknown name 'K'") != std::string::npos);
+        CHECK(all[2].find("the id good stands twice") != std::string::npos);
+        CHECK(all[4].find("stress below the surface is outside what Edgeproof computes") !=
+              std::string::npos);
+        CHECK(all[5].find("friction is outside what") != std::string::npos);
+        CHECK(all[6].find("point contact is outside what") != std::string::npos);
+    }
+    const auto json = nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json"));
+    CHECK(json.at("claims").size() == 2);
+    REQUIRE(json.at("errors").size() == 7);
+    CHECK(json.at("errors")[0].at("id") == "unknown");
+    CHECK(json.at("errors")[0].at("line") == 30);
+    CHECK(run(folder, "verify own.toml --only good").code == 2);  // the id stands twice
+    CHECK(run(folder, "verify own.toml --only wrong").code == 0); // of the claims asked for none
+    CHECK(run(folder, "verify own.toml --record").code == 2);
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "own.expected.csv"));
+}
+
+TEST_CASE("verify --strict: 1 where a claim does not hold, recorded or not") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    CHECK(run(folder, "verify own.toml --strict").code == 0);
+    folder.write("own.toml", head + right + wrong);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    CHECK(run(folder, "verify own.toml --strict").code == 1);
+    CHECK(run(folder, "verify own.toml --strict --only right").code == 0);
+    CHECK(run(folder, "verify own.toml --record").code == 0);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    CHECK(run(folder, "verify own.toml --strict").code == 1);
 }
 
 TEST_CASE("verify: options that make no sense are refused before any work") {

@@ -216,6 +216,14 @@ void add_confirmation(const Agreement& agreement, const Spots& spots, const Form
             return;
         }
         if (const auto proved = proved_digits(pair)) {
+            // What cancels to less than roundoff agrees with anything, as far as its terms tell.
+            if (!formulas.have_integrals() && *proved < 1) {
+                outcome.verdict = NotRefuted::undecided;
+                outcome.note = "the enclosures, " + std::to_string(8 * bits_for(digits)) +
+                               " bits wide, do not bear out one digit";
+                outcome.evidence.add("enclosures", both(pair, spots.all()[i].text, digits));
+                return;
+            }
             ++count;
             if (!worst || *proved < least) {
                 least = *proved;

@@ -88,7 +88,7 @@ public:
 private:
     static std::string id_of(const TomlSection& table) {
         try {
-            return table.has("id") ? table.text("id") : "";
+            return table.written_or("id", "");
         } catch (const InputError&) {
             return "";
         }

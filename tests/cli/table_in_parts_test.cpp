@@ -116,7 +116,7 @@ TEST_CASE("table --out: a full disk is one line, no half file, and the run goes 
         const std::string said =
             shell_text(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
                                    table_command("--threads 1"));
-        CHECK(said.rfind("cannot write t.csv", 0) == 0);
+        CHECK(said.rfind("edgeproof: cannot write t.csv", 0) == 0);
         CHECK(lines(said).size() == 1);
         CHECK(file_text(folder.path() / "t.csv") == "old\n");
     }

@@ -130,15 +130,15 @@ TEST_CASE("what is missing, or of another kind, is refused with the line") {
 TEST_CASE("depth: whatever nests deeper than a person writes is refused before it is parsed") {
     for (const std::size_t deep : {std::size_t{32}, std::size_t{300}, std::size_t{50'000}}) {
         const std::vector<std::string> all{
-            many("a.", deep) + "a = 1",
-            "[" + many("a.", deep) + "a]",
-            "[[" + many("a.", deep) + "a]]",
-            many("\"a\" . ", deep) + "a = 1",
-            many("'.'\t.\t", deep) + "a = 1",
-            "k = { " + many("a.", deep) + "a = 1 }",
+            many("a.", deep) + "a = 1", "[" + many("a.", deep) + "a]",
+            "[[" + many("a.", deep) + "a]]", many("\"a\" . ", deep) + "a = 1",
+            many("'.'\t.\t", deep) + "a = 1", "k = { " + many("a.", deep) + "a = 1 }",
             "k = " + many("[", deep + 1) + many("]", deep + 1),
             "k = " + many("[\n# ]]]\n", deep + 1) + many("]", deep + 1),
             "k = " + many("{ a = ", deep + 1) + "1" + many("}", deep + 1),
+            // one quote more is the last of the text, and opens no other
+            "k = { s = \"\"\"x\"\"\"\", a = " + many("[", deep + 1),
+            "k = { s = '''x'''', a = " + many("[", deep + 1),
             "s = \"\"\"\\\"\"\"\"\nk = " + many("[", deep + 1)};
         for (const std::string& text : all) {
             CAPTURE(text.substr(0, 40));

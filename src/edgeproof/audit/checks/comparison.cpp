@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/comparison.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/text.hpp"
 
 #include <algorithm>
 
@@ -61,8 +62,14 @@ void report_agreement(const Agreement& agreement, const Spots& spots, unsigned d
         return;
     }
     const unsigned shown = worst.digits() > 12 ? digits : 20;
-    evidence.add("printed_there", value_text(values->printed, shown));
-    evidence.add("exact_there", value_text(values->exact, shown));
+    // What roundoff has left of a zero has no digit that is right.
+    const auto text = [&](const Real& value) {
+        return value != 0 && abs(value) <= values->error
+                   ? "0 +- " + bound_text(values->error) + " (estimate)"
+                   : value_text(value, shown);
+    };
+    evidence.add("printed_there", text(values->printed));
+    evidence.add("exact_there", text(values->exact));
 }
 
 Judgement judge_samples(const Agreement& agreement, double needed) {

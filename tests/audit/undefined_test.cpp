@@ -37,3 +37,21 @@ TEST_CASE("the root of zero, which roundoff makes negative: says nothing") {
         }
     }
 }
+
+TEST_CASE("what roundoff leaves of a zero is shown as a bound, with no digits") {
+    bool some = false;
+    for (const char* zero : {"a*(1+k) - a - a*k", "(sqrt(2)+k)^2 - 2 - 2*sqrt(2)*k - k^2",
+                             "sqrt(2+k)*sqrt(3) - sqrt(6+3*k)"}) {
+        CAPTURE(zero);
+        const ClaimResult r = small_ledger::result_of(
+            "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = \"" + std::string(zero) +
+            "\"\nvary = { k = [\"1/3\", \"1/7\", \"5/17\"] }");
+        const EvidenceItem* item = r.outcome.evidence.find("printed_there");
+        REQUIRE(item != nullptr);
+        const std::string text = item->text();
+        CAPTURE(text);
+        CHECK((text.starts_with("0 +- ") || text.find_first_not_of("-0.e+") == std::string::npos));
+        some = some || text.starts_with("0 +- ");
+    }
+    CHECK(some);
+}

@@ -87,6 +87,20 @@ TEST_CASE("digits and ulps by hand") {
     CHECK_FALSE(held(answers, {6.001, {}}).cases[1].pass);
 }
 
+TEST_CASE("the unit in the last place of a power of two, whose ball reaches below it") {
+    // p = C sqrt(u (2 - u))/2: 0.6 C/2 at u = 0.2, 0.8 C/2 at 0.4 and 0.28 C/2 at 0.04; 1/2 + 2^-53
+    // is the double after 1/2, one unit off.
+    const std::string next = "0.50000000000000011102230246251565404236316680908203125\n";
+    const Answers answers = answered("1,power-law,1,5/3,,,1,1,p,right,0.2," + next +
+                                     "2,power-law,1,5/4,,,1,1,p,right,0.4," + next +
+                                     "3,power-law,1,25/7,,,1,1,p,left,0.04," + next +
+                                     "4,power-law,1,5/7,,,1,7/3,p,left,0.2," + next);
+    REQUIRE(answers.faults.empty());
+    for (const CaseAgreement& held_case : held(answers).cases) {
+        CHECK(held_case.ulps == doctest::Approx(1).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("the reference is computed at what the row says, to the last bit") {
     // u a little larger than 0.2, as binary64 has it: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
     const Answers answers =

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -220,11 +222,19 @@ TEST_CASE("what a killed run left beside a file is removed, what a living one wr
     for (const fs::path& p : {left, living, another}) {
         write(p, "half");
     }
-    WholeFile whole(file);
-    whole.write("new");
-    whole.commit();
+    const int held = ::open(living.c_str(), O_RDONLY); // as who writes it has it
+    REQUIRE(::flock(held, LOCK_SH) == 0);
+    const auto write_new = [&] {
+        WholeFile whole(file);
+        whole.write("new");
+        whole.commit();
+    };
+    write_new();
     CHECK_FALSE(fs::exists(left));
     CHECK(fs::exists(living));
+    ::close(held);
+    write_new();
+    CHECK_FALSE(fs::exists(living)); // the number was given to another process since
     CHECK(fs::exists(another));
     CHECK(read_text(file, "file") == "new");
 }

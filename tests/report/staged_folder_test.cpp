@@ -6,6 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <unistd.h>
 
 #include <filesystem>
@@ -105,10 +109,15 @@ TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is rem
     const OwnFolder own;
     // No process has this number: it is beyond the largest that Linux gives.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
-    fs::create_directories(own.path() / "out.1.tmp"); // somebody else's, who is alive
+    fs::create_directories(own.path() / "out.1.tmp"); // somebody else's, who is alive and holds it
+    const int held = ::open((own.path() / "out.1.tmp").c_str(), O_RDONLY | O_DIRECTORY);
+    REQUIRE(::flock(held, LOCK_SH) == 0);
+    fs::create_directories(own.path() / "out.2.tmp"); // whose number somebody else has by now
     StagedFolder staged(own.path() / "out");
     CHECK_FALSE(fs::exists(own.path() / "out.99999999.tmp"));
     CHECK(fs::exists(own.path() / "out.1.tmp"));
+    CHECK_FALSE(fs::exists(own.path() / "out.2.tmp"));
+    ::close(held);
     fill(staged);
     request_interruption(2);
     CHECK_THROWS_AS(staged.commit(), Interrupted);

@@ -188,17 +188,14 @@ SpotAgreement Spots::compare_at(std::size_t i, const Expr& printed, const Expr& 
         }
         const Real difference = abs(y.value - x.value);
         Real against = abs(x.value);
-        Real roundoff = 0;
         if (scale) {
             against = abs(known(*scale, i).value);
         } else if (difference != 0) {
             // Where the exact value is zero but for roundoff, hold it against its terms.
             const Real terms =
                 magnitude(printed, [&](const Expr& part) { return this->value(part, i).value; });
-            const Real least = terms * pow(Real(10), -static_cast<int>(digits_));
-            if (against < least) {
+            if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
                 against = terms;
-                roundoff = least;
             }
         }
         if (!isfinite(against)) {
@@ -207,7 +204,7 @@ SpotAgreement Spots::compare_at(std::size_t i, const Expr& printed, const Expr& 
         // Three digits of margin: errors of quadratures are estimates.
         const int good = static_cast<int>(std::min(x.digits, y.digits));
         return ValuePair{y.value, x.value, digits_of_ratio(difference, against),
-                         Real(against * pow(Real(10), 3 - good)), roundoff};
+                         Real(against * pow(Real(10), 3 - good))};
     } catch (const DivergentIntegral& error) {
         return have_exact ? SpotAgreement(NoValue{error.what(), false})
                           : SpotAgreement(OurLimit{error.what()});

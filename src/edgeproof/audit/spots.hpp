@@ -32,7 +32,6 @@ struct ValuePair {
     Real exact;
     double digits = 0; ///< to which they agree
     Real error;        ///< an estimate of what their difference may be off by, with a margin
-    Real roundoff{};   ///< a value smaller than this is zero as far as its terms tell; or 0
 };
 
 /// Two formulas at one spot: both values, or that the printed one has none, or that we found none.

@@ -64,8 +64,8 @@ void report_agreement(const Agreement& agreement, const Spots& spots, unsigned d
     const unsigned shown = worst.digits() > 12 ? digits : 20;
     // What roundoff has left of a zero has no digit that is right.
     const auto text = [&](const Real& value) {
-        return abs(value) < values->roundoff
-                   ? "0 +- " + bound_text(values->roundoff) + " (estimate)"
+        return value != 0 && abs(value) <= values->error
+                   ? "0 +- " + bound_text(values->error) + " (estimate)"
                    : value_text(value, shown);
     };
     evidence.add("printed_there", text(values->printed));

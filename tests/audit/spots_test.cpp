@@ -18,30 +18,30 @@ SpotAgreement values(const char* printed, const char* exact, const char* error, 
 }
 SpotAgreement agreeing() { return values("1", "1", "1e-50", 50); }
 SpotAgreement apart() { return values("2", "1", "1e-50", 0); }
-Judgement judged(std::vector<SpotAgreement> spots) {
+Judgement judged_at(std::vector<SpotAgreement> spots) {
     Agreement a;
     a.spots = std::move(spots);
     return judge_samples(a, 45);
 }
 const NoValue no_value{"log of zero", true};
-const OurLimit limit{"more than 100000 terms"};
+const OurLimit our_limit{"more than 100000 terms"};
 
 } // namespace
 
 TEST_CASE("samples: only two values that differ refute, whatever is missing elsewhere") {
-    CHECK(judged({agreeing(), agreeing()}) == Verdict::confirmed);
-    CHECK(judged({agreeing(), apart()}) == Verdict::refuted);
-    CHECK(judged({no_value, limit, apart()}) == Verdict::refuted);
-    CHECK(judged({no_value, no_value}) == Verdict::underspecified);
-    CHECK(judged({agreeing(), limit, no_value}) == Verdict::underspecified);
-    CHECK(judged({agreeing(), limit}) == Verdict::undecided);
-    CHECK(judged({limit}) == Verdict::undecided);
-    CHECK(judged({}) == Verdict::undecided);
+    CHECK(judged_at({agreeing(), agreeing()}) == Verdict::confirmed);
+    CHECK(judged_at({agreeing(), apart()}) == Verdict::refuted);
+    CHECK(judged_at({no_value, our_limit, apart()}) == Verdict::refuted);
+    CHECK(judged_at({no_value, no_value}) == Verdict::underspecified);
+    CHECK(judged_at({agreeing(), our_limit, no_value}) == Verdict::underspecified);
+    CHECK(judged_at({agreeing(), our_limit}) == Verdict::undecided);
+    CHECK(judged_at({our_limit}) == Verdict::undecided);
+    CHECK(judged_at({}) == Verdict::undecided);
     // Apart by less than the values are good for; not numbers at all.
-    CHECK(judged({values("1.001", "1", "0.1", 3)}) == Verdict::undecided);
-    CHECK(judged({values("nan", "1", "0", -5)}) == Verdict::undecided);
-    CHECK(judged({values("inf", "1", "0", -5)}) == Verdict::undecided);
-    CHECK(judged({values("2", "1", "nan", -5)}) == Verdict::undecided);
+    CHECK(judged_at({values("1.001", "1", "0.1", 3)}) == Verdict::undecided);
+    CHECK(judged_at({values("nan", "1", "0", -5)}) == Verdict::undecided);
+    CHECK(judged_at({values("inf", "1", "0", -5)}) == Verdict::undecided);
+    CHECK(judged_at({values("2", "1", "nan", -5)}) == Verdict::undecided);
 }
 
 TEST_CASE("refuted is made of a difference, by type") {

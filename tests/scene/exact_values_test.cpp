@@ -19,7 +19,7 @@ std::string power_law(const std::string& m, const std::string& C, const std::str
            load + "\n" + more;
 }
 
-const std::string unit = "contact_modulus = \"1\"\n";
+const std::string unit_modulus = "contact_modulus = \"1\"\n";
 
 /// As it is printed at so many digits, each way of rounding.
 struct Texts {
@@ -76,10 +76,11 @@ TEST_CASE("ties: pressures that end half-way between two decimals, to the even o
               Tie{"1", {"1.0", "1.0", "1.0", "[1.0, 1.0]"}}}) {
             const std::string C = "2*" + std::string(tie.value) + "/" + std::to_string(t.w);
             CAPTURE(C);
-            const Texts found = texts(power_law("1", C, "a = \"" + std::to_string(t.a) + "\"",
-                                                unit + "[ask]\nedges = [\"right\"]\nu = [\"" +
-                                                    std::to_string(t.a - t.x) + "\"]\n"),
-                                      2, p_of);
+            const Texts found =
+                texts(power_law("1", C, "a = \"" + std::to_string(t.a) + "\"",
+                                unit_modulus + "[ask]\nedges = [\"right\"]\nu = [\"" +
+                                    std::to_string(t.a - t.x) + "\"]\n"),
+                      2, p_of);
             CHECK(found.nearest == tie.expected.nearest);
             CHECK(found.down == tie.expected.down);
             CHECK(found.up == tie.expected.up);
@@ -101,7 +102,7 @@ TEST_CASE("ties: half-way between two binary64, to the even one") {
                            Row{"2^(-1075)", 0.0}, Row{"3*2^(-1075)", std::ldexp(1.0, -1073)}}) {
         CAPTURE(row.value);
         Scene scene = parsed(power_law("1", "2*(" + std::string(row.value) + ")/4", "a = \"5\"",
-                                       unit + "[ask]\nedges = [\"right\"]\nu = [\"2\"]\n"));
+                                       unit_modulus + "[ask]\nedges = [\"right\"]\nu = [\"2\"]\n"));
         scene.ask.digits = {20, Rounding::nearest, true};
         const PrintedValue p = printed(p_of(run_scene(scene)), scene.ask.digits);
         REQUIRE(p.binary64);
@@ -117,37 +118,39 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
     };
     const std::string terms = asked("quantities = [\"coefficients\"]\nterms = 2");
     // p = (C/2) sqrt(u) sqrt(2a - u): c_0 = (C/2) sqrt(2a), c_1 = -c_0/(4a).
-    const std::string hertz = power_law("1", "1/8", "a = \"2\"", unit + terms);
+    const std::string hertz = power_law("1", "1/8", "a = \"2\"", unit_modulus + terms);
     CHECK(texts(hertz, 2, [](const auto& r) { return c_of(r, 0); }).nearest == "0.12");
     CHECK(texts(hertz, 4, [](const auto& r) { return c_of(r, 1); }).nearest == "-0.01562");
     CHECK(texts(hertz, 4, [](const auto& r) { return c_of(r, 1); }).down == "-0.01563");
     // A wedge: p = (C/pi) acosh(a/|x|), so that c_0 = (C/pi) sqrt(2/a).
-    CHECK(texts(power_law("0", "pi/8", "a = \"2\"", unit + terms), 2, [](const auto& r) {
+    CHECK(texts(power_law("0", "pi/8", "a = \"2\"", unit_modulus + terms), 2, [](const auto& r) {
               return c_of(r, 0);
           }).nearest == "0.12");
     // Flat and rounded: P'(a) = (E* a/R) acos(t/a), c_0 = P'(a) sqrt(2/a)/pi = 1/8.
     CHECK(texts("[profile]\nkind = \"flat-and-rounded\"\nt = \"1\"\nR = \"16/3\"\n[load]\na = "
                 "\"2\"\n" +
-                    unit + terms,
+                    unit_modulus + terms,
                 2, [](const auto& r) { return c_of(r, 0); })
               .nearest == "0.12");
     // m = 3: I_3(0) is the integral of s^2, 1/3; p = P'(a)/(3 pi) = C a^3/4 at the middle.
-    CHECK(texts(power_law("3", "1/2", "a = \"1\"", unit + asked("u = [\"1\"]")), 2, p_of).nearest ==
-          "0.12");
+    CHECK(texts(power_law("3", "1/2", "a = \"1\"", unit_modulus + asked("u = [\"1\"]")), 2, p_of)
+              .nearest == "0.12");
     // The parabola as pieces of one straight line, and with a corner outside the contact.
     CHECK(texts("[profile]\nkind = \"piecewise\"\nknots = [\"0\", \"1\"]\nslopes = [\"x/4\", "
                 "\"x/4\", \"x\"]\n[load]\na = \"1\"\n" +
-                    unit + asked("u = [\"1\"]"),
+                    unit_modulus + asked("u = [\"1\"]"),
                 2, p_of)
               .nearest == "0.12");
     // One term, at u = 2a (1 - 64/81): |1 - sqrt(2a/(2a - u))| = 1/8; sum c_0 sqrt(u).
-    const std::string one = power_law("1", "1", "a = \"81/2\"",
-                                      unit + asked("quantities = [\"pressure\"]\nterms = [1]\nu = "
-                                                   "[\"17\"]"));
+    const std::string one =
+        power_law("1", "1", "a = \"81/2\"",
+                  unit_modulus + asked("quantities = [\"pressure\"]\nterms = [1]\nu = "
+                                       "[\"17\"]"));
     CHECK(texts(one, 2, error_of).nearest == "0.12");
     // c_0 sqrt(u) = (1/2) sqrt(8 (1/2)^3) at a = 2, u = 1/4: 1/2.
     CHECK(texts(power_law("1", "1", "a = \"2\"",
-                          unit + asked("quantities = [\"pressure\"]\nterms = [1]\nu = [\"1/4\"]")),
+                          unit_modulus +
+                              asked("quantities = [\"pressure\"]\nterms = [1]\nu = [\"1/4\"]")),
                 3, local_of)
               .down == "0.500");
     // P = E* C (pi/4) a^2, given and looked for.
@@ -155,19 +158,20 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
                           "contact_modulus = \"1/pi\"\n" + asked("quantities = [\"contact\"]")),
                 2, [](const auto& r) { return *r.contact.force; })
               .nearest == "0.12");
-    CHECK(texts(power_law("1", "1", "P = \"pi/256\"", unit + asked("quantities = [\"contact\"]")),
+    CHECK(texts(power_law("1", "1", "P = \"pi/256\"",
+                          unit_modulus + asked("quantities = [\"contact\"]")),
                 2, [](const auto& r) { return r.contact.a; })
               .nearest == "0.12");
     // A tilted wedge: (phi - alpha) h = (phi + alpha)(pi - h), h = 2 pi/3 for alpha = phi/3, and
     // cos h = (b - a)/(a + b): b = a/3.
     const std::string tilted = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.3\"\nalpha = "
                                "\"0.1\"\n[load]\na = \"3/8\"\n" +
-                               unit + asked("quantities = [\"contact\"]");
+                               unit_modulus + asked("quantities = [\"contact\"]");
     CHECK(texts(tilted, 2, [](const auto& r) { return r.contact.b; }).nearest == "0.12");
     CHECK(texts(tilted, 3, [](const auto& r) { return r.contact.b; }).down == "0.125");
     // Full stick: q = (Q/pi)/sqrt(u (2a - u)).
     CHECK(texts(power_law("1", "1", "a = \"1\"",
-                          unit +
+                          unit_modulus +
                               "[shear]\nQ = \"pi/8\"\nbulk_tension = "
                               "\"0\"\n" +
                               asked("quantities = [\"shear\"]\nu = [\"1\"]")),
@@ -178,10 +182,10 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
 TEST_CASE("ties: extents that end on a short decimal") {
     // Hertz, one term: 1/sqrt(1 - v) - 1 = 1/4 at v = u/(2a) = 9/25; two terms:
     // (1 - v/2)/sqrt(1 - v) - 1 = 1/4 at v = 3/4.
-    const std::string scene =
-        power_law("1", "1", "a = \"1/2\"",
-                  unit + "[ask]\nedges = [\"right\"]\nquantities = [\"extent\"]\ntolerance = "
-                         "\"25%\"\nterms = [1, 2]\n");
+    const std::string scene = power_law(
+        "1", "1", "a = \"1/2\"",
+        unit_modulus + "[ask]\nedges = [\"right\"]\nquantities = [\"extent\"]\ntolerance = "
+                       "\"25%\"\nterms = [1, 2]\n");
     for (const std::size_t k : {0U, 1U}) {
         const std::string expected = k == 0 ? "0.36000" : "0.75000";
         for (const auto member :
@@ -225,8 +229,9 @@ TEST_CASE("ties: where no exact form is known the enclosure is printed, and it i
 
 TEST_CASE("ties: exact values take no more bits than others") {
     // a + b, x and p are short decimals, rounded down: one level of bits does.
-    Scene scene = parsed(power_law("1", "0.1", "a = \"0.65\"",
-                                   unit + "[ask]\nedges = [\"right\"]\nu = [\"0.4\", \"0.65\"]\n"));
+    Scene scene =
+        parsed(power_law("1", "0.1", "a = \"0.65\"",
+                         unit_modulus + "[ask]\nedges = [\"right\"]\nu = [\"0.4\", \"0.65\"]\n"));
     scene.ask.digits.rounding = Rounding::down;
     CHECK(run_scene(scene).work.raised == 0);
 }

@@ -28,8 +28,8 @@ Rounding rounding_of(const TomlSection& top) {
     if (name == "up") {
         return Rounding::up;
     }
-    static constexpr std::array<std::string_view, 3> names{"nearest", "down", "up"};
-    top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, names));
+    static constexpr std::array<std::string_view, 3> ways{"nearest", "down", "up"};
+    top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, ways));
 }
 
 GridAxis read_axis(const TomlSection& section, const std::string& key) {

@@ -14,7 +14,7 @@ struct KindOfFile {
     std::string_view commands;
 };
 
-constexpr std::array kinds{
+constexpr std::array file_kinds{
     KindOfFile{FileKind::scene,
                {"profile", "load", "ask"},
                "a scene",
@@ -37,7 +37,7 @@ constexpr std::array kinds{
                "edgeproof bounds hard-cases"},
 };
 
-const KindOfFile& of(FileKind kind) { return kinds.at(static_cast<std::size_t>(kind)); }
+const KindOfFile& of(FileKind kind) { return file_kinds.at(static_cast<std::size_t>(kind)); }
 
 } // namespace
 
@@ -47,7 +47,7 @@ void expect_file_kind(const TomlSection& top, FileKind expected) {
             return;
         }
     }
-    for (const KindOfFile& other : kinds) {
+    for (const KindOfFile& other : file_kinds) {
         for (const std::string_view mark : other.marks) {
             if (top.has(mark)) {
                 top.reject(mark,

@@ -13,6 +13,14 @@
 #include <utility>
 
 namespace edgeproof {
+namespace {
+
+/// From so many on, one disk is cheaper than an integral each, whose integrands cancel by the edge
+/// the more the higher the power.
+constexpr std::size_t least_terms_of_disk = 6;
+
+} // namespace
+
 bool IntegratedContact::handles(const Profile& profile) {
     return std::all_of(profile.pieces().begin(), profile.pieces().end(),
                        [](const SlopePiece& piece) { return has_complex_taylor(piece.slope); });
@@ -150,6 +158,27 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
     return sum;
 }
 
+/// Those of I about the right edge, by a disk there; none where there is no such disk.
+std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
+                                                          std::size_t terms) const {
+    Ball gap = a_ + b_;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (inside(i)) {
+            gap = min(gap, abs(Ball(a_ - knots_[i])));
+        }
+    }
+    // A disk is driven to about half its working bits (disk_goal).
+    const PressureDisk disk(over_theta(), piece, a_, gap, terms, 2 * bits_ + 48);
+    std::vector<Ball> I;
+    if (disk.found()) {
+        const BallSeries at = disk.at(Ball(0, bits_), terms);
+        for (std::size_t k = 0; k < terms; ++k) {
+            I.push_back(at[k].with_bits(bits_));
+        }
+    }
+    return I;
+}
+
 std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
     Ball unknown(0, bits_);
     arb_indeterminate(unknown.data());
@@ -162,11 +191,14 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
         }
     }
     // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), and I = sum of I_k (-u)^k.
+    std::vector<Ball> I =
+        terms < least_terms_of_disk ? std::vector<Ball>{} : coefficients_by_disk(last, terms);
     const std::vector<Ball> taylor = series_of_slope(last, a_, terms);
-    std::vector<Ball> I;
-    for (std::size_t k = 0; k < terms; ++k) {
-        const Ball sum = coefficient(k, last, a_, taylor, true);
-        I.push_back(k % 2 == 0 ? sum : -sum);
+    for (std::size_t k = I.size(); k < terms; ++k) {
+        I.push_back(coefficient(k, last, a_, taylor, true));
+    }
+    for (std::size_t k = 1; k < terms; k += 2) {
+        I[k] = -I[k];
     }
     const Ball D = a_ + b_;
     std::vector<Ball> root{Ball(1, bits_)}; // of sqrt(1 - u/D)

@@ -64,6 +64,8 @@ private:
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
     [[nodiscard]] std::vector<Ball> series_of_slope(std::size_t piece, const Ball& x,
                                                     std::size_t terms) const;
+    [[nodiscard]] std::vector<Ball> coefficients_by_disk(std::size_t piece,
+                                                         std::size_t terms) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     void find_knots_on_edges();
     /// Where to try; proves nothing.

@@ -211,7 +211,8 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
             (void)NormalContact(profile, exact("1"), load, 20);
             FAIL("accepted: ", slope);
         } catch (const InputError& e) {
-            CHECK_MESSAGE(std::string(e.what()).find("rises only up to x = ") != std::string::npos,
+            CHECK_MESSAGE(std::string(e.what()).find("is not seen to rise beyond x = ") !=
+                              std::string::npos,
                           e.what());
         }
     };

@@ -227,7 +227,7 @@ void check_reach(const Profile& profile, const Ball& a, const Ball& b) {
             throw InputError("the contact would reach x = " +
                                  short_text(right ? a.midpoint() : Real(-b.midpoint())) +
                                  ", and g' = " + to_text(slope) +
-                                 " rises only up to x = " + short_text(limit->to<Real>()),
+                                 " is not seen to rise beyond x = " + short_text(limit->to<Real>()),
                              "give a smaller load, or the slope further out");
         }
     }

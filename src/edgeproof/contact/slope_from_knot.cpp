@@ -129,11 +129,12 @@ Expr without_constant(const Polynomial& f) {
     return sum;
 }
 
-Expr moved_to(const Expr& knot, const Expr& e, bool* vanishes) {
+/// `expand`: polynomials, too; which loses what tells the sign of their rate, such as a square.
+Expr moved_to(const Expr& knot, const Expr& e, bool expand, bool* vanishes) {
     if (!free_symbols(e).contains("x")) {
         return e;
     }
-    if (const Rational* at = knot.rational()) {
+    if (const Rational* at = knot.rational(); expand && at != nullptr) {
         const auto f = as_polynomial(e, *at);
         if (f && f->size() > 2 && (*f)[0] == 0 && f->back() != 0) {
             *vanishes = true;
@@ -149,7 +150,7 @@ Expr moved_to(const Expr& knot, const Expr& e, bool* vanishes) {
     }
     std::vector<Expr> args;
     for (const Expr& x : e.args()) {
-        args.push_back(moved_to(knot, x, vanishes));
+        args.push_back(moved_to(knot, x, expand, vanishes));
     }
     return Expr::with_args(e, std::move(args));
 }
@@ -158,7 +159,7 @@ Expr moved_to(const Expr& knot, const Expr& e, bool* vanishes) {
 
 Expr slope_from_knot(const Expr& slope, const Expr& knot) {
     bool vanishes = false;
-    return moved_to(knot, slope, &vanishes);
+    return moved_to(knot, slope, false, &vanishes);
 }
 
 std::optional<Expr> slope_beside_zero(const Expr& slope, const Expr& knot) {
@@ -166,7 +167,7 @@ std::optional<Expr> slope_beside_zero(const Expr& slope, const Expr& knot) {
         return std::nullopt;
     }
     bool vanishes = false;
-    Expr moved = moved_to(knot, slope, &vanishes);
+    Expr moved = moved_to(knot, slope, true, &vanishes);
     return vanishes ? std::optional(std::move(moved)) : std::nullopt;
 }
 

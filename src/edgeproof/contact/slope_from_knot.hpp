@@ -7,12 +7,12 @@
 namespace edgeproof {
 
 /// A slope g'(x) as a function of the distance x - knot, called x again: parts that are linear in
-/// x, or polynomials with rational coefficients, lose their constant exactly where they vanish on
-/// the knot, so that (x - 1/5)^(3/2) keeps its digits however near to 1/5.
+/// x lose their constant exactly where they vanish on the knot, so that (x - 1/5)^(3/2) keeps its
+/// digits however near to 1/5.
 [[nodiscard]] Expr slope_from_knot(const Expr& slope, const Expr& knot);
 
-/// The same where a part of it vanishes on the knot, and the knot is not 0; else nothing: x itself
-/// serves as well.
+/// The same, with polynomials of rational coefficients multiplied out, where a part of it vanishes
+/// on the knot, and the knot is not 0; else nothing: x itself serves as well.
 [[nodiscard]] std::optional<Expr> slope_beside_zero(const Expr& slope, const Expr& knot);
 
 } // namespace edgeproof

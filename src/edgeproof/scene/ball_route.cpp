@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
 #include "edgeproof/contact/ball_extent.hpp"
+#include "edgeproof/contact/profile_checks.hpp"
 #include "edgeproof/contact/rising_slope.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/ball_level.hpp"
@@ -50,6 +51,7 @@ public:
             return true; // decided exactly; or nothing is proved in any case
         }
         const BallLevel* level = at_level(length_->bits());
+        check_reach(*scene_.profile, level->a(), level->b());
         const SlopeCourse course = course_of_slope(*scene_.profile, level->a(), level->b());
         if (course.kind == SlopeCourse::Kind::falls) {
             throw InputError("g' decreases near x = " + course.where->midpoint().str(8),

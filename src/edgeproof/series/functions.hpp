@@ -156,6 +156,18 @@ template <class T> [[nodiscard]] Series<T> asinh(const Series<T>& x) {
     return integrate_along(T(1) / sqrt(T(1) + x * x), x, T(asinh(x[0])));
 }
 
+template <class T> [[nodiscard]] Series<T> acosh(const Series<T>& x) {
+    using std::acosh;
+    if (x.order() == 1) {
+        return Series<T>(T(acosh(x[0])), 1);
+    }
+    return integrate_along(T(1) / (sqrt(x - T(1)) * sqrt(x + T(1))), x, T(acosh(x[0])));
+}
+template <class T> [[nodiscard]] Series<T> atanh(const Series<T>& x) {
+    using std::atanh;
+    return integrate_along(T(1) / (T(1) - x * x), x, T(atanh(x[0])));
+}
+
 /// Euler's gamma function: its Taylor series about x_0, composed with x - x_0.
 template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
     const std::size_t n = x.order();

@@ -96,7 +96,7 @@ TEST_CASE(
                          ask)) == "");
     CHECK_THROWS_WITH_AS(
         faults(text_of("symmetric = true\nslopes = [\"x + sin(1000*x)/900\"]", "a = \"3/4\"", ask)),
-        doctest::Contains("scene.toml:6: the contact would reach x = 0.75, and g' = "), InputError);
+        doctest::Contains("scene.toml:1: g' decreases near x = -0.5625"), InputError);
     // At every power of 2 its rate is 1 + (1024 pi/3/950) cos = 0.4 or more: no sample sees it
     // fall.
     CHECK_THROWS_WITH_AS(

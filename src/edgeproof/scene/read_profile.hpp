@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/scene_file.hpp"
 #include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/scene/scene_file.hpp"
 
 namespace edgeproof {
 

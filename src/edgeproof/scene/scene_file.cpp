@@ -405,7 +405,8 @@ Scene parse_scene(std::string_view text, const std::string& file) {
             [&](const TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
     reading(load, [&](const TomlSection& s) { check_reach(s, scene); });
     if (top.has("shear")) {
-        reading(top.section("shear"), [&](const TomlSection& s) { read_shear(s, materials, scene); });
+        reading(top.section("shear"),
+                [&](const TomlSection& s) { read_shear(s, materials, scene); });
     }
     if (top.has("ask")) {
         reading(top.section("ask"), [&](const TomlSection& s) { read_ask(s, scene); });

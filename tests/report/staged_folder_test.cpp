@@ -103,6 +103,19 @@ TEST_CASE("a staged folder, where there is one: what else is in it stays") {
     CHECK(own.all() == with_mine);
 }
 
+TEST_CASE("a staged folder: what killed runs left beside it goes, also once it is there") {
+    const OwnFolder own;
+    // No process has this number: it is beyond the largest that Linux gives.
+    fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
+    fs::create_directories(own.path() / "out" / ".edgeproof.99999999.tmp");
+    {
+        StagedFolder staged(own.path() / "out");
+        fill(staged);
+        staged.commit();
+    }
+    CHECK(own.all() == whole);
+}
+
 TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is removed") {
     const OwnFolder own;
     // No process has this number: it is beyond the largest that Linux gives.

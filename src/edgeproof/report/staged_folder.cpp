@@ -38,7 +38,8 @@ fs::path stage_base(const fs::path& target, bool inside) {
 /// By its name, so that errors name the folder as the user does.
 fs::path make_stage(const fs::path& target, bool inside) {
     const fs::path base = stage_base(target, inside);
-    remove_left_over(base);
+    remove_left_over(stage_base(target, true));
+    remove_left_over(stage_base(target, false));
     const fs::path stage = base.string() + "." + std::to_string(::getpid()) + ".tmp";
     make_folder(stage);
     return stage;

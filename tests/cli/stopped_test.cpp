@@ -113,6 +113,7 @@ TEST_CASE("verify --out: stopped at many moments, all files are there or none") 
             CHECK(files_of(out) == whole);
         }
         for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+            CAPTURE(entry.path());
             CHECK(entry.path().extension() != ".tmp");
         }
     }

@@ -287,6 +287,8 @@ template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const
     }
     try {
         T x(guess_->right_edge_for_force(load));
+        const T eps = unit_roundoff<T>();
+        std::optional<T> previous;
         const T enough = cbrt(unit_roundoff<T>() * unit_roundoff<T>()) / T(1 << 10);
         for (int k = 0; k < 40; ++k) {
             const Extent<T> e = extent(x);
@@ -295,9 +297,13 @@ template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const
                 return std::nullopt;
             }
             x += step;
-            if (abs(step) <= enough * x) {
+            // As far as the steps shrink: an edge just beyond a corner is as near to its answer as
+            // it is to the corner, and no nearer.
+            if (abs(step) <= T(4) * eps * x ||
+                (previous && abs(step) <= enough * x && !(abs(step) < *previous / T(2)))) {
                 return x;
             }
+            previous = abs(step);
         }
     } catch (const DomainError&) {
         // The search tells why, or does better.

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 using namespace edgeproof::test;
 
 namespace {
@@ -204,6 +206,45 @@ TEST_CASE("explain: what is off says why; after a run what was done stands besid
     const Outcome done = run(folder, "explain s.toml --run");
     CHECK(done.code == 0);
     CHECK(done.out.find("done as planned: yes") != std::string::npos);
+}
+
+// An edge on a knot that nothing proves (scene/on_knot_test.cpp): p is proved, its series is not.
+TEST_CASE("what is not proved carries its mark in every format, and explain --run counts it") {
+    const Folder folder;
+    folder.write("s.toml",
+                 "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
+                 "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]\n[load]\n"
+                 "P = \"(atan(sqrt(8)) - sqrt(8)/9)/2\"\ncontact_modulus = \"1\"\n[ask]\n"
+                 "u = \"0.1\"\nterms = [1]\nedges = [\"right\"]\ndigits = 6\n");
+    for (const char* format : {"csv", "json", "md", "tex"}) {
+        CAPTURE(format);
+        const Outcome o = run(folder, std::string("pressure s.toml --format ") + format);
+        CHECK(o.code == 0);
+        std::string text = o.out;
+        text.erase(std::remove(text.begin(), text.end(), '\\'), text.end()); // TeX's local\_1
+        CHECK(text.find("closed-form (estimate: local_1, rel_1)") != std::string::npos);
+    }
+    const Outcome done = run(folder, "explain s.toml --run");
+    CHECK(done.code == 1);
+    CHECK(done.out.find("done as planned: no") != std::string::npos);
+    CHECK(done.out.find("estimated: 2 values") != std::string::npos);
+    folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\nterms = [1]\n");
+    const Outcome proved = run(folder, "explain s.toml --run");
+    CHECK(proved.code == 0);
+    CHECK(proved.out.find("- bounds: proved: ") != std::string::npos);
+    CHECK(proved.out.find("estimated") == std::string::npos);
+}
+
+TEST_CASE("extent: no first exit in the part is no number") {
+    const Folder folder;
+    folder.write("s.toml", profile + load + "[ask]\nterms = 1\npart = [\"0\", \"1/100\"]\n");
+    const std::string command = "extent s.toml --tolerance 1% --digits 8 --edge right";
+    const Outcome csv = run(folder, command);
+    CHECK(csv.out.find("# no first_exit: ") != std::string::npos);
+    CHECK(rows(csv.out).at(1).rfind("right,1,,,,0.020000000,", 0) == 0);
+    const auto json = nlohmann::json::parse(run(folder, command + " --format json").out);
+    CHECK(json["rows"][0]["first_exit"].is_null());
+    CHECK(json["rows"][0]["first_exit_fraction"].is_null());
 }
 
 TEST_CASE("every command that examples/README.md names runs") {

@@ -199,15 +199,24 @@ TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b 
                                                        "1",
                                                        {exact("0"), exact("3/4")}}),
                     BudgetError);
-    // b = 1 = a by symmetry, which the profile does not say of itself, with a bend at -1.
-    const Profile bent = Profile::piecewise(
-        {exact("-1"), exact("0")}, {parse("2*x + 1", x), parse("((1 + x)^2 - 1 - x^2)/2", x),
-                                    parse("((1 + x)^2 - 1 - x^2)/2", x)});
-    const IntegratedContact on_knot(bent, exact("1"), Load::right_edge(exact("1")), 200);
+    // b = 1 = a since g' = x in the contact, with a bend at -1: exact algebra tells that; c_0 of
+    // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
+    const Expr inside = parse("((1 + x)^2 - 1 - x^2)/2", x);
+    const Profile bent =
+        Profile::piecewise({exact("-1"), exact("0")}, {parse("2*x + 1", x), inside, inside});
+    const IntegratedContact odd(bent, exact("1"), Load::right_edge(exact("1")), 200);
+    CHECK(odd.known(Edge::left).has_value());
+    CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
+    // That sinh is (e^x - e^-x)/2 is none of what it knows.
+    const Profile hidden = Profile::piecewise(
+        {exact("-1"), exact("0")},
+        {parse("sinh(x) + x + 1", x), parse("(exp(x) - exp(-x))/2", x), parse("sinh(x)", x)});
+    const IntegratedContact on_knot(hidden, exact("1"), Load::right_edge(exact("1")), 200);
     CHECK(contains(on_knot.b(), Rational(1)));
+    CHECK(on_knot.edge_may_be_on_knot());
     CHECK_FALSE(on_knot.expansion(Edge::left, 1)[0].is_finite());
     CHECK_THROWS_AS((void)enclosed<IntegratedContact>(
-                        {bent, Load::right_edge(exact("1")), Edge::left, 1, "1/100"}),
+                        {hidden, Load::right_edge(exact("1")), Edge::left, 1, "1/100"}),
                     BudgetError);
 }
 

@@ -3,6 +3,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/precision/error.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace edgeproof::cli {
@@ -51,6 +52,11 @@ int extent(const ExtentOptions& o) {
         "measure: the length of all places where they are not; the fractions are of a + b",
         "crossings: every distance at which the error passes the tolerance; that there are no more "
         "is proved, unless the route says scan: then it is sampled, and the bounds are estimates"};
+    if (std::any_of(result.extents.begin(), result.extents.end(),
+                    [](const ExtentValues& e) { return !e.leaves; })) {
+        table.notes.emplace_back("no first_exit: n terms stay within the tolerance all over the "
+                                 "part of the contact that is looked at");
+    }
     if (scene.ask.process_zone) {
         table.notes.emplace_back("covers_zone: yes where n terms stay within the tolerance all "
                                  "through the process zone");
@@ -69,8 +75,13 @@ int extent(const ExtentOptions& o) {
     for (const ExtentValues& e : result.extents) {
         const auto text = [&](const Vouched& v) { return printed(v, scene.ask.digits).text; };
         std::vector<std::string> row{edge_name(e.edge), std::to_string(e.n)};
-        value.add(row, e.first_exit, false);
-        row.push_back(text(e.first_exit_fraction));
+        if (e.leaves) {
+            value.add(row, e.first_exit, false);
+            row.push_back(text(e.first_exit_fraction));
+        } else {
+            value.add_none(row, false);
+            row.emplace_back();
+        }
         value.add(row, e.measure, false);
         row.push_back(text(e.measure_fraction));
         if (e.covers_zone) {

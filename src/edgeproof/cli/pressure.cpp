@@ -25,6 +25,27 @@ std::vector<Column> columns_of(const Scene& scene, const Plan& plan) {
     return columns;
 }
 
+/// The value that a route column stands behind, with the names of what else its columns hold that
+/// is not proved although the value is.
+Vouched marked(const Vouched& value, const std::string& prefix, const Vouched& x,
+               const std::vector<Approximation>& approximations) {
+    std::string estimates = x.proved ? "" : "x";
+    const auto add = [&](const char* name, const Approximation& a, const Vouched& v) {
+        if (!v.proved) {
+            estimates += (estimates.empty() ? "" : ", ") + prefix + name + std::to_string(a.n);
+        }
+    };
+    for (const Approximation& a : approximations) {
+        add("local_", a, a.local);
+        add("rel_", a, a.relative_error);
+    }
+    Vouched all = value;
+    if (value.proved && !estimates.empty()) {
+        all.route += " (estimate: " + estimates + ")";
+    }
+    return all;
+}
+
 std::vector<std::string> row_of(const Scene& scene, const Plan& plan, const PointRow& point) {
     const ValueColumns value(scene);
     const Digits& digits = scene.ask.digits;
@@ -36,10 +57,10 @@ std::vector<std::string> row_of(const Scene& scene, const Plan& plan, const Poin
             row.push_back(printed(a.relative_error, plan.error_digits()).text);
         }
     };
-    value.add(row, *point.values.p, true);
+    value.add(row, marked(*point.values.p, "", point.values.x, point.values.p_local), true);
     approximations(point.values.p_local);
     if (plan.shear) {
-        value.add(row, *point.values.q, true);
+        value.add(row, marked(*point.values.q, "q_", point.values.x, point.values.q_local), true);
         approximations(point.values.q_local);
     }
     return row;

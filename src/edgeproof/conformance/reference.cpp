@@ -83,6 +83,13 @@ public:
         case Wanted::Kind::M:
             return {contact_values().moment.value(), {}};
         case Wanted::Kind::extent:
+            if (!extent(q).leaves) {
+                throw InputError("there is no first exit: n = " + std::to_string(q.wanted.k) +
+                                     " terms stay within the tolerance all over the contact",
+                                 "ask for measure_" + std::to_string(q.wanted.k) +
+                                     ", or give a smaller tolerance")
+                    .at(questions_.file, q.line);
+            }
             return {extent(q).first_exit, {}};
         case Wanted::Kind::measure:
             return {extent(q).measure, {}};

@@ -2,7 +2,9 @@
 #include "edgeproof/contact/ball_contact.hpp"
 
 #include "edgeproof/contact/ball_marks.hpp"
+#include "edgeproof/contact/exact_edges.hpp"
 #include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -20,13 +22,18 @@ struct ConstantEnvironment {
     }
 };
 
+/// Steps of a search that lead nowhere, before it ends.
+constexpr int most_stalls = 6;
+
 Ball middle(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
 /// A zero of f, which is monotone on the positive axis, by the interval form of Newton's method:
 /// when middle - f(middle)/f'(X) lies inside X, there is exactly one zero in X, and it lies there.
 /// f(x) > 0 is to mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
+/// Without `prove` only the place that the search came to.
 template <class F, class Rate>
-Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what) {
+Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what, bool prove,
+                  bool nested = false) {
     const long bits = start.bits();
     Ball x = middle(start);
     // Walk until a sign change is certain, then Newton on midpoints: none of this proves anything.
@@ -50,8 +57,13 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         x = middle(sqrt(*lo * *hi));
     }
     Ball step(0, bits);
-    const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits - 12))),
+    // A function that is itself solved for is known to fewer bits.
+    const long wanted = nested && !prove ? bits / 2 : bits - 12;
+    const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(wanted))),
                     bits);
+    const Ball noise(
+        Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits / 8 * 3))), bits);
+    int stalls = 0;
     std::optional<Ball> previous;
     for (int k = 0; k < 400; ++k) {
         const Ball value = middle(f(x));
@@ -72,6 +84,11 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
             break;
         }
         const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
+        // Beside a knot f has half the bits, and fewer where it is itself solved for.
+        stalls += (slow || !inside) && certainly_less(abs(step), noise * abs(x)) ? 1 : 0;
+        if (stalls > most_stalls) {
+            break;
+        }
         if ((!inside || slow) && lo && hi) {
             next = middle(sqrt(*lo * *hi));
             previous = std::nullopt;
@@ -82,8 +99,14 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         }
         x = next;
     }
+    if (!prove) {
+        return x;
+    }
     // The proof.
-    Ball radius = abs(step) * 4 + abs(x) * tiny;
+    Ball radius = abs(x) * tiny;
+    if (step.is_finite()) {
+        radius += abs(step) * 4;
+    }
     for (long k = 0; 5 * k < bits; ++k) {
         const Ball candidate = Ball::around(x.midpoint(), radius.upper(), bits);
         const Ball image = x - f(x) / rate(candidate);
@@ -120,24 +143,91 @@ BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, c
                          long bits)
     : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
     if (load.kind == Load::Kind::right_edge) {
-        find_knots_on_edges(load.value);
-        given_a_ = load.value;
+        known_a_ = load.value;
+        find_knots_on_edges();
     }
-    solve(load);
+    solve(contact_modulus, load);
+}
+
+BallContact::BallContact(const Profile& profile, const Exact& contact_modulus,
+                         const ExactEdges& edges, long bits)
+    : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
+    lie_at(edges);
+    fix();
+}
+
+void BallContact::lie_at(const ExactEdges& edges) {
+    known_a_ = edges.a;
+    known_b_ = edges.b;
+    a_ = constant(edges.a.expr());
+    b_ = constant(edges.b.expr());
+    find_knots_on_edges();
 }
 
 BallContact::BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
                          const Load& load, long bits)
     : BallContact(near, enclosed_constant(contact_modulus, bits), bits) {
     tilt_by(alpha);
-    solve(load);
-}
-
-void BallContact::solve(const Load& load) {
     const Ball given = constant(load.value.expr());
     a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
     b_ = solve_left_edge(a_);
     fix();
+}
+
+void BallContact::solve(const Exact& contact_modulus, const Load& load) {
+    const Ball given = constant(load.value.expr());
+    bool isolated = true;
+    try {
+        a_ = known_a_ ? given : solve_right_edge_for_force(given);
+        b_ = solve_left_edge(a_);
+    } catch (const BudgetError&) {
+        isolated = false; // too few bits; or an edge on a corner, where no number of them will do
+    }
+    if (!isolated || edge_may_be_on_knot()) {
+        if (!isolated) {
+            a_ = known_a_ ? given : solve_right_edge_for_force(given, false);
+            b_ = solve_left_edge(a_, false);
+        }
+        if (const auto exact = exact_edges(profile_, contact_modulus, load, a_, b_)) {
+            lie_at(*exact);
+        } else if (!isolated) {
+            throw BudgetError("ball arithmetic at " + std::to_string(bits_) +
+                              " bits does not isolate the edges");
+        }
+    }
+    fix();
+}
+
+/// Of the edges that are solved for.
+bool BallContact::edge_may_be_on_knot() const {
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (!bends(i) || power_law_) {
+            continue;
+        }
+        if ((!known_a_ && overlaps(knots_[i], a_)) ||
+            (!known(Edge::left) && overlaps(-knots_[i], b_))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The knot at which a flat that the minimum is ends.
+std::optional<std::size_t> BallContact::flat_end(Edge edge) const {
+    const bool right = edge == Edge::right;
+    std::optional<std::size_t> end;
+    std::size_t knot = profile_.origin();
+    for (;;) {
+        const auto& slope = profile_.pieces()[right ? knot + 1 : knot].linear;
+        const Rational* at_origin = slope->at_origin.rational();
+        const Rational* rate = slope->rate.rational();
+        if (at_origin == nullptr || rate == nullptr || *at_origin != 0 || *rate != 0 ||
+            knot == (right ? knots_.size() - 1 : 0)) {
+            return end;
+        }
+        knot = right ? knot + 1 : knot - 1;
+        end = knot;
+    }
 }
 
 /// g' of Profile::tilted_wedge and Profile::tilted_flat_and_rounded, alpha > 0 in the latter.
@@ -167,13 +257,7 @@ BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
     read_profile();
 }
 
-bool certainly_zero(const Expr& e) {
-    try {
-        return Exact(e).sign() == 0;
-    } catch (const BudgetError&) {
-        return false;
-    }
-}
+bool certainly_zero(const Expr& e) { return decided_sign(e) == 0; }
 
 bool BallContact::bends(std::size_t knot) const {
     const auto& before = profile_.pieces()[knot].linear;
@@ -181,13 +265,15 @@ bool BallContact::bends(std::size_t knot) const {
     return power_law_ || !(before->rate == after->rate) || !(before->at_origin == after->at_origin);
 }
 
-void BallContact::find_knots_on_edges(const Exact& a) {
+void BallContact::find_knots_on_edges() {
     for (std::size_t i = 0; i < knots_.size(); ++i) {
         const Expr knot = profile_.knots()[i].expr();
-        if (overlaps(knots_[i], constant(a.expr())) && certainly_zero(a.expr() - knot)) {
+        if (known_a_ && overlaps(knots_[i], constant(known_a_->expr())) &&
+            certainly_zero(known_a_->expr() - knot)) {
             on_edge_[i] = Edge::right;
-        } else if (profile_.symmetric() && overlaps(-knots_[i], constant(a.expr())) &&
-                   certainly_zero(a.expr() + knot)) {
+        } else if (const auto& b = known(Edge::left); b &&
+                                                      overlaps(-knots_[i], constant(b->expr())) &&
+                                                      certainly_zero(b->expr() + knot)) {
             on_edge_[i] = Edge::left;
         }
     }
@@ -203,7 +289,8 @@ BallMark BallContact::mark(const Ball& a, const Ball& b, std::size_t knot) const
 
 BallContact BallContact::with_right_edge(const Ball& a) const {
     BallContact other(*this);
-    other.given_a_.reset();
+    other.known_a_.reset();
+    other.known_b_.reset();
     std::fill(other.on_edge_.begin(), other.on_edge_.end(), std::nullopt);
     other.a_ = a;
     other.b_ = other.solve_left_edge(a);
@@ -215,9 +302,8 @@ BallContact BallContact::mirrored() const {
     BallContact m(profile_.reflected(), modulus_, bits_);
     m.a_ = b_;
     m.b_ = a_;
-    if (profile_.symmetric()) {
-        m.given_a_ = given_a_;
-    }
+    m.known_a_ = known(Edge::left);
+    m.known_b_ = known_a_;
     // A tilt that is known by a ball is in these, and not in the profile.
     for (std::size_t i = 0; i < knots_.size(); ++i) {
         m.knots_[i] = -knots_[knots_.size() - 1 - i];
@@ -336,25 +422,42 @@ Ball BallContact::force_rate_of(const Ball& a, const Ball& b, Edge edge) const {
                });
 }
 
-Ball BallContact::solve_left_edge(const Ball& a) const {
+// Where the minimum is a flat, an edge is solved for as its distance from the end of the flat: on
+// the flat itself nothing tells where it would be.
+Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
     if (profile_.symmetric()) {
         return a;
     }
-    return isolate_zero(
-        [&](const Ball& b) { return imbalance(a, b); },
-        [&](const Ball& b) { return -(force_rate_of(a, b, Edge::left) / modulus_ * 2 / (a + b)); },
-        a, "the left edge");
+    const auto right_end = flat_end(Edge::right);
+    const auto left_end = flat_end(Edge::left);
+    const Ball inset = right_end ? a - knots_[*right_end] : a;
+    const Ball start = certainly_positive(inset) ? inset : a;
+    const Ball L = left_end ? -knots_[*left_end] : Ball(0, bits_);
+    return L + isolate_zero([&](const Ball& y) { return imbalance(a, L + y); },
+                            [&](const Ball& y) {
+                                const Ball b = L + y;
+                                return -(force_rate_of(a, b, Edge::left) / modulus_ * 2 / (a + b));
+                            },
+                            start, "the left edge", prove);
 }
 
-Ball BallContact::solve_right_edge_for_force(const Ball& P) const {
+Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
     if (power_law_) {
         return pow(P / power_factor_, 1 / (exponent_ + 1));
     }
+    const auto end = flat_end(Edge::right);
+    const Ball L = end ? knots_[*end] : Ball(0, bits_);
     // Any start will do: the length that the force would indent.
-    return isolate_zero(
-        [&](const Ball& a) { return P - force_of(a, solve_left_edge(a)); },
-        [&](const Ball& a) { return -force_rate_of(a, solve_left_edge(a), Edge::right); },
-        P / modulus_, "the right edge");
+    return L + isolate_zero(
+                   [&](const Ball& z) {
+                       const Ball a = L + z;
+                       return P - force_of(a, solve_left_edge(a, prove));
+                   },
+                   [&](const Ball& z) {
+                       const Ball a = L + z;
+                       return -force_rate_of(a, solve_left_edge(a, prove), Edge::right);
+                   },
+                   P / modulus_, "the right edge", prove, true);
 }
 
 Ball BallContact::force() const {

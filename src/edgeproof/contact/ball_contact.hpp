@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/contact/ball_marks.hpp"
 #include "edgeproof/contact/edge.hpp"
+#include "edgeproof/contact/exact_edges.hpp"
 #include "edgeproof/contact/normal_contact.hpp"
 #include "edgeproof/contact/power_law_integral.hpp"
 #include "edgeproof/contact/proved_pressure.hpp"
@@ -26,6 +27,9 @@ public:
     /// Throws DomainError for a profile without a closed form, or when `bits` are too few to
     /// separate the edges from the knots (ask for more).
     BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
+    /// Where both edges are known (exact_edges.hpp), so that nothing is solved for.
+    BallContact(const Profile& profile, const Exact& contact_modulus, const ExactEdges& edges,
+                long bits);
     /// Of a tilted wedge or punch whose tilt is known by a ball; `near` is one of a tilt in it.
     BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
                 const Load& load, long bits);
@@ -35,6 +39,13 @@ public:
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
+    /// The distance of an edge from the origin, where it is given, or proved by exact algebra
+    /// (exact_edges.hpp).
+    [[nodiscard]] const std::optional<Exact>& known(Edge edge) const {
+        return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
+    }
+    /// Whether an edge that is not known so may lie on a knot, as far as the bits tell.
+    [[nodiscard]] bool edge_may_be_on_knot() const;
     [[nodiscard]] Ball force() const;
     [[nodiscard]] Ball moment() const;
     [[nodiscard]] Ball force_rate() const;      ///< dP/da
@@ -62,9 +73,9 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach.
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    /// c_0 ... c_{terms-1} at an edge, each enclosed. A given edge that lies on a knot exactly is
-    /// expanded from inside the contact. One that may lie on a knot, as far as the bits tell, has
-    /// no enclosed expansion: the coefficients are not finite.
+    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, given
+    /// so or proved, is expanded from inside the contact. One that may lie on a knot, as far as the
+    /// bits tell, has no enclosed expansion: the coefficients are not finite.
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     /// The same contact seen in a mirror, edges and all.
     [[nodiscard]] BallContact mirrored() const;
@@ -77,7 +88,9 @@ private:
     void read_profile();
     void tilt_by(const Ball& alpha);
     void find_jumps();
-    void solve(const Load& load);
+    void solve(const Exact& contact_modulus, const Load& load);
+    void lie_at(const ExactEdges& edges);
+    [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     /// The integral of a kernel over dg' as a power series in z, the edges being a + z and b(z).
     template <class AtKnot, class Between>
@@ -93,7 +106,7 @@ private:
         Ball rate;
     };
     [[nodiscard]] Ball constant(const Expr& e) const;
-    void find_knots_on_edges(const Exact& a);
+    void find_knots_on_edges();
     /// What the pressure has of the contact and not of the point.
     struct Fixed {
         std::vector<BallMark> marks;  ///< of the knots
@@ -115,8 +128,9 @@ private:
     /// False at a knot where g' goes on by one formula (the origin of a parabola).
     [[nodiscard]] bool bends(std::size_t knot) const;
     [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
-    [[nodiscard]] Ball solve_left_edge(const Ball& a) const;
-    [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P) const;
+    /// `prove`: else the zero is the middle of a ball, about right.
+    [[nodiscard]] Ball solve_left_edge(const Ball& a, bool prove = true) const;
+    [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P, bool prove = true) const;
     [[nodiscard]] Ball imbalance(const Ball& a, const Ball& b) const;
     [[nodiscard]] Ball imbalance_rate(const Ball& a, const Ball& b) const;
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
@@ -133,7 +147,8 @@ private:
     std::vector<Ball> jumps_;
     /// Knots that are known to lie on an edge exactly, which no ball tells.
     std::vector<std::optional<Edge>> on_edge_;
-    std::optional<Exact> given_a_;
+    std::optional<Exact> known_a_;
+    std::optional<Exact> known_b_;
     bool power_law_ = false;
     std::optional<PowerLawIntegral> power_law_integral_;
     Ball exponent_;

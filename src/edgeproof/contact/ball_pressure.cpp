@@ -25,11 +25,11 @@ void BallContact::fix() {
         fixed_.outsets.push_back(b_ + knots_[i]);
         std::optional<Rational> inset;
         std::optional<Rational> outset;
-        if (given_a_) {
-            inset = exactly(given_a_->expr() - profile_.knots()[i].expr());
-            if (profile_.symmetric()) {
-                outset = exactly(given_a_->expr() + profile_.knots()[i].expr());
-            }
+        if (known_a_) {
+            inset = exactly(known_a_->expr() - profile_.knots()[i].expr());
+        }
+        if (const auto& b = known(Edge::left)) {
+            outset = exactly(b->expr() + profile_.knots()[i].expr());
         }
         fixed_.exact_insets.push_back(std::move(inset));
         fixed_.exact_outsets.push_back(std::move(outset));
@@ -70,7 +70,7 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
 
 Ball BallContact::pressure(Edge edge, const Exact& u) const {
     Place at = place(edge, constant(u.expr()));
-    if (given_a_ && (edge == Edge::right || profile_.symmetric())) {
+    if (const auto& distance_of_edge = known(edge)) {
         // x is known exactly: so is whether it is on a knot, and how far from it.
         const Rational* distance = u.expr().rational();
         for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -84,7 +84,7 @@ Ball BallContact::pressure(Edge edge, const Exact& u) const {
                                                             : Rational(*exact - *distance);
                 at.offsets[i] = Ball(offset, bits_);
             } else if (contains_zero(at.offsets[i])) {
-                const Expr& a = given_a_->expr();
+                const Expr& a = distance_of_edge->expr();
                 const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
                 const Expr offset = profile_.knots()[i].expr() - x;
                 if (certainly_zero(offset)) {

@@ -13,6 +13,7 @@
 ///   integrated_contact.hpp  the same for curved g', by rigorous integration; with
 ///   rising_slope.hpp     whether g' is proved not to decrease there, which it rests on, and
 ///   pressure_disk.hpp    its Taylor series with Cauchy's bound of what is left out
+///   exact_edges.hpp      edges on a knot, decided by exact algebra
 ///   ball_extent.hpp      how far n terms stay within a tolerance, proved, for either
 ///   ball_shear.hpp       the same q in balls
 ///   forward.hpp          back from a traction to its resultant and its principal value
@@ -22,6 +23,7 @@
 #include "edgeproof/contact/ball_shear.hpp"
 #include "edgeproof/contact/contact_law.hpp"
 #include "edgeproof/contact/edge_expansion.hpp"
+#include "edgeproof/contact/exact_edges.hpp"
 #include "edgeproof/contact/extent.hpp"
 #include "edgeproof/contact/fast_pressure.hpp"
 #include "edgeproof/contact/forward.hpp"

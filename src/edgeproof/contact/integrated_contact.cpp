@@ -52,10 +52,27 @@ void IntegratedContact::find_knots_on_edges() {
         const Expr& knot = profile_.knots()[i].expr();
         if (overlaps(knots_[i], a_) && certainly_zero(a - knot)) {
             on_edge_[i] = Edge::right;
-        } else if (profile_.symmetric() && overlaps(-knots_[i], a_) && certainly_zero(a + knot)) {
+        } else if ((profile_.symmetric() || odd_) && overlaps(-knots_[i], a_) &&
+                   certainly_zero(a + knot)) {
             on_edge_[i] = Edge::left;
         }
     }
+}
+
+std::optional<Exact> IntegratedContact::known(Edge edge) const {
+    const bool known = load_.kind == Load::Kind::right_edge &&
+                       (edge == Edge::right || profile_.symmetric() || odd_);
+    return known ? std::optional(load_.value) : std::nullopt;
+}
+
+bool IntegratedContact::edge_may_be_on_knot() const {
+    for (const Ball& knot : knots_) {
+        if ((!known(Edge::right) && overlaps(knot, a_)) ||
+            (!known(Edge::left) && overlaps(-knot, b_))) {
+            return true;
+        }
+    }
+    return false;
 }
 
 std::vector<ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
@@ -222,8 +239,7 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
         if (certainly_less(knots_[i], x)) {
             piece = i + 1;
         } else if (!certainly_less(x, knots_[i])) {
-            const bool given = load_.kind == Load::Kind::right_edge &&
-                               (edge == Edge::right || profile_.symmetric());
+            const bool given = known(edge).has_value();
             const Expr& a = load_.value.expr();
             const Expr exactly = edge == Edge::right ? a - u.expr() : u.expr() - a;
             if (profile_.has_corner(i) || !given ||

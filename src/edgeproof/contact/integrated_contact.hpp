@@ -35,6 +35,11 @@ public:
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
+    /// The distance of an edge from the origin, where it is given, or where g' is proved to be odd
+    /// in the contact.
+    [[nodiscard]] std::optional<Exact> known(Edge edge) const;
+    /// Whether an edge that is not known so may lie on a knot, as far as the bits tell.
+    [[nodiscard]] bool edge_may_be_on_knot() const;
     [[nodiscard]] Ball force() const { return force_of(a_, b_); }
     [[nodiscard]] Ball moment() const;
     /// p at the distance u from an edge. Not finite on a knot, unless exact numbers tell that u is
@@ -103,6 +108,7 @@ private:
     std::vector<std::optional<Edge>> on_edge_; ///< knots that are known to be an edge exactly
     Ball a_;
     Ball b_;
+    bool odd_ = false; ///< g' is odd in the contact, whatever it is beyond
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/exact_edges.hpp"
 #include "edgeproof/contact/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -94,10 +95,14 @@ void IntegratedContact::enclose_edges(const Exact& contact_modulus) {
     };
     if (load_.kind == Load::Kind::right_edge) {
         const auto b = left_edge_near(a_, near.b);
-        if (!b) {
+        b_ = b ? *b : near.b;
+        if ((!b || edge_may_be_on_knot()) && odd_within(profile_, load_.value.expr())) {
+            odd_ = true;
+            b_ = a_;
+            find_knots_on_edges();
+        } else if (!b) {
             throw too_few();
         }
-        b_ = *b;
         return;
     }
     const Ball P = enclosed_constant(load_.value, bits_);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgeproof {
 namespace {
@@ -17,6 +18,9 @@ namespace {
 constexpr unsigned guard_digits = 20;
 /// A point given exactly is told from a knot down to this many decades below roundoff.
 constexpr unsigned knot_decades = 400;
+
+/// An edge that is solved for and lies so many decades beside a knot is on it, or might as well be.
+constexpr unsigned edge_decades = 300;
 
 /// How many decades x lies below `scale`; 0 where it does not.
 unsigned decades_below(const Real& x, const Real& scale) {
@@ -113,10 +117,19 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
     for (;;) {
         const Solved& s = at(working);
         const PrecisionScope scope(working);
-        const unsigned lost = decades_below(s.smallest_gap(), s.extent.length());
+        // An edge that came out on a knot lies beside it by less than these digits show.
+        const bool on_knot = !edge_taken_on_knot() && solved_edge_on_knot(s);
+        const unsigned lost =
+            on_knot ? working : decades_below(s.smallest_gap(), s.extent.length());
         const unsigned needed = digits_ + guard_digits + 2 * lost;
         if (needed <= working) {
             break;
+        }
+        if (lost >= edge_decades && lost + guard_digits >= working &&
+            take_edges_on_knots(working)) {
+            solved_.clear();
+            working = digits_ + guard_digits;
+            continue;
         }
         working = needed;
         if (lost > 100000) {
@@ -133,6 +146,32 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
     }
 }
 
+bool NormalContact::solved_edge_on_knot(const Solved& s) const {
+    const bool by_force = load_.kind == Load::Kind::force;
+    return (by_force && s.law.right_edge_on_knot(s.extent)) ||
+           ((by_force || !profile_.symmetric()) && s.law.left_edge_on_knot(s.extent));
+}
+
+bool NormalContact::take_edges_on_knots(unsigned working) {
+    const Solved& s = at(working);
+    const PrecisionScope scope(working);
+    const auto& knots = s.law.slope().knots();
+    const auto on = [&](const Real& offset) {
+        return offset == 0 ||
+               decades_below(Real(abs(offset)), s.extent.length()) + guard_digits >= working;
+    };
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        if (load_.kind == Load::Kind::force && on(Real(s.extent.a - knots[i]))) {
+            a_on_knot_ = i;
+        }
+        const bool solved = load_.kind == Load::Kind::force || !profile_.symmetric();
+        if (solved && on(Real(s.extent.b + knots[i]))) {
+            b_on_knot_ = i;
+        }
+    }
+    return edge_taken_on_knot();
+}
+
 NormalContact::~NormalContact() = default;
 NormalContact::NormalContact(NormalContact&&) noexcept = default;
 NormalContact& NormalContact::operator=(NormalContact&&) noexcept = default;
@@ -146,7 +185,7 @@ NormalContact::Solved& NormalContact::at(unsigned working) const {
     auto& slot = solved_[working];
     if (!slot) {
         if (work_ != nullptr) {
-            if (solved_.size() > 1) {
+            if (std::exchange(counted_, true)) {
                 ++work_->raised;
             } else {
                 work_->counts.consistency += profile_.symmetric() ? 0 : 1;
@@ -155,6 +194,13 @@ NormalContact::Solved& NormalContact::at(unsigned working) const {
         }
         const PrecisionScope scope(working);
         slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
+        Solved& s = *slot;
+        if (a_on_knot_) {
+            s.extent.a = s.law.slope().knots()[*a_on_knot_];
+        }
+        if (b_on_knot_) {
+            s.extent.b = -s.law.slope().knots()[*b_on_knot_];
+        }
     }
     return *slot;
 }

@@ -62,6 +62,11 @@ public:
 
     [[nodiscard]] Real a() const;
     [[nodiscard]] Real b() const;
+    /// Whether an edge that is solved for lies within 1e-300 of a knot and as near as the digits
+    /// tell: then it is taken to be on the knot, which nothing proves.
+    [[nodiscard]] bool edge_taken_on_knot() const noexcept {
+        return a_on_knot_.has_value() || b_on_knot_.has_value();
+    }
     [[nodiscard]] Real force() const;  ///< P per unit length
     [[nodiscard]] Real moment() const; ///< M about the origin, per unit length
     /// P'(a), P''(a), ... (k = 1, 2, ...): one-sided, from inside, where an edge is on a knot.
@@ -93,6 +98,10 @@ private:
     [[nodiscard]] RoutedPressure<Real> hypergeometric(Solved& solved, Edge edge, const Real& u,
                                                       unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
+    /// An edge that is not given came out as a knot, to all of its digits.
+    [[nodiscard]] bool solved_edge_on_knot(const Solved& s) const;
+    /// Takes edges that no digits tell from a knot to be on it; false where there is none.
+    bool take_edges_on_knots(unsigned working);
     [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working, Route route) const;
     [[nodiscard]] Route chosen(Route route) const;
     [[nodiscard]] Estimated pressure_at(Edge edge, const Real& u, Route route,
@@ -102,7 +111,10 @@ private:
     Load load_;
     unsigned digits_;
     unsigned base_working_ = 0;
+    std::optional<std::size_t> a_on_knot_; ///< the knot that an edge is taken to be on
+    std::optional<std::size_t> b_on_knot_;
     Work* work_;
+    mutable bool counted_ = false; ///< the first solution, in work_
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 

@@ -214,8 +214,13 @@ Vouched enclosed_value(const Scene& scene, const AskedValue& asked, unsigned dig
     case Kind::left_edge:
         return route->contact().b;
     default:
-        return route->extent(asked.edge, asked.n).first_exit;
+        break;
     }
+    const ExtentValues extent = route->extent(asked.edge, asked.n);
+    if (!extent.leaves) {
+        throw DomainError("there is no first exit: the terms stay within the tolerance");
+    }
+    return extent.first_exit;
 }
 
 } // namespace edgeproof

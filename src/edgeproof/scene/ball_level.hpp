@@ -17,7 +17,9 @@ namespace edgeproof {
 /// A scene's contact at one number of bits: what the route in balls goes up from level to level.
 class BallLevel {
 public:
-    BallLevel(const Scene& scene, const Plan& plan, long bits)
+    /// `edges`: both, where they are known already.
+    BallLevel(const Scene& scene, const Plan& plan, const std::optional<ExactEdges>& edges,
+              long bits)
         : scene_(scene), plan_(plan), bits_(bits) {
         if (scene.punch) {
             tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
@@ -27,6 +29,8 @@ public:
             } else {
                 closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
             }
+        } else if (edges && BallContact::has_closed_form(*scene.profile)) {
+            closed_.emplace(*scene.profile, scene.contact_modulus, *edges, bits);
         } else if (BallContact::has_closed_form(*scene.profile)) {
             closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
         } else {
@@ -40,9 +44,16 @@ public:
     [[nodiscard]] const ProvedPressure& proved_pressure() const {
         return closed_ ? static_cast<const ProvedPressure&>(*closed_) : *curved_;
     }
+    [[nodiscard]] bool edge_may_be_on_knot() const {
+        return closed_ ? closed_->edge_may_be_on_knot() : curved_->edge_may_be_on_knot();
+    }
     /// Where it was solved for.
     [[nodiscard]] const EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }
+    /// Where an edge is, if that is given or proved by exact algebra.
+    [[nodiscard]] std::optional<Exact> known(Edge edge) const {
+        return closed_ ? closed_->known(edge) : curved_->known(edge);
+    }
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
     /// The last one asked for is kept where it has several uses.

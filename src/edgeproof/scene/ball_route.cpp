@@ -36,7 +36,15 @@ public:
             length_ = std::move(length->value);
         }
         if (scene.load.kind == Load::Kind::right_edge) {
-            given_a_ = rational_of(scene.load.value);
+            known_[Edge::right] = rational_of(scene.load.value);
+            if (scene.symmetric()) {
+                known_[Edge::left] = known_[Edge::right];
+            }
+        } else if (length_) {
+            know(Edge::right);
+        }
+        if (length_) {
+            know(Edge::left);
         }
         // No contact at any precision: the routes in Real say why.
         if (!length_) {
@@ -72,12 +80,8 @@ public:
                           [](ExactValues& exact) { return exact.b(); },
                           scene_.symmetric() ? by_load : "consistency",
                           [&](ValueRoute& other) { return other.contact().b; });
-        if (given) {
-            values.a.exactly = rational_of(scene_.load.value);
-            if (scene_.symmetric()) {
-                values.b.exactly = values.a.exactly;
-            }
-        }
+        values.a.exactly = known_[Edge::right];
+        values.b.exactly = known_[Edge::left];
         if (scene_.punch) {
             values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; },
                                    [](ExactValues&) { return ExactNumber::unknown(); }, "tilt",
@@ -117,7 +121,6 @@ public:
         work_.counts.shear_points += q ? 1 : 0;
         count_ratio(together);
         PointValues values;
-        values.x = place(edge, u, from);
         std::optional<PointValues> other;
         const auto instead = [&](ValueRoute& route) -> const PointValues& {
             if (!other) {
@@ -125,6 +128,7 @@ public:
             }
             return *other;
         };
+        values.x = place(edge, u, from, [&](ValueRoute& route) { return instead(route).x; });
         if (p) {
             values.p = narrow([&](BallLevel& level) { return level.p(edge, u); },
                               [&](ExactValues& exact) { return exact.p(edge, exactly(u)); },
@@ -348,6 +352,9 @@ private:
             }
             Ball x = f(*level);
             if (!x.is_finite()) {
+                if (level->edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
+                    break; // no number of bits tells the two apart
+                }
                 continue;
             }
             best = Found{std::move(x)};
@@ -433,31 +440,30 @@ private:
                 {error->value, true, "series", error->exactly}};
     }
     /// x of the point u, which is `from` in a ball.
-    [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from) {
-        const bool known = given_a_ && (edge == Edge::right || scene_.symmetric());
-        const Rational* distance = known ? u.expr().rational() : nullptr;
-        BallLevel* first = distance != nullptr ? at_level(plan_.narrow_bits) : nullptr;
-        Vouched x{{}, true, "given", {}};
-        if (first != nullptr) {
-            x.value = edge == Edge::right ? first->a() - from : from - first->b();
-            x.exactly = edge == Edge::right ? Rational(*given_a_ - *distance)
-                                            : Rational(*distance - *given_a_);
+    template <class Instead>
+    [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from,
+                                const Instead& instead) {
+        const auto& known = known_[edge];
+        const Rational* distance = u.expr().rational();
+        const bool right = edge == Edge::right;
+        if (known && distance != nullptr) {
+            const Rational x = right ? Rational(*known - *distance) : Rational(*distance - *known);
+            // The text of what is known exactly is made of that: a ball of any width will do.
+            const long bits = plan_.digits.binary64 ? std::max(from.bits(), 128L) : from.bits();
+            return {Ball(x, bits), true, "given", x};
         }
-        // The text of what is known exactly is made of that: any ball will do.
-        if (!x.exactly || plan_.digits.binary64) {
-            auto found = settle(
-                [&](BallLevel& level) {
-                    const Ball at = ball_of(u, level.bits());
-                    return edge == Edge::right ? level.a() - at : at - level.b();
-                },
-                [&](ExactValues& exact) { return exact.x(edge, exactly(u)); }, plan_.digits,
-                plan_.narrow_bits);
-            x.value = std::move(found.value().value);
-            if (!x.exactly) {
-                x.exactly = std::move(found->exactly);
-            }
+        return narrow(
+            [&](BallLevel& level) {
+                const Ball at = ball_of(u, level.bits());
+                return right ? level.a() - at : at - level.b();
+            },
+            [&](ExactValues& exact) { return exact.x(edge, exactly(u)); }, "given", instead);
+    }
+    /// Keeps where an edge is, if that is a rational number, and known.
+    void know(Edge edge) {
+        if (const auto exact = at_level(length_->bits())->known(edge)) {
+            known_[edge] = rational_of(*exact);
         }
-        return x;
     }
     void count_expansions(Edge edge, bool p, bool q) {
         const bool together = q && scene_.shear->path == LoadingPath::together;
@@ -483,7 +489,12 @@ private:
         work_.raised += bits > plan_.bits ? 1 : 0;
         auto& slot = levels_[bits];
         try {
-            slot = std::make_unique<BallLevel>(scene_, plan_, bits);
+            slot = std::make_unique<BallLevel>(scene_, plan_, edges_, bits);
+            const auto a = slot->known(Edge::right);
+            const auto b = slot->known(Edge::left);
+            if (a && b && !scene_.symmetric()) {
+                edges_ = ExactEdges{*a, *b};
+            }
         } catch (const BudgetError&) {
         } catch (const DomainError&) {
         }
@@ -503,8 +514,9 @@ private:
     long last_bits_;
     long last_curved_bits_; ///< integrals cost more
     std::map<long, std::unique_ptr<BallLevel>> levels_;
+    std::optional<ExactEdges> edges_; ///< where a level proved them
     std::optional<Ball> length_;
-    std::optional<Rational> given_a_;
+    std::map<Edge, std::optional<Rational>> known_; ///< distances of the edges from the origin
     std::optional<ExactValues> exact_;
     std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;

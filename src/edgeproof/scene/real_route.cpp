@@ -49,7 +49,8 @@ public:
             const Real radius = contact_.convergence_radius(edge);
             Real scale = abs(raw.front());
             for (const Real& x : raw) {
-                c.push_back(estimated(x, Real(std::max(Real(abs(x)), scale) * unit()), "series"));
+                c.push_back(
+                    estimated(x, Real(std::max(Real(abs(x)), scale) * unit()), series_name()));
                 scale /= radius;
             }
         }
@@ -71,6 +72,10 @@ public:
     }
     [[nodiscard]] int shear_half_powers() const {
         return shear_ ? shear_->leading_half_powers() : -1;
+    }
+
+    [[nodiscard]] std::string series_name() const {
+        return contact_.edge_taken_on_knot() ? "series, an edge taken to be on a knot" : "series";
     }
 
     struct Values {
@@ -253,6 +258,7 @@ private:
         const Digits digits = plan_.error_digits();
         const unsigned wanted = digits.count;
         Approximation result{n, {}, {}};
+        std::optional<Real> before; // the radius with fewer digits
         for (unsigned extra = 0;;) {
             Level& level = at_level(extra);
             const Level::Values found = extra == 0 ? at_base : level.at(edge, u, !shear, shear);
@@ -260,17 +266,22 @@ private:
             const Ball local = sum(level, edge, u, n, shear);
             const Ball error = abs(Ball(1 - local / value));
             if (extra == 0) {
-                result.local = {local, false, "series"};
+                result.local = {local, false, level.series_name()};
             }
-            result.relative_error = {error, false, "series"};
-            if (settles(error, digits) || contains_zero(value)) {
+            // More digits that do not help will not.
+            const bool worse = before && !(error.radius() < *before);
+            if (!worse) {
+                result.relative_error = {error, false, level.series_name()};
+            }
+            if (worse || settles(error, digits) || contains_zero(value)) {
                 return result;
             }
+            before = error.radius();
             const Real lost = -log10(error.upper());
             const unsigned needed = lost > 0 ? static_cast<unsigned>(ceil(lost)) + wanted : wanted;
             const unsigned next = needed > plan_.digits.count ? needed - plan_.digits.count : 0;
             // In steps, so that neighbouring points share one solved contact.
-            extra = (std::max(next, extra + 1) + 15) / 16 * 16;
+            extra = (std::max(next, 2 * extra + 1) + 15) / 16 * 16;
             if (extra > most_extra) {
                 return result;
             }

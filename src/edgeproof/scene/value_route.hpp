@@ -36,12 +36,12 @@ struct EdgeValues {
 struct ExtentValues {
     Edge edge = Edge::right;
     std::size_t n = 0;
-    Vouched first_exit;
+    Vouched first_exit; ///< the end of the part looked at where it does not leave the tolerance
     Vouched measure;
     Vouched first_exit_fraction; ///< of a + b
     Vouched measure_fraction;
     std::vector<Vouched> crossings;
-    bool leaves = true;
+    bool leaves = true; ///< there is a first exit in the part looked at
     /// The first exit lies beyond the process zone, where there is one.
     std::optional<bool> covers_zone;
 };

@@ -35,6 +35,7 @@ Exact exact_in(const Claim& claim, std::string_view key, const SceneSpec& scene)
 struct ReachInScene {
     Real value;
     Evidence evidence;
+    bool none = false; ///< no first exit: the value is the end of the part looked at
 };
 
 ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
@@ -53,6 +54,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     const bool first = claim.text("reach") == "first-exit";
     ReachInScene reach;
     reach.value = (first ? extents.first_exit : extents.measure) / base;
+    reach.none = first && !extents.leaves;
     Evidence& e = reach.evidence;
     e.add("at", scene.family + ": " + scene.text())
         .add("value", value_text(reach.value, context.digits()))
@@ -63,6 +65,9 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
         .add("measure_of_base", figure.text(Real(extents.measure / base)))
         .add("first_exit_of_whole_contact", figure.text(Real(extents.first_exit / extents.length)))
         .add("measure_of_whole_contact", figure.text(Real(extents.measure / extents.length)));
+    if (!extents.leaves) {
+        e.add("first_exit", "none: within the tolerance all over the part looked at");
+    }
     // The tolerance under which the quoted figure would be the distance.
     const Real u = Real(figure.value()) * base;
     if (u > 0 && u < extents.length) {
@@ -140,6 +145,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     std::vector<EvidenceItem> scenes;
     const PrecisionScope scope(context.digits() + 20);
     std::optional<Real> at_worst;
+    bool none = false;
     long worst = -1;
     std::optional<SceneSpec> worst_scene;
     for (const SceneSpec& scene : context.scenes(claim)) {
@@ -150,6 +156,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
                 worst = off;
                 worst_scene = scene;
                 at_worst = reach.value;
+                none = reach.none;
                 outcome.verdict = figure.verdict(reach.value);
                 outcome.computed = figure.text(reach.value);
             }
@@ -162,6 +169,14 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     outcome.evidence.add("scenes", std::move(scenes));
     enclose_figure(enclosed_reach(*worst_scene, claim, context), figure,
                    worst_scene->family + ": " + worst_scene->text(), context.digits(), outcome);
+    if (none) {
+        // What is computed is where the part looked at ends: a figure beyond it may stand.
+        outcome.note = "there is no first exit up to " + figure.text(*at_worst) +
+                       ", the end of the part looked at";
+        if (Real(figure.value()) >= *at_worst || outcome.verdict != Verdict::refuted) {
+            outcome.verdict = NotRefuted::undecided;
+        }
+    }
     return outcome;
 }
 

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof;
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::string scene_text(const std::string& profile, const std::string& load) {
+    return "[profile]\n" + profile + "\n[load]\n" + load +
+           "\ncontact_modulus = \"1\"\n[ask]\nedges = [\"right\", \"left\"]\nterms = [1, 2]\n"
+           "tolerance = \"1%\"\ndigits = 20\nu = [\"1e-3\", \"0.1\"]\nquantities = "
+           "[\"pressure\", \"coefficients\", \"extent\", \"contact\"]\n";
+}
+
+const char* const punch = "kind = \"tilted-flat-and-rounded\"\nalpha = \"0.1\"\nt = \"0.5\"\n"
+                          "R = \"2\"";
+const char* const corner = "kind = \"piecewise\"\nknots = [\"-1\", \"1\"]\n"
+                           "slopes = [\"2*x\", \"x\", \"2*x\"]";
+const char* const bend = "kind = \"piecewise\"\nknots = [\"-1\"]\n"
+                         "slopes = [\"x/5 + (x + 1)\", \"x/5\"]";
+const char* const curved = "kind = \"piecewise\"\nknots = [\"-1\"]\n"
+                           "slopes = [\"x/5 + x^3 + (x + 1)^3\", \"x/5 + x^3\"]";
+const char* const leaning = "kind = \"piecewise\"\nknots = [\"-1\", \"0\"]\n"
+                            "slopes = [\"-2/15 + (x + 1)/7\", \"-2/15\", \"1/15\"]";
+const char* const flat = "kind = \"piecewise\"\nknots = [\"-1/2\", \"1\"]\n"
+                         "slopes = [\"x + 1/2\", \"0\", \"x - 1\"]";
+const char* const one_sided = "kind = \"piecewise\"\nknots = [\"0\", \"1\"]\n"
+                              "slopes = [\"x\", \"0\", \"2*(x - 1)\"]";
+
+/// a - u at the right edge, u - b at the left.
+void check_places(const SceneResult& result) {
+    for (const PointRow& row : result.points) {
+        const Ball u(row.u.rational(), 300);
+        const Ball x =
+            row.edge == Edge::right ? result.contact.a.value - u : u - result.contact.b.value;
+        CHECK(overlaps(row.values.x.value, x));
+        CHECK_FALSE(contains_zero(row.values.x.value));
+    }
+}
+
+void check_all_proved(const SceneResult& result) {
+    const auto proved = [](const Vouched& v) {
+        CAPTURE(v.how());
+        CHECK(v.proved);
+    };
+    const ContactValues& contact = result.contact;
+    for (const Vouched* v : {&contact.a, &contact.b, &*contact.force, &*contact.moment}) {
+        proved(*v);
+    }
+    for (const PointRow& row : result.points) {
+        proved(row.values.x);
+        proved(*row.values.p);
+        for (const Approximation& a : row.values.p_local) {
+            proved(a.local);
+            proved(a.relative_error);
+        }
+    }
+    for (const EdgeValues& edge : result.coefficients) {
+        for (const Vouched& c : edge.c) {
+            proved(c);
+        }
+    }
+    for (const ExtentValues& e : result.extents) {
+        proved(e.first_exit);
+        proved(e.measure);
+    }
+}
+
+} // namespace
+
+TEST_CASE("edges on a knot or a corner, flats with the minimum inside: all is proved") {
+    const struct {
+        const char* profile;
+        const char* load;
+    } scenes[] = {
+        {punch, "P = \"pi*0.005\""},     {corner, "a = \"1\""},
+        {corner, "P = \"pi/4\""},        {bend, "a = \"1\""},
+        {bend, "P = \"pi/20\""},         {leaning, "a = \"3\""},
+        {leaning, "P = \"sqrt(3)/10\""}, {flat, "P = \"0.1\""},
+        {flat, "P = \"1e-6\""},          {flat, "a = \"5/4\""},
+        {one_sided, "P = \"0.1\""},      {one_sided, "a = \"3/2\""},
+    };
+    for (const auto& s : scenes) {
+        CAPTURE(s.profile);
+        CAPTURE(s.load);
+        const SceneResult result = run_scene(parsed(scene_text(s.profile, s.load)));
+        check_all_proved(result);
+        check_places(result);
+    }
+}
+
+TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is told exactly") {
+    const SceneResult result =
+        run_scene(parsed("[profile]\n" + std::string(curved) +
+                         "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n[ask]\nedges = [\"left\"]\n"
+                         "terms = 2\ndigits = 10\nu = \"0.1\"\n"));
+    CHECK(result.contact.b.exactly == Rational(1));
+    CHECK(result.points[0].values.p->proved);
+    CHECK(result.points[0].values.p_local[0].local.proved);
+    // In |x| < 1, by hand: x/5 gives sqrt(1 - x^2)/10, x^3 gives (x^2 + 1/2) sqrt(1 - x^2)/2; at
+    // x = -9/10: sqrt(19)/10 (1/10 + 131/200) = 151 sqrt(19)/2000.
+    const Ball p = sqrt(Ball(19, 200)) * 151 / 2000;
+    CHECK(overlaps(result.points[0].values.p->value, p));
+}
+
+TEST_CASE("values on a knot and beside a flat, by hand") {
+    const auto text = [](const Vouched& v) {
+        return printed(v, {20, Rounding::nearest, false}).text;
+    };
+    // Hertz within the arc: R = 2, a = b = 1/5: p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.
+    const SceneResult hertz = run_scene(parsed(scene_text(punch, "P = \"pi*0.005\"")));
+    CHECK(hertz.contact.a.exactly == Rational(1, 5));
+    CHECK(hertz.contact.b.exactly == Rational(1, 5));
+    CHECK(overlaps(hertz.points[1].values.p->value, sqrt(Ball(3, 200)) / 40));
+    for (const EdgeValues& edge : hertz.coefficients) {
+        const Ball c0 = sqrt(Ball(Rational(2, 5), 200)) / 4;
+        CHECK(overlaps(edge.c[0].value, c0));
+        CHECK(overlaps(edge.c[1].value, -c0 * 5 / 4));
+    }
+    // A wedge that leans by a third of its angle: b/a = (1 - sin pi/6)/(1 + sin pi/6) = 1/3
+    // (moore-hills.tex, line 301); at x = 2 G = ln((3 + 1)/(3 - 1)), p = ln 2/(10 pi).
+    const SceneResult wedge = run_scene(parsed("[profile]\n" + std::string(leaning) +
+                                               "\n[load]\na = \"3\"\ncontact_modulus = \"1\"\n"
+                                               "[ask]\nu = \"1\"\ndigits = 20\n"));
+    CHECK(wedge.contact.b.exactly == Rational(1));
+    CHECK(overlaps(wedge.points[0].values.p->value, log(Ball(2, 200)) / (Ball::pi(200) * 10)));
+    // A flat from -1/2 to 1 is symmetric about 1/4: P = (s^2 acos(t/s) - t sqrt(s^2 - t^2))/2 with
+    // t = 3/4, a = 1/4 + s; solved with mpmath at 40 digits, and the pressure at s - 1/10 by
+    // mpmath's quad of G over both arcs.
+    const SceneResult pad = run_scene(parsed(scene_text(flat, "P = \"0.1\"")));
+    CHECK(text(pad.contact.a) == "1.2310977185734183323");
+    CHECK(text(pad.contact.b) == "0.73109771857341833226");
+    CHECK(text(*pad.points[1].values.p) == "0.083404414351848885849");
+    CHECK(text(*pad.points[3].values.p) == "0.083404414351848885849");
+}
+
+// P of flat-and-rounded at a = 1, t = 1/3: (acos(1/3) - sqrt(8)/9)/2; acos(1/3) = atan(sqrt(8)) is
+// not among what the algebra knows, and no number of bits tells a from 1.
+TEST_CASE("an edge on a knot that nothing proves: an estimate, called so, and it ends") {
+    const char* const profile = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
+                                "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]";
+    const SceneResult known =
+        run_scene(parsed(scene_text(profile, "P = \"(acos(1/3) - sqrt(8)/9)/2\"")));
+    CHECK(known.contact.a.exactly == Rational(1));
+    check_all_proved(known);
+    const SceneResult result =
+        run_scene(parsed(scene_text(profile, "P = \"(atan(sqrt(8)) - sqrt(8)/9)/2\"")));
+    CHECK(result.contact.a.proved);
+    CHECK_FALSE(result.contact.a.exactly.has_value());
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK_FALSE(result.coefficients[i].c[1].proved);
+        CHECK(result.coefficients[i].c[1].how() ==
+              "series, an edge taken to be on a knot (estimate)");
+        for (std::size_t k = 0; k < 2; ++k) {
+            CHECK(overlaps(result.coefficients[i].c[k].value, known.coefficients[i].c[k].value));
+        }
+    }
+}
+
+TEST_CASE("no first exit in the part: said so") {
+    const Scene scene = parsed(hertz(
+        "1",
+        "terms = 1\ntolerance = \"1%\"\npart = [\"0\", \"1/100\"]\nquantities = [\"extent\"]\n"));
+    // 1 - u/4 ... differs by 1 % at u = 402/10201 (2 (1 - 1.01^-2)), beyond 2/100.
+    const SceneResult result = run_scene(scene);
+    CHECK_FALSE(result.extents[0].leaves);
+    CHECK(result.extents[0].crossings.empty());
+}

@@ -206,17 +206,14 @@ TEST_CASE("slopes of every kind: enclosures hold the values of mpmath, and are n
 
 TEST_CASE("a slope that falls beyond the contact: a load that reaches there is refused") {
     const auto refuse = [](const char* slope, const Load& load) {
-        const Expr g = parse(slope, Symbols{"x"});
-        for (const Profile& profile :
-             {Profile::piecewise({}, {g}), Profile::piecewise_symmetric({}, {g})}) {
-            try {
-                (void)NormalContact(profile, exact("1"), load, 20);
-                FAIL("accepted: ", slope);
-            } catch (const InputError& e) {
-                CHECK_MESSAGE(std::string(e.what()).find("is not seen to rise beyond x = ") !=
-                                  std::string::npos,
-                              e.what());
-            }
+        const Profile profile = Profile::piecewise({}, {parse(slope, Symbols{"x"})});
+        try {
+            (void)NormalContact(profile, exact("1"), load, 20);
+            FAIL("accepted: ", slope);
+        } catch (const InputError& e) {
+            CHECK_MESSAGE(std::string(e.what()).find("is not seen to rise beyond x = ") !=
+                              std::string::npos,
+                          e.what());
         }
     };
     // The ends of the rise by hand: pi/2, pi/2 (a pole), sqrt(10/3), 1 (the end of the domain).

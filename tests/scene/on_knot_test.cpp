@@ -15,8 +15,9 @@ std::string scene_text(const std::string& profile, const std::string& load) {
            "[\"pressure\", \"coefficients\", \"extent\", \"contact\"]\n";
 }
 
-const char* const punch = "kind = \"tilted-flat-and-rounded\"\nalpha = \"0.1\"\nt = \"0.5\"\n"
-                          "R = \"2\"";
+const char* const rounded_punch =
+    "kind = \"tilted-flat-and-rounded\"\nalpha = \"0.1\"\nt = \"0.5\"\n"
+    "R = \"2\"";
 const char* const corner = "kind = \"piecewise\"\nknots = [\"-1\", \"1\"]\n"
                            "slopes = [\"2*x\", \"x\", \"2*x\"]";
 const char* const bend = "kind = \"piecewise\"\nknots = [\"-1\"]\n"
@@ -76,12 +77,18 @@ TEST_CASE("edges on a knot or a corner, flats with the minimum inside: all is pr
         const char* profile;
         const char* load;
     } scenes[] = {
-        {punch, "P = \"pi*0.005\""},     {corner, "a = \"1\""},
-        {corner, "P = \"pi/4\""},        {bend, "a = \"1\""},
-        {bend, "P = \"pi/20\""},         {leaning, "a = \"3\""},
-        {leaning, "P = \"sqrt(3)/10\""}, {flat, "P = \"0.1\""},
-        {flat, "P = \"1e-6\""},          {flat, "a = \"5/4\""},
-        {one_sided, "P = \"0.1\""},      {one_sided, "a = \"3/2\""},
+        {rounded_punch, "P = \"pi*0.005\""},
+        {corner, "a = \"1\""},
+        {corner, "P = \"pi/4\""},
+        {bend, "a = \"1\""},
+        {bend, "P = \"pi/20\""},
+        {leaning, "a = \"3\""},
+        {leaning, "P = \"sqrt(3)/10\""},
+        {flat, "P = \"0.1\""},
+        {flat, "P = \"1e-6\""},
+        {flat, "a = \"5/4\""},
+        {one_sided, "P = \"0.1\""},
+        {one_sided, "a = \"3/2\""},
     };
     for (const auto& s : scenes) {
         CAPTURE(s.profile);
@@ -111,7 +118,7 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
         return printed(v, {20, Rounding::nearest, false}).text;
     };
     // Hertz within the arc: R = 2, a = b = 1/5: p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.
-    const SceneResult hertz = run_scene(parsed(scene_text(punch, "P = \"pi*0.005\"")));
+    const SceneResult hertz = run_scene(parsed(scene_text(rounded_punch, "P = \"pi*0.005\"")));
     CHECK(hertz.contact.a.exactly == Rational(1, 5));
     CHECK(hertz.contact.b.exactly == Rational(1, 5));
     CHECK(overlaps(hertz.points[1].values.p->value, sqrt(Ball(3, 200)) / 40));

@@ -22,18 +22,21 @@ struct ConstantEnvironment {
     }
 };
 
-/// Steps of a search that lead nowhere, before it ends.
-constexpr int most_stalls = 6;
+/// How a zero is searched for.
+struct Search {
+    bool prove = true;     ///< without, only the place that the search came to
+    bool nested = false;   ///< the function is itself solved for: known to fewer bits
+    int most_stalls = 400; ///< steps that lead nowhere, before the search ends
+};
 
 Ball middle(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
 /// A zero of f, which is monotone on the positive axis, by the interval form of Newton's method:
 /// when middle - f(middle)/f'(X) lies inside X, there is exactly one zero in X, and it lies there.
 /// f(x) > 0 is to mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
-/// Without `prove` only the place that the search came to.
 template <class F, class Rate>
-Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what, bool prove,
-                  bool nested = false) {
+Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
+                  const Search& search) {
     const long bits = start.bits();
     Ball x = middle(start);
     // Walk until a sign change is certain, then Newton on midpoints: none of this proves anything.
@@ -57,8 +60,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         x = middle(sqrt(*lo * *hi));
     }
     Ball step(0, bits);
-    // A function that is itself solved for is known to fewer bits.
-    const long wanted = nested && !prove ? bits / 2 : bits - 12;
+    const long wanted = search.nested && !search.prove ? bits / 2 : bits - 12;
     const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(wanted))),
                     bits);
     const Ball noise(
@@ -86,7 +88,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
         // Beside a knot f has half the bits, and fewer where it is itself solved for.
         stalls += (slow || !inside) && certainly_less(abs(step), noise * abs(x)) ? 1 : 0;
-        if (stalls > most_stalls) {
+        if (stalls > search.most_stalls) {
             break;
         }
         if ((!inside || slow) && lo && hi) {
@@ -99,7 +101,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         }
         x = next;
     }
-    if (!prove) {
+    if (!search.prove) {
         return x;
     }
     // The proof.
@@ -422,23 +424,36 @@ Ball BallContact::force_rate_of(const Ball& a, const Ball& b, Edge edge) const {
                });
 }
 
-// Where the minimum is a flat, an edge is solved for as its distance from the end of the flat: on
-// the flat itself nothing tells where it would be.
 Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
     if (profile_.symmetric()) {
         return a;
     }
-    const auto right_end = flat_end(Edge::right);
+    const Ball origin(0, bits_);
     const auto left_end = flat_end(Edge::left);
+    if (left_end && known_a_ && prove) {
+        try {
+            return left_edge_from(origin, a, a, prove);
+        } catch (const BudgetError&) {
+            // As its distance from the end of the flat, below.
+        }
+    }
+    const auto right_end = flat_end(Edge::right);
     const Ball inset = right_end ? a - knots_[*right_end] : a;
-    const Ball start = certainly_positive(inset) ? inset : a;
-    const Ball L = left_end ? -knots_[*left_end] : Ball(0, bits_);
-    return L + isolate_zero([&](const Ball& y) { return imbalance(a, L + y); },
-                            [&](const Ball& y) {
-                                const Ball b = L + y;
-                                return -(force_rate_of(a, b, Edge::left) / modulus_ * 2 / (a + b));
-                            },
-                            start, "the left edge", prove);
+    return left_edge_from(left_end ? -knots_[*left_end] : origin,
+                          certainly_positive(inset) ? inset : a, a, prove);
+}
+
+// Where the minimum is a flat, an edge is solved for as its distance from the end of the flat: on
+// the flat itself nothing tells where it would be.
+Ball BallContact::left_edge_from(const Ball& end, const Ball& start, const Ball& a,
+                                 bool prove) const {
+    return end + isolate_zero(
+                     [&](const Ball& y) { return imbalance(a, end + y); },
+                     [&](const Ball& y) {
+                         const Ball b = end + y;
+                         return -(force_rate_of(a, b, Edge::left) / modulus_ * 2 / (a + b));
+                     },
+                     start, "the left edge", {.prove = prove, .most_stalls = known_a_ ? 400 : 40});
 }
 
 Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
@@ -457,7 +472,8 @@ Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
                        const Ball a = L + z;
                        return -force_rate_of(a, solve_left_edge(a, prove), Edge::right);
                    },
-                   P / modulus_, "the right edge", prove, true);
+                   P / modulus_, "the right edge",
+                   {.prove = prove, .nested = true, .most_stalls = 40});
 }
 
 Ball BallContact::force() const {

@@ -130,6 +130,9 @@ private:
     [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
     /// `prove`: else the zero is the middle of a ball, about right.
     [[nodiscard]] Ball solve_left_edge(const Ball& a, bool prove = true) const;
+    /// The left edge to a given right one, solved for as its distance from `end`.
+    [[nodiscard]] Ball left_edge_from(const Ball& end, const Ball& start, const Ball& a,
+                                      bool prove) const;
     [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P, bool prove = true) const;
     [[nodiscard]] Ball imbalance(const Ball& a, const Ball& b) const;
     [[nodiscard]] Ball imbalance_rate(const Ball& a, const Ball& b) const;

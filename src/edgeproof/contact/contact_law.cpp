@@ -147,15 +147,19 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
         // of its square elsewhere: below roundoff once the step is below the power 2/3 of that.
         const T enough = cbrt(unit_roundoff<T>() * unit_roundoff<T>()) / T(1 << 10);
         T x = start;
-        for (int k2 = 0; k2 < 40; ++k2) {
-            const T step = edge_step(known, x, solve_left).step;
-            if (!(abs(step) < x / T(2))) {
-                break;
+        try {
+            for (int k2 = 0; k2 < 40; ++k2) {
+                const T step = edge_step(known, x, solve_left).step;
+                if (!(abs(step) < x / T(2))) {
+                    break;
+                }
+                x += step;
+                if (abs(step) <= enough * x) {
+                    return x;
+                }
             }
-            x += step;
-            if (abs(step) <= enough * x) {
-                return x;
-            }
+        } catch (const BudgetError&) {
+            // A step led to where there is no value; the search looks on the other side.
         }
     }
     return search_edge(known, start, solve_left);

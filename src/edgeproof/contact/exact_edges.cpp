@@ -114,7 +114,7 @@ private:
 };
 
 /// The number that the middle of x is.
-Rational middle_of(const Ball& x) {
+Rational rational_middle(const Ball& x) {
     const Real m = x.midpoint();
     Rational q;
     mpfr_get_q(q.backend().data(), m.backend().data());
@@ -152,7 +152,7 @@ std::optional<Rational> simple_rational(const Rational& q, long bits) {
 /// What exact numbers an edge may be: a knot, a simple number or the root of one, and it times pi.
 std::vector<Expr> candidates(const Ball& near, const std::vector<Expr>& knots, long bits) {
     std::vector<Expr> found;
-    const Rational at = middle_of(near);
+    const Rational at = rational_middle(near);
     const Rational slack =
         abs(at) / Rational(Integer(1) << static_cast<unsigned>(std::max(8L, bits / 4)));
     for (const Expr& knot : knots) {
@@ -164,7 +164,7 @@ std::vector<Expr> candidates(const Ball& near, const std::vector<Expr>& knots, l
     if (const auto q = simple_rational(at, bits)) {
         found.push_back(Expr::number(*q));
     }
-    if (const auto q = simple_rational(middle_of(near / Ball::pi(bits)), bits)) {
+    if (const auto q = simple_rational(rational_middle(near / Ball::pi(bits)), bits)) {
         found.push_back(Expr::number(*q) * Expr::pi());
     }
     if (const auto q = simple_rational(at * at, bits)) {

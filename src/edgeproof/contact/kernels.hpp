@@ -101,7 +101,11 @@ template <class U, class T> struct RightBalanceKernel { // consistency, right of
     }
 };
 template <class U, class T> struct LeftBalanceKernel { // consistency, left of it: pi - h
-    static U at(const Extent<U>&, const Mark<U>& m) { return pi<T>() - m.h; }
+    /// As 2 atan sqrt((v + b)/(a - v)): by the left edge pi - h would cancel, and the integral over
+    /// a piece that is all there would have no digits.
+    static U at(const Extent<U>& e, const Mark<U>& m) {
+        return arc_tangent(U(m.w / U(e.length() / T(2) - m.y))) * T(2);
+    }
     static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
         return n.y * (pi<T>() - n.h) - m.y * (pi<T>() - m.h) + n.w - m.w;
     }

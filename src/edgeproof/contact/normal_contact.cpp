@@ -21,6 +21,7 @@ constexpr unsigned knot_decades = 400;
 
 /// An edge that is solved for and lies so many decades beside a knot is on it, or might as well be.
 constexpr unsigned edge_decades = 300;
+constexpr unsigned curved_edge_decades = 60; ///< where each look takes quadratures
 
 /// How many decades x lies below `scale`; 0 where it does not.
 unsigned decades_below(const Real& x, const Real& scale) {
@@ -125,8 +126,8 @@ NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, 
         if (needed <= working) {
             break;
         }
-        if (lost >= edge_decades && lost + guard_digits >= working &&
-            take_edges_on_knots(working)) {
+        const unsigned enough = profile_.piecewise_linear() ? edge_decades : curved_edge_decades;
+        if (lost >= enough && lost + guard_digits >= working && take_edges_on_knots(working)) {
             solved_.clear();
             working = digits_ + guard_digits;
             continue;

@@ -62,8 +62,8 @@ public:
 
     [[nodiscard]] Real a() const;
     [[nodiscard]] Real b() const;
-    /// Whether an edge that is solved for lies within 1e-300 of a knot and as near as the digits
-    /// tell: then it is taken to be on the knot, which nothing proves.
+    /// Whether an edge that is solved for lies within 1e-300 of a knot (1e-60 where g' is curved)
+    /// and as near as the digits tell: then it is taken to be on the knot, which nothing proves.
     [[nodiscard]] bool edge_taken_on_knot() const noexcept {
         return a_on_knot_.has_value() || b_on_knot_.has_value();
     }

@@ -214,7 +214,6 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
     Profile p = assemble(Kind::piecewise, all, both);
     p.symmetric_ = true;
     p.corner_ = checked_corners(p);
-    p.continue_outer_pieces();
     return p;
 }
 

@@ -25,7 +25,7 @@ constexpr long bits_of_finiteness = 256;
 /// Thrown where the algebra here ends: no proof is found.
 struct NoNormalForm {};
 
-struct Fraction {
+struct Ratio {
     Polynomial over;
     Polynomial under;
 };
@@ -33,7 +33,7 @@ struct Fraction {
 Polynomial constant_polynomial(const Rational& q) {
     return q == 0 ? Polynomial{} : Polynomial{{{}, q}};
 }
-Fraction fraction_of(const Rational& q) {
+Ratio fraction_of(const Rational& q) {
     return {constant_polynomial(q), constant_polynomial(Rational(1))};
 }
 
@@ -66,7 +66,7 @@ std::optional<Rational> constant_ratio(const Polynomial& x, const Polynomial& y)
 
 class NormalForm {
 public:
-    [[nodiscard]] Fraction of(const Expr& e);
+    [[nodiscard]] Ratio of(const Expr& e);
 
 private:
     struct Variable {
@@ -81,31 +81,31 @@ private:
         }
         return at->second;
     }
-    [[nodiscard]] static Fraction alone(std::size_t variable) {
+    [[nodiscard]] static Ratio alone(std::size_t variable) {
         return {{{{{variable, 1}}, Rational(1)}}, constant_polynomial(Rational(1))};
     }
     [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y) const;
-    [[nodiscard]] Fraction reduced(Fraction f) const;
-    [[nodiscard]] Fraction sum(const Fraction& x, const Fraction& y, int sign) const;
-    [[nodiscard]] Fraction product(const Fraction& x, const Fraction& y) const {
+    [[nodiscard]] Ratio reduced(Ratio f) const;
+    [[nodiscard]] Ratio sum(const Ratio& x, const Ratio& y, int sign) const;
+    [[nodiscard]] Ratio product(const Ratio& x, const Ratio& y) const {
         return reduced({product(x.over, y.over), product(x.under, y.under)});
     }
-    [[nodiscard]] static Fraction inverse(const Fraction& x) {
+    [[nodiscard]] static Ratio inverse(const Ratio& x) {
         if (x.over.empty()) {
             throw NoNormalForm{};
         }
         return {x.under, x.over};
     }
-    [[nodiscard]] Fraction whole_power(const Fraction& x, long k) const;
-    [[nodiscard]] Fraction root_of_rational(const Rational& q);
-    [[nodiscard]] Fraction root(const Fraction& x);
-    [[nodiscard]] Fraction arc_cosine(const Fraction& x);
-    [[nodiscard]] Fraction call(const Expr& e);
+    [[nodiscard]] Ratio whole_power(const Ratio& x, long k) const;
+    [[nodiscard]] Ratio root_of_rational(const Rational& q);
+    [[nodiscard]] Ratio root(const Ratio& x);
+    [[nodiscard]] Ratio arc_cosine(const Ratio& x);
+    [[nodiscard]] Ratio call(const Expr& e);
     [[nodiscard]] static std::string text(const Polynomial& p);
-    [[nodiscard]] static std::string text(const Fraction& f) {
+    [[nodiscard]] static std::string text(const Ratio& f) {
         return text(f.over) + "/" + text(f.under);
     }
-    [[nodiscard]] Fraction pi() { return alone(variable("pi", true)); }
+    [[nodiscard]] Ratio pi() { return alone(variable("pi", true)); }
 
     std::map<std::string, std::size_t> numbers_;
     std::vector<Variable> variables_;
@@ -160,7 +160,7 @@ Polynomial NormalForm::product(const Polynomial& x, const Polynomial& y) const {
 }
 
 /// A constant ratio becomes a number, and powers that all terms share are taken out.
-Fraction NormalForm::reduced(Fraction f) const {
+Ratio NormalForm::reduced(Ratio f) const {
     if (const auto q = constant_ratio(f.over, f.under)) {
         return fraction_of(*q);
     }
@@ -196,7 +196,7 @@ Fraction NormalForm::reduced(Fraction f) const {
     return f;
 }
 
-Fraction NormalForm::sum(const Fraction& x, const Fraction& y, int sign) const {
+Ratio NormalForm::sum(const Ratio& x, const Ratio& y, int sign) const {
     if (x.under == y.under) {
         return reduced({sum_of(x.over, y.over, Rational(sign)), x.under});
     }
@@ -204,14 +204,14 @@ Fraction NormalForm::sum(const Fraction& x, const Fraction& y, int sign) const {
                     product(x.under, y.under)});
 }
 
-Fraction NormalForm::whole_power(const Fraction& x, long k) const {
+Ratio NormalForm::whole_power(const Ratio& x, long k) const {
     if (k < 0) {
         return whole_power(inverse(x), -k);
     }
     if (k > most_power) {
         throw NoNormalForm{};
     }
-    Fraction y = fraction_of(Rational(1));
+    Ratio y = fraction_of(Rational(1));
     for (long i = 0; i < k; ++i) {
         y = product(y, x);
     }
@@ -219,7 +219,7 @@ Fraction NormalForm::whole_power(const Fraction& x, long k) const {
 }
 
 /// Of n/d = n d/d^2: roots of primes, and of what no small number divides.
-Fraction NormalForm::root_of_rational(const Rational& q) {
+Ratio NormalForm::root_of_rational(const Rational& q) {
     if (q < 0) {
         throw NoNormalForm{};
     }
@@ -228,7 +228,7 @@ Fraction NormalForm::root_of_rational(const Rational& q) {
     }
     Integer rest = numerator(q) * denominator(q);
     Integer outside = 1;
-    Fraction y = fraction_of(Rational(1));
+    Ratio y = fraction_of(Rational(1));
     const auto with_root = [&](const Integer& p) {
         y = product(y, alone(variable("sqrt " + p.str(), true, constant_polynomial(Rational(p)))));
     };
@@ -251,20 +251,20 @@ Fraction NormalForm::root_of_rational(const Rational& q) {
     return product(y, fraction_of(Rational(outside, denominator(q))));
 }
 
-Fraction NormalForm::root(const Fraction& x) {
+Ratio NormalForm::root(const Ratio& x) {
     if (x.over.empty()) {
         return x;
     }
-    const Fraction f = reduced(x);
+    const Ratio f = reduced(x);
     const auto monomial = [](const Polynomial& p) { return p.size() == 1; };
     if (monomial(f.over) && monomial(f.under)) {
         // Of a product: what is positive comes out in pairs.
         Rational number = f.over.begin()->second / f.under.begin()->second;
-        Fraction outside = fraction_of(Rational(1));
-        Fraction inside = outside;
+        Ratio outside = fraction_of(Rational(1));
+        Ratio inside = outside;
         for (const Polynomial* p : {&f.over, &f.under}) {
             for (const auto& [v, k] : p->begin()->first) {
-                const Fraction factor = p == &f.over ? alone(v) : inverse(alone(v));
+                const Ratio factor = p == &f.over ? alone(v) : inverse(alone(v));
                 if (!variables_[v].positive) {
                     inside = product(inside, whole_power(factor, k));
                     continue;
@@ -283,8 +283,8 @@ Fraction NormalForm::root(const Fraction& x) {
     return alone(variable("root " + text(f), true, whole ? std::optional(f.over) : std::nullopt));
 }
 
-Fraction NormalForm::arc_cosine(const Fraction& x) {
-    const Fraction f = reduced(x);
+Ratio NormalForm::arc_cosine(const Ratio& x) {
+    const Ratio f = reduced(x);
     const bool negative = !f.over.empty() && f.over.begin()->second < 0;
     if (negative) {
         return sum(pi(), arc_cosine(product(f, fraction_of(Rational(-1)))), -1);
@@ -296,7 +296,7 @@ Fraction NormalForm::arc_cosine(const Fraction& x) {
                                                        : Rational(1, 3)));
         }
     }
-    const Fraction squared = product(f, f);
+    const Ratio squared = product(f, f);
     const auto square = constant_ratio(squared.over, squared.under);
     if (square == Rational(1, 2) || square == Rational(3, 4)) {
         return product(pi(), fraction_of(Rational(1, square == Rational(1, 2) ? 4 : 6)));
@@ -304,8 +304,8 @@ Fraction NormalForm::arc_cosine(const Fraction& x) {
     return alone(variable("acos " + text(f), true));
 }
 
-Fraction NormalForm::call(const Expr& e) {
-    std::vector<Fraction> args;
+Ratio NormalForm::call(const Expr& e) {
+    std::vector<Ratio> args;
     for (const Expr& arg : e.args()) {
         args.push_back(of(arg));
     }
@@ -316,13 +316,13 @@ Fraction NormalForm::call(const Expr& e) {
         return arc_cosine(args[0]);
     }
     std::string name = "call " + e.name();
-    for (const Fraction& arg : args) {
+    for (const Ratio& arg : args) {
         name += " " + text(arg);
     }
     return alone(variable(name, false));
 }
 
-Fraction NormalForm::of(const Expr& e) {
+Ratio NormalForm::of(const Expr& e) {
     if (const Rational* q = e.rational()) {
         return fraction_of(*q);
     }

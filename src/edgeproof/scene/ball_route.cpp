@@ -80,8 +80,12 @@ public:
                           [](ExactValues& exact) { return exact.b(); },
                           scene_.symmetric() ? by_load : "consistency",
                           [&](ValueRoute& other) { return other.contact().b; });
-        values.a.exactly = known_[Edge::right];
-        values.b.exactly = known_[Edge::left];
+        if (known_[Edge::right]) {
+            values.a.exactly = known_[Edge::right];
+        }
+        if (known_[Edge::left]) {
+            values.b.exactly = known_[Edge::left];
+        }
         if (scene_.punch) {
             values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; },
                                    [](ExactValues&) { return ExactNumber::unknown(); }, "tilt",

@@ -19,7 +19,7 @@ function(edgeproof_own_flags target)
         if(target STREQUAL "edgeproof_precision")
             target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
         elseif(target STREQUAL "edgeproof_cli")
-            # CLI11 is all header, and every source of the room includes it.
+            # CLI11 is all header, and every source of the module includes it.
             target_precompile_headers(${target} PRIVATE
                 ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp <CLI/CLI.hpp>)
         else()
@@ -32,20 +32,30 @@ function(edgeproof_own_flags target)
     endif()
 endfunction()
 
-# edgeproof_add_room(<room> [DEPENDS <rooms below>] [LIBS <in its headers>]
+# edgeproof_add_module(<module> [DEPENDS <modules below>] [LIBS <in its headers>]
 #                    [PRIVATE_LIBS <in its sources only>])
-# The static library edgeproof_<room>, alias edgeproof::<room>, of src/edgeproof/<room>/*.cpp.
-# A room of headers alone is an interface library.
-function(edgeproof_add_room room)
+# The static library edgeproof_<module>, alias edgeproof::<module>, of src/edgeproof/<module>/*.cpp.
+# A module of headers alone is an interface library.
+function(edgeproof_add_module module)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBS;PRIVATE_LIBS")
-    set(target edgeproof_${room})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/edgeproof/${room}/*.cpp)
+    set(target edgeproof_${module})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/edgeproof/${module}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
     list(TRANSFORM arg_DEPENDS PREPEND edgeproof::)
     if(sources)
         set(usage PUBLIC)
         add_library(${target} STATIC ${sources})
         edgeproof_own_flags(${target})
+        if(EDGEPROOF_UNITY)
+            # Folder by folder, so that local names are apart in different folders.
+            foreach(source IN LISTS sources)
+                cmake_path(GET source PARENT_PATH folder)
+                cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src/edgeproof)
+                string(MAKE_C_IDENTIFIER "${folder}" folder)
+                set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+            endforeach()
+            set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+        endif()
         target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
     else()
         set(usage INTERFACE)
@@ -56,7 +66,8 @@ function(edgeproof_add_room room)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_libraries(${target} ${usage} ${arg_DEPENDS} ${arg_LIBS})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
-    add_library(edgeproof::${room} ALIAS ${target})
+    add_dependencies(${target} include_order)
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${module})
+    add_library(edgeproof::${module} ALIAS ${target})
     install(TARGETS ${target} EXPORT edgeproof)
 endfunction()

@@ -6,7 +6,8 @@
 function(edgeproof_embed_files target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAMESPACE;HEADER" "FILES")
     list(TRANSFORM arg_FILES PREPEND ${PROJECT_SOURCE_DIR}/)
-    set(output ${PROJECT_BINARY_DIR}/embedded/${arg_NAMESPACE}.cpp)
+    string(MAKE_C_IDENTIFIER "${arg_NAMESPACE}" name)
+    set(output ${PROJECT_BINARY_DIR}/embedded/${name}.cpp)
     set(script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D NAMESPACE=${arg_NAMESPACE}

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

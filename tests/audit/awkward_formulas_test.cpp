@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "small_ledger.hpp"
+#include "tests/audit/small_ledger.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 #include <random>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/setting.hpp"
+#include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <string>
 
 namespace edgeproof {
 
-/// A formula with the names and functions of a setting, as a ledger has them.
+/// A formula with the names and functions of a evaluated scene, as a ledger has them.
 inline Expr contact_formula(const std::string& text) {
     Symbols symbols;
-    for (const std::string& name : setting_symbols()) {
+    for (const std::string& name : scene_symbols()) {
         symbols.add(name);
     }
     for (const char* name : {"Q", "sig0", "s"}) {
         symbols.add(name);
     }
-    for (const auto& [name, arity] : setting_functions()) {
+    for (const auto& [name, arity] : scene_functions()) {
         symbols.add_function(name, arity);
     }
     return parse(text, symbols);

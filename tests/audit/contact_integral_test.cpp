@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact_formula.hpp"
-#include "edgeproof/audit/enclosed_sample.hpp"
-#include "edgeproof/audit/ledger.hpp"
-#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
+#include "tests/audit/contact_formula.hpp"
+#include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
@@ -13,8 +14,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 
@@ -196,12 +195,12 @@ TEST_CASE("the integrals of the paper's ledger have balls that overlap, printed 
             }
             ++found;
             CAPTURE(claim.id);
-            const Spots spots(claim, context, aimed_digits, 3);
-            CHECK(spots.all().size() >= 1);
+            const EvaluatedSamples samples_at(claim, context, aimed_digits, 3);
+            CHECK(samples_at.all().size() >= 1);
             const Expr exact = claim.formula("of");
-            for (const Spot& spot : spots.all()) {
-                CAPTURE(spot.text);
-                CHECK(fault_between(EnclosedSample(spot.sample, 2 * bits_for(50), 42),
+            for (const EvaluatedSample& sample_at : samples_at.all()) {
+                CAPTURE(sample_at.text);
+                CHECK(fault_between(EnclosedSample(sample_at.sample, 2 * bits_for(50), 42),
                                     claim.formula("says"), exact,
                                     claim.has("scale") ? claim.formula("scale") : exact) == "");
             }

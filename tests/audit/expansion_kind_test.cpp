@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/audit.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
-
-using namespace edgeproof;
 
 namespace {
 

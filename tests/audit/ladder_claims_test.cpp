@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
-#include "small_ledger.hpp"
+#include "tests/audit/small_ledger.hpp"
 
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::small_ledger;
 
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/audit.hpp"
+#include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
@@ -10,8 +11,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
-#include "small_ledger.hpp"
+#include "tests/audit/small_ledger.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::small_ledger;
 
 namespace {
@@ -15,8 +15,8 @@ std::string order(const std::string& says, const std::string& more = "") {
            says + "\"\n" + more;
 }
 
-std::string series(const std::string& terms, const std::string& orders,
-                   const std::string& over = "hertz") {
+std::string series_claim(const std::string& terms, const std::string& orders,
+                         const std::string& over = "hertz") {
     return "kind = \"series\"\nover = \"" + over + "\"\nterms = [" + terms + "]\norders = [" +
            orders + "]";
 }
@@ -45,22 +45,24 @@ TEST_CASE("residuals have the orders and the coefficients claimed, or not") {
     const std::string c0 = "\"Es*C/2*sqrt(2*a)\"";
     const std::string c1 = "\"-(Es*C/2*sqrt(2*a))/(4*a)\"";
     const std::string halves = R"("1/2", "3/2", "5/2")";
-    CHECK(verdict_of(series(c0 + ", " + c1, halves)) == "confirmed");
-    CHECK(verdict_of(series(c0 + ", " + c1, R"("1/2", "3/2")")) == "confirmed");
-    CHECK(verdict_of(series(c0 + ", " + c1, R"("1/2", "3/2", "7/2")")) == "refuted");
-    CHECK(verdict_of(series(c0, R"("1/2", "1")")) == "refuted");
-    CHECK(verdict_of(series(c0, R"("3/2", "5/2")")) == "refuted");
-    CHECK(verdict_of(series(c0 + ", \"Es*C/2*sqrt(2*a)/(4*a)\"", halves)) == "refuted"); // sign
-    CHECK(verdict_of(series("\"Es*C/2*sqrt(2*a)*(1+1e-20)\"", R"("1/2", "3/2")")) == "refuted");
+    CHECK(verdict_of(series_claim(c0 + ", " + c1, halves)) == "confirmed");
+    CHECK(verdict_of(series_claim(c0 + ", " + c1, R"("1/2", "3/2")")) == "confirmed");
+    CHECK(verdict_of(series_claim(c0 + ", " + c1, R"("1/2", "3/2", "7/2")")) == "refuted");
+    CHECK(verdict_of(series_claim(c0, R"("1/2", "1")")) == "refuted");
+    CHECK(verdict_of(series_claim(c0, R"("3/2", "5/2")")) == "refuted");
+    CHECK(verdict_of(series_claim(c0 + ", \"Es*C/2*sqrt(2*a)/(4*a)\"", halves)) ==
+          "refuted"); // sign
+    CHECK(verdict_of(series_claim("\"Es*C/2*sqrt(2*a)*(1+1e-20)\"", R"("1/2", "3/2")")) ==
+          "refuted");
 }
 
 TEST_CASE("past 100 digits the coefficients are held to all of them in six scenes") {
     const std::string c0 = "Es*C/2*sqrt(2*a)";
     const std::string halves = R"("1/2", "3/2")";
-    const ClaimResult r = result_of(series('"' + c0 + '"', halves, "nine"), 130);
+    const ClaimResult r = result_of(series_claim('"' + c0 + '"', halves, "nine"), 130);
     // Of m = 1 the printed one is right; the others' are not.
     CHECK(name_of(r.outcome.verdict) == "refuted");
-    const ClaimResult right = result_of(series("\"right.c0\"", halves, "nine"), 130);
+    const ClaimResult right = result_of(series_claim("\"right.c0\"", halves, "nine"), 130);
     CHECK(name_of(right.outcome.verdict) == "confirmed");
     const auto number = [&](const char* key) {
         const auto* const found = right.outcome.evidence.find(key);
@@ -71,13 +73,14 @@ TEST_CASE("past 100 digits the coefficients are held to all of them in six scene
     CHECK(number("digits_of_the_coefficients") > 95);
     CHECK(number("all_digits_of_the_coefficients") > 125);
     // A part in 1e115 off.
-    CHECK(verdict_of(series('"' + c0 + "*(1+1e-115)\"", halves), 130) == "refuted");
-    CHECK(verdict_of(series('"' + c0 + '"', halves), 130) == "confirmed");
-    CHECK(verdict_of(series('"' + c0 + "*(1+1e-115)\"", halves), 100) == "confirmed");
+    CHECK(verdict_of(series_claim('"' + c0 + "*(1+1e-115)\"", halves), 130) == "refuted");
+    CHECK(verdict_of(series_claim('"' + c0 + '"', halves), 130) == "confirmed");
+    CHECK(verdict_of(series_claim('"' + c0 + "*(1+1e-115)\"", halves), 100) == "confirmed");
 }
 
 TEST_CASE("a coefficient that vanishes leaves the next order, and is told of") {
-    const ClaimResult r = result_of(series("\"right.c0\"", R"("1/2", "3/2")", "five-eighths"));
+    const ClaimResult r =
+        result_of(series_claim("\"right.c0\"", R"("1/2", "3/2")", "five-eighths"));
     CHECK(name_of(r.outcome.verdict) == "confirmed");
     const auto* vanishing = r.outcome.evidence.find("scenes_where_a_coefficient_vanishes");
     REQUIRE(vanishing != nullptr);
@@ -85,6 +88,7 @@ TEST_CASE("a coefficient that vanishes leaves the next order, and is told of") {
 }
 
 TEST_CASE("orders and terms go together") {
-    CHECK_THROWS_AS(static_cast<void>(verdict_of(series(R"("1", "2")", "\"1/2\""))), InputError);
-    CHECK_THROWS_AS(static_cast<void>(verdict_of(series("\"1\"", "\"half\""))), InputError);
+    CHECK_THROWS_AS(static_cast<void>(verdict_of(series_claim(R"("1", "2")", "\"1/2\""))),
+                    InputError);
+    CHECK_THROWS_AS(static_cast<void>(verdict_of(series_claim("\"1\"", "\"half\""))), InputError);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/linear_loads.hpp"
 #include "edgeproof/audit/run.hpp"
+#include "edgeproof/audit/sample/linear_loads.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

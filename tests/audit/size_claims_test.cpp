@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/size_extents.hpp"
+#include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/audit/size_extents.hpp"
-#include "edgeproof/audit/size_scan.hpp"
-#include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

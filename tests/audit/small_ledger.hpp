@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/run.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <string>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run_program.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hertz_ledger.hpp"
-#include "run_program.hpp"
-#include "tilted_recipe.hpp"
+#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/cli/tilted_recipe.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 

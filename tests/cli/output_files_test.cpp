@@ -3,6 +3,7 @@
 // cannot be written.
 #include "tests/cli/run_program.hpp"
 #include "tests/cli/tilted_recipe.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
 #include <sys/wait.h>

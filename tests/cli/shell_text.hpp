@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "run_program.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <cstdio>
 

@@ -2,8 +2,9 @@
 #include "edgeproof/cli/signals.hpp"
 
 #include "edgeproof/precision/interruption.hpp"
-#include "hertz_ledger.hpp"
-#include "run_program.hpp"
+#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 #include <flint/flint.h>
@@ -23,7 +24,6 @@
 #include <thread>
 #include <vector>
 
-using namespace edgeproof;
 using namespace edgeproof::test;
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hertz_ledger.hpp"
-#include "run_program.hpp"
+#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell_text.hpp"
-#include "tilted_recipe.hpp"
+#include "tests/cli/shell_text.hpp"
+#include "tests/cli/tilted_recipe.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 

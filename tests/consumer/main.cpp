@@ -2,7 +2,7 @@
 // An outside project: the pressure of a Hertzian contact, by a route and as an enclosure. With
 // E* = 2, R = 1, a = 1 it is sqrt(1 - x^2) exactly: at x = 3/5, 0.8.
 #include "edgeproof/contact/contact.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <iostream>
 

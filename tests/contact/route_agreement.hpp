@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "scenes.hpp"
+#include "tests/contact/scenes.hpp"
 
-#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <future>
 #include <string>

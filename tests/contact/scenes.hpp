@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/normal_contact.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <string>
 #include <vector>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/integrated_contact.hpp"
+#include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {

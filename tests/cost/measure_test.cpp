@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/cost.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <map>
 #include <string>
-
-using namespace edgeproof;
 
 namespace {
 

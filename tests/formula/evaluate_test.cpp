@@ -3,12 +3,11 @@
 
 #include "edgeproof/formula/environment.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -2,7 +2,8 @@
 #include "edgeproof/formula/expr.hpp"
 
 #include "edgeproof/formula/parse.hpp"
-#include "random_expr.hpp"
+#include "tests/formula/random_expr.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +12,6 @@
 #include <thread>
 #include <unordered_set>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

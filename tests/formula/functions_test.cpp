@@ -4,6 +4,7 @@
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/formula/program.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,7 +41,6 @@ struct Environment {
 
 } // namespace elsewhere
 
-using namespace edgeproof;
 using elsewhere::Dual;
 using elsewhere::Environment;
 
@@ -105,7 +105,7 @@ TEST_CASE("a Real result has the digits of the working precision or of its argum
     };
     const std::vector<Real> narrow{half_at(20)};
     const std::vector<Real> wide{half_at(80)};
-    using detail::call_builtin;
+    using edgeproof::formula::detail::call_builtin;
     CHECK(call_builtin<Real>(Builtin::sqrt, wide).precision() >= 80);
     CHECK(call_builtin<Real>(Builtin::sqrt, narrow).precision() < 30);
     const PrecisionScope high(100);

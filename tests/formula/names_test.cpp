@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parse.hpp"
 
-#include "edgeproof/formula/exact.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <random>
 #include <string>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -2,7 +2,8 @@
 #include "edgeproof/formula/program.hpp"
 
 #include "edgeproof/formula/parse.hpp"
-#include "random_expr.hpp"
+#include "tests/formula/random_expr.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +11,6 @@
 #include <random>
 #include <string>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/formula/expr.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 
 #include "tests/fuzz/reader.hpp"
+#include "tests/support/namespaces.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return hold_to_its_word(
         [](std::string_view text) {
-            static_cast<void>(edgeproof::echoed_answers(
-                edgeproof::parse_csv(text, "answers.csv", {.keep_faults = true})));
+            static_cast<void>(edgeproof::conformance::echoed_answers(
+                edgeproof::io::parse_csv(text, "answers.csv", {.keep_faults = true})));
         },
         data, size);
 }

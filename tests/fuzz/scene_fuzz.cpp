@@ -2,11 +2,12 @@
 #include "edgeproof/scene/scene_file.hpp"
 
 #include "tests/fuzz/reader.hpp"
+#include "tests/support/namespaces.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return hold_to_its_word(
         [](std::string_view text) {
-            static_cast<void>(edgeproof::parse_scene(text, "scene.toml"));
+            static_cast<void>(edgeproof::scene::parse_scene(text, "scene.toml"));
         },
         data, size);
 }

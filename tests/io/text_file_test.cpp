@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +11,6 @@
 
 #include <fstream>
 #include <stdexcept>
-
-using namespace edgeproof;
 
 namespace {
 

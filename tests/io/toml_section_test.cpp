@@ -3,11 +3,10 @@
 
 #include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

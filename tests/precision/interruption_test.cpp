@@ -2,13 +2,12 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <exception>
 #include <type_traits>
-
-using namespace edgeproof;
 
 TEST_CASE("an interruption is thrown while it is asked for; its first reason stays") {
     CHECK(interruption_requested() == 0);

@@ -2,13 +2,12 @@
 #include "edgeproof/precision/message.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 #include <random>
-
-using namespace edgeproof;
 
 TEST_CASE("nothing that steers a terminal is printable") {
     struct Case {

@@ -2,6 +2,7 @@
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/real.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 

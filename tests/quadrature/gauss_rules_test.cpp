@@ -4,14 +4,13 @@
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/product_rule.hpp"
 
-#include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <thread>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

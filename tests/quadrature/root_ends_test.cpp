@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/root_ends.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/near_singularity.hpp"
 #include "edgeproof/series/functions.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <doctest/doctest.h>
@@ -8,8 +9,6 @@
 #include <thread>
 #include <type_traits>
 #include <vector>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/html.hpp"
-#include "edgeproof/report/verdict_writers.hpp"
+#include "edgeproof/report/page/html.hpp"
+#include "edgeproof/report/tables/verdict_writers.hpp"
 #include "tests/audit/small_ledger.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 TEST_CASE("a formula of no source: nothing that is written names its lines") {
     using small_ledger::audit_of;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -19,7 +19,7 @@ const char* const tilted = "knots = [\"0\", \"1/3\"]\nslopes = [\"-1/10 + sinh(x
                            "\"x^2 + x/7\", \"10/63 + tanh(x - 1/3)\"]";
 
 /// What is not proved, or is printed wider than 10 units of the last digit.
-std::string curved_fault(const Vouched& v, const Digits& digits) {
+std::string curved_fault(const BoundedValue& v, const Digits& digits) {
     const PrintedValue p = printed(v, digits);
     if (!v.proved) {
         return "estimated by " + v.route + " ";
@@ -46,12 +46,12 @@ std::string faults(const std::string& text) {
         }
     }
     for (const EdgeValues& edge : result.coefficients) {
-        for (const Vouched& c : edge.c) {
+        for (const BoundedValue& c : edge.c) {
             all += curved_fault(c, digits);
         }
     }
     for (const ExtentValues& e : result.extents) {
-        for (const Vouched* v :
+        for (const BoundedValue* v :
              {&e.first_exit, &e.measure, &e.first_exit_fraction, &e.measure_fraction}) {
             all += curved_fault(*v, digits);
         }

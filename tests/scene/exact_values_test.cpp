@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -37,7 +37,7 @@ Texts texts(const std::string& scene_text, unsigned digits, const Pick& pick) {
          {Rounding::nearest, Rounding::down, Rounding::up, Rounding::enclosure}) {
         Scene scene = parsed(scene_text);
         scene.ask.digits = {digits, mode, false};
-        const Vouched value = pick(run_scene(scene));
+        const BoundedValue value = pick(run_scene(scene));
         const PrintedValue p = printed(value, scene.ask.digits);
         CHECK(value.proved);
         CHECK(p.complete);
@@ -48,12 +48,12 @@ Texts texts(const std::string& scene_text, unsigned digits, const Pick& pick) {
     return {found[0], found[1], found[2], found[3]};
 }
 
-Vouched p_of(const SceneResult& r) { return *r.points.at(0).values.p; }
-Vouched error_of(const SceneResult& r) {
+BoundedValue p_of(const SceneResult& r) { return *r.points.at(0).values.p; }
+BoundedValue error_of(const SceneResult& r) {
     return r.points.at(0).values.p_local.at(0).relative_error;
 }
-Vouched local_of(const SceneResult& r) { return r.points.at(0).values.p_local.at(0).local; }
-Vouched c_of(const SceneResult& r, std::size_t k) { return r.coefficients.at(0).c.at(k); }
+BoundedValue local_of(const SceneResult& r) { return r.points.at(0).values.p_local.at(0).local; }
+BoundedValue c_of(const SceneResult& r, std::size_t k) { return r.coefficients.at(0).c.at(k); }
 
 } // namespace
 
@@ -206,7 +206,7 @@ TEST_CASE("ties: where no exact form is known the enclosure is printed, and it i
                                    "[ask]\nedges = [\"right\"]\nu = [\"2\"]\n"));
     for (const Rounding mode : {Rounding::nearest, Rounding::down, Rounding::up}) {
         scene.ask.digits = {mode == Rounding::nearest ? 2U : 3U, mode, true};
-        const Vouched value = p_of(run_scene(scene));
+        const BoundedValue value = p_of(run_scene(scene));
         const PrintedValue p = printed(value, scene.ask.digits);
         CHECK(value.proved);
         CHECK(p.undecided);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -43,12 +43,12 @@ void check_places(const SceneResult& result) {
 }
 
 void check_all_proved(const SceneResult& result) {
-    const auto proved = [](const Vouched& v) {
+    const auto proved = [](const BoundedValue& v) {
         CAPTURE(v.how());
         CHECK(v.proved);
     };
     const ContactValues& contact = result.contact;
-    for (const Vouched* v : {&contact.a, &contact.b, &*contact.force, &*contact.moment}) {
+    for (const BoundedValue* v : {&contact.a, &contact.b, &*contact.force, &*contact.moment}) {
         proved(*v);
     }
     for (const PointRow& row : result.points) {
@@ -60,7 +60,7 @@ void check_all_proved(const SceneResult& result) {
         }
     }
     for (const EdgeValues& edge : result.coefficients) {
-        for (const Vouched& c : edge.c) {
+        for (const BoundedValue& c : edge.c) {
             proved(c);
         }
     }
@@ -114,7 +114,7 @@ TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is to
 }
 
 TEST_CASE("values on a knot and beside a flat, by hand") {
-    const auto text = [](const Vouched& v) {
+    const auto text = [](const BoundedValue& v) {
         return printed(v, {20, Rounding::nearest, false}).text;
     };
     // Hertz within the arc: R = 2, a = b = 1/5: p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.

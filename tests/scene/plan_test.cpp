@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -83,7 +83,7 @@ std::vector<Counted> counted() {
 
 std::string all_text(const SceneResult& r, const Digits& digits) {
     std::string text;
-    const auto add = [&](const Vouched& v) {
+    const auto add = [&](const BoundedValue& v) {
         const PrintedValue p = printed(v, digits);
         text += p.text + " +- " + p.bound + " " + v.how() + "\n";
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/scene/scene.hpp"
+#include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -64,7 +64,7 @@ std::string text_of(const Sampled& s) {
 }
 
 /// Proved, and printed within 10 units of the last digit: what is wrong, or nothing.
-std::string fault(const Vouched& v, const Digits& digits) {
+std::string fault(const BoundedValue& v, const Digits& digits) {
     const PrintedValue p = printed(v, digits);
     if (!v.proved) {
         return "estimated by " + v.route;
@@ -107,7 +107,7 @@ TEST_CASE("every value has a proved bound, and none is wider than 10 units of th
         }
         for (const EdgeValues& edge : result.coefficients) {
             for (const auto* list : {&edge.c, &edge.s}) {
-                for (const Vouched& v : *list) {
+                for (const BoundedValue& v : *list) {
                     CHECK(fault(v, digits) == "");
                 }
             }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_text.hpp"
+#include "tests/scene/scene_text.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace edgeproof;
 using namespace edgeproof::scenes;
 
 namespace {
@@ -129,7 +129,7 @@ TEST_CASE("balls and quadratures agree, each within its own bound") {
         const SceneResult reals = run_scene(parsed(text + "route = \"singular-integral\"\n"));
         REQUIRE(balls.plan.proved);
         REQUIRE_FALSE(reals.plan.proved);
-        const auto agree = [](const Vouched& x, const Vouched& y) {
+        const auto agree = [](const BoundedValue& x, const BoundedValue& y) {
             CHECK(overlaps(x.value, y.value));
             CHECK(x.proved);
             CHECK_FALSE(y.proved);
@@ -215,7 +215,7 @@ TEST_CASE("the middle of a power law's contact is told exactly, and proved") {
         parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
                "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
     const SceneResult result = run_scene(scene);
-    const Vouched& middle = *result.points[0].values.p;
+    const BoundedValue& middle = *result.points[0].values.p;
     CHECK(overlaps(middle.value, Ball(Rational(128, 315), 400) / Ball::pi(400) *
                                      Ball(parse_decimal("1e-10"), 400)));
     CHECK(middle.proved);
@@ -267,7 +267,7 @@ TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
     const Scene scene = parsed(text("-1/50"));
     const SceneResult result = run_scene(scene);
     const ContactValues& contact = result.contact;
-    for (const Vouched* v :
+    for (const BoundedValue* v :
          {&*contact.alpha, &contact.a, &contact.b, &*contact.force, &*contact.moment,
           &*result.points[0].values.p, &result.coefficients[0].c[0]}) {
         CHECK(v->proved);

@@ -2,10 +2,9 @@
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/series/series.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-using namespace edgeproof;
 
 namespace {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/paths.hpp"
+#include "tests/support/namespaces.hpp"
 
 #include <cstdlib>
 

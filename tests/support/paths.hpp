@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/namespaces.hpp"
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 
+#include "edgeproof/audit/ledger/claim_kind.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -11,7 +12,7 @@
 #include <atomic>
 #include <optional>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 Outcome check_one(const Claim& claim, const AuditContext& context) {
@@ -198,4 +199,4 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     return result;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/ledger/audit_result.hpp"
+#include "edgeproof/audit/sample/audit_context.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -8,23 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
-
-/// What was found of one claim: the outcome under each reading, and what follows from all.
-struct ClaimResult {
-    Claim claim;
-    Outcome outcome;
-    std::vector<std::pair<std::string, Outcome>> readings;
-};
-
-/// An audit's results, in the order of the ledger.
-struct AuditResult {
-    std::string ledger;
-    std::string source;
-    unsigned digits = 0;
-    std::vector<ClaimResult> claims;
-    std::vector<ClaimError> errors; ///< of claims chosen that have no result, in the ledger's order
-};
+namespace edgeproof::audit {
 
 struct AuditOptions {
     unsigned digits = 50;
@@ -47,4 +32,4 @@ struct AuditOptions {
 /// Whether an id matches a pattern with * and ?.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view text);
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

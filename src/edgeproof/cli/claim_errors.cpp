@@ -5,9 +5,9 @@
 
 namespace edgeproof::cli {
 
-int report_claim_errors(const std::vector<ClaimError>& errors) {
+int report_claim_errors(const std::vector<audit::ClaimError>& errors) {
     std::fflush(stdout);
-    for (const ClaimError& e : errors) {
+    for (const audit::ClaimError& e : errors) {
         std::fprintf(stderr, "%s\n", e.error.what());
     }
     return errors.empty() ? 0 : 2;

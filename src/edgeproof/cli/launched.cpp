@@ -47,7 +47,7 @@ std::size_t launched_count() {
     return n > 0 ? n : 1;
 }
 
-std::unique_ptr<Processes> launched_together() {
+std::unique_ptr<parallel::Processes> launched_together() {
     if (launched_count() < 2) {
         return nullptr;
     }
@@ -64,12 +64,12 @@ std::unique_ptr<Processes> launched_together() {
         const char* const why = ::dlerror();
         cannot_share(why == nullptr ? "its MPI part does not load" : why, alone);
     }
-    using Make = Processes* (*)();
+    using Make = parallel::Processes* (*)();
     const auto make = reinterpret_cast<Make>(::dlsym(module, "edgeproof_mpi_processes"));
     if (make == nullptr) {
         cannot_share(file.string() + " is not its MPI part", alone);
     }
-    std::unique_ptr<Processes> processes(make());
+    std::unique_ptr<parallel::Processes> processes(make());
     if (processes->count() < 2) {
         cannot_share("MPI does not see the others", "start it by mpirun, or by srun --mpi=pmix");
     }

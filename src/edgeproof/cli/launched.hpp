@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/processes.hpp"
+#include "edgeproof/parallel/processes.hpp"
 
 #include <memory>
 
@@ -10,7 +10,7 @@ namespace edgeproof::cli {
 /// which costs a look at the environment and no more. Throws InputError where it was started as one
 /// of several and cannot tell the others: a build without MPI, or an srun that does not connect
 /// them.
-[[nodiscard]] std::unique_ptr<Processes> launched_together();
+[[nodiscard]] std::unique_ptr<parallel::Processes> launched_together();
 
 /// As how many it was started, 1 for alone.
 [[nodiscard]] std::size_t launched_count();

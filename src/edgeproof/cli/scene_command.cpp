@@ -2,10 +2,10 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/conformance/whole_file.hpp"
+#include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/files.hpp"
 
 #include <fmt/format.h>
 
@@ -37,16 +37,17 @@ Rounding rounding_of(const std::string& name) {
                      "write nearest, down, up or enclosure");
 }
 
-TableFormat format_of(const std::string& name) {
-    const auto format = table_format(name);
+report::TableFormat format_of(const std::string& name) {
+    const auto format = report::table_format(name);
     if (!format) {
         throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
     }
     return *format;
 }
 
-Fact fact(const std::string& key, const Vouched& value, const Digits& digits) {
-    const PrintedValue p = printed(value, digits);
+report::Fact fact(const std::string& key, const scene::BoundedValue& value,
+                  const scene::Digits& digits) {
+    const scene::PrintedValue p = printed(value, digits);
     return {key, p.text, p.bound, how(value, p)};
 }
 
@@ -96,56 +97,56 @@ void check_state(const std::string& file) {
     if (file.empty()) {
         return;
     }
-    check_output(file);
-    if (file == "-" || OutputTarget::of(file).special) {
+    io::check_output(file);
+    if (file == "-" || io::OutputTarget::of(file).special) {
         throw InputError("--state " + file + ": a state is read again, which that cannot be",
                          "name a file");
     }
 }
 
-Scene asked_scene(const SceneOptions& o) {
+scene::Scene asked_scene(const SceneOptions& o) {
     (void)format_of(o.format); // before any work
     const Rounding rounding = rounding_of(o.rounding);
-    Scene scene = read_scene(o.scene);
+    scene::Scene scene = scene::read_scene(o.scene);
     if (!o.digits.empty()) {
         scene.ask.digits.count =
             static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits_of_a_scene));
     }
     scene.ask.digits.rounding = rounding;
     scene.ask.digits.binary64 = o.binary64;
-    check_output(o.out);
+    io::check_output(o.out);
     return scene;
 }
 
-std::vector<Edge> asked_edges(const SceneOptions& o) {
+std::vector<contact::Edge> asked_edges(const SceneOptions& o) {
     if (o.edges.empty() || o.edges == "both") {
-        return {Edge::right, Edge::left};
+        return {contact::Edge::right, contact::Edge::left};
     }
-    for (const Edge edge : {Edge::right, Edge::left}) {
-        if (o.edges == edge_name(edge)) {
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        if (o.edges == scene::edge_name(edge)) {
             return {edge};
         }
     }
     throw InputError("--edge " + o.edges + ": there is no such edge", "write right, left or both");
 }
 
-SceneResult done(const Scene& scene) {
+scene::SceneResult done(const scene::Scene& scene) {
     Progress progress("values");
-    RunOptions options;
+    scene::RunOptions options;
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    return at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
+    return io::at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
 }
 
-std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {
-    const Digits& digits = scene.ask.digits;
-    std::vector<Fact> facts{{"scene", scene.file}};
+std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::SceneResult& result) {
+    const scene::Digits& digits = scene.ask.digits;
+    std::vector<report::Fact> facts{{"scene", scene.file}};
     const char* const how = digits.rounding == Rounding::nearest ? "nearest"
                             : digits.rounding == Rounding::down  ? "down"
                             : digits.rounding == Rounding::up    ? "up"
                                                                  : "enclosure";
     facts.push_back({"digits", std::to_string(digits.count)});
     facts.push_back({"rounding", how});
-    const ContactValues& contact = result.contact;
+    const scene::ContactValues& contact = result.contact;
     if (contact.alpha) {
         facts.push_back(fact("alpha", *contact.alpha, digits));
     }
@@ -160,27 +161,28 @@ std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result) {
     return facts;
 }
 
-std::string bound_note(const Plan& plan) {
+std::string bound_note(const scene::Plan& plan) {
     return plan.proved ? "bounds are proved, and every digit printed is right, unless the route "
                          "says estimate"
                        : "bounds are estimated (" + plan.proved_why +
                              "), and so is that every digit printed is right";
 }
 
-void ValueColumns::add(std::vector<Column>& columns, const std::string& name,
+void ValueColumns::add(std::vector<report::Column>& columns, const std::string& name,
                        const std::string& route) const {
     columns.push_back({name});
     columns.push_back({name + "_bound"});
     if (!route.empty()) {
-        columns.push_back({route, Column::Kind::text});
+        columns.push_back({route, report::Column::Kind::text});
     }
     if (digits_.binary64) {
         columns.push_back({name + "_binary64"});
     }
 }
 
-void ValueColumns::add(std::vector<std::string>& row, const Vouched& value, bool route) const {
-    const PrintedValue p = printed(value, digits_);
+void ValueColumns::add(std::vector<std::string>& row, const scene::BoundedValue& value,
+                       bool route) const {
+    const scene::PrintedValue p = printed(value, digits_);
     row.push_back(p.text);
     row.push_back(p.bound);
     if (route) {
@@ -197,9 +199,9 @@ void ValueColumns::add_none(std::vector<std::string>& row, bool route) const {
     row.resize(row.size() + 2 + (route ? 1 : 0) + (digits_.binary64 ? 1 : 0));
 }
 
-void emit(const Table& table, const SceneOptions& o) {
+void emit(const report::Table& table, const SceneOptions& o) {
     const std::string text = write_table(table, format_of(o.format));
-    write_output(o.out.empty() ? "-" : o.out, text);
+    io::write_output(o.out.empty() ? "-" : o.out, text);
 }
 
 } // namespace edgeproof::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/report/table.hpp"
+#include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/scene.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,9 +30,9 @@ void add_edge_option(CLI::App& sub, SceneOptions& options);
 /// As check_output (report/files.hpp), of a file that is written and read again: no "-", no device.
 void check_state(const std::string& file);
 
-[[nodiscard]] Scene asked_scene(const SceneOptions& options);
+[[nodiscard]] scene::Scene asked_scene(const SceneOptions& options);
 /// Both edges, or those of --edge.
-[[nodiscard]] std::vector<Edge> asked_edges(const SceneOptions& options);
+[[nodiscard]] std::vector<contact::Edge> asked_edges(const SceneOptions& options);
 /// A whole number of an option, in least ... most.
 [[nodiscard]] std::size_t whole_number(const std::string& option, const std::string& text,
                                        std::size_t least, std::size_t most);
@@ -43,31 +43,32 @@ void check_state(const std::string& file);
                                                         const std::string& text);
 
 /// The scene done, with progress on a terminal, stopped by SIGINT.
-[[nodiscard]] SceneResult done(const Scene& scene);
+[[nodiscard]] scene::SceneResult done(const scene::Scene& scene);
 
 /// Scene, digits, a and b, and P and M where they were asked for.
-[[nodiscard]] std::vector<Fact> facts_of(const Scene& scene, const SceneResult& result);
+[[nodiscard]] std::vector<report::Fact> facts_of(const scene::Scene& scene,
+                                                 const scene::SceneResult& result);
 
 /// How far bounds and digits are to be trusted, in a sentence.
-[[nodiscard]] std::string bound_note(const Plan& plan);
+[[nodiscard]] std::string bound_note(const scene::Plan& plan);
 
 /// Columns and cells of a value: text and bound (and its binary64).
 class ValueColumns {
 public:
-    explicit ValueColumns(const Scene& scene) : digits_(scene.ask.digits) {}
+    explicit ValueColumns(const scene::Scene& scene) : digits_(scene.ask.digits) {}
     /// NAME, NAME_bound and (with `route`) `route`'s column, then NAME_binary64 where it is asked
     /// for.
-    void add(std::vector<Column>& columns, const std::string& name,
+    void add(std::vector<report::Column>& columns, const std::string& name,
              const std::string& route = {}) const;
-    void add(std::vector<std::string>& row, const Vouched& value, bool route) const;
+    void add(std::vector<std::string>& row, const scene::BoundedValue& value, bool route) const;
     /// The cells of a value that is not there.
     void add_none(std::vector<std::string>& row, bool route) const;
 
 private:
-    Digits digits_;
+    scene::Digits digits_;
 };
 
 /// To --out, whole or not at all, or to stdout.
-void emit(const Table& table, const SceneOptions& options);
+void emit(const report::Table& table, const SceneOptions& options);
 
 } // namespace edgeproof::cli

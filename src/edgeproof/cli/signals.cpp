@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/signals.hpp"
 
-#include "edgeproof/conformance/process_cleanup.hpp"
+#include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <flint/flint.h>
@@ -48,7 +48,7 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
     sigemptyset(&alarm);
     sigaddset(&alarm, SIGALRM);
     pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
-    const std::string kept = clean_up();
+    const std::string kept = io::clean_up();
     if (::isatty(STDERR_FILENO) == 1) {
         write_error("\r\033[K"); // what Progress showed
     }

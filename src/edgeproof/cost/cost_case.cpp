@@ -2,12 +2,12 @@
 #include "edgeproof/cost/cost_case.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 namespace {
 
 constexpr std::size_t many = 40;
@@ -15,9 +15,9 @@ constexpr std::size_t some = 10;
 constexpr unsigned digits_of_places = 6;
 
 /// In equal ratios from 1e-8 to 1, as decimals of 6 digits, times `unit`.
-std::vector<Exact> ladder(std::size_t count, const std::string& unit) {
+std::vector<formula::Exact> ladder(std::size_t count, const std::string& unit) {
     const PrecisionScope scope(30);
-    std::vector<Exact> u;
+    std::vector<formula::Exact> u;
     for (std::size_t k = 0; k < count; ++k) {
         const Real exponent = Real(8 * k) / Real(count - 1) - 8;
         const std::string text = to_decimal(Real(pow(Real(10), exponent)), digits_of_places);
@@ -25,23 +25,23 @@ std::vector<Exact> ladder(std::size_t count, const std::string& unit) {
         if (unit != "1") {
             place.insert(0, "(" + unit + ")*");
         }
-        u.push_back(Exact::parse(place));
+        u.push_back(formula::Exact::parse(place));
     }
     return u;
 }
 
-std::vector<Exact> listed(const std::vector<const char*>& texts) {
-    std::vector<Exact> u;
+std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
+    std::vector<formula::Exact> u;
     u.reserve(texts.size());
     for (const char* text : texts) {
-        u.push_back(Exact::parse(text));
+        u.push_back(formula::Exact::parse(text));
     }
     return u;
 }
 
-Scene unit_contact(const std::string& name, const std::string& profile) {
-    return parse_scene("[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-                       name);
+scene::Scene unit_contact(const std::string& name, const std::string& profile) {
+    return scene::parse_scene(
+        "[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n", name);
 }
 
 } // namespace
@@ -56,13 +56,14 @@ std::vector<CostCase> usual_cases() {
     const std::string curved = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
                                "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]";
     std::vector<CostCase> cases;
-    const auto add = [&](const std::string& name, const std::string& profile, std::vector<Exact> u,
-                         const char* near = "0") {
-        cases.push_back(
-            {name, unit_contact(name, profile), Edge::right, std::move(u), Exact::parse(near)});
+    const auto add = [&](const std::string& name, const std::string& profile,
+                         std::vector<formula::Exact> u, const char* near = "0") {
+        cases.push_back({name, unit_contact(name, profile), contact::Edge::right, std::move(u),
+                         formula::Exact::parse(near)});
     };
-    std::vector<Exact> off_centre = ladder(some, "1");
-    off_centre.back() = Exact::parse("1/2"); // at u = a is the apex, where some p are infinite
+    std::vector<formula::Exact> off_centre = ladder(some, "1");
+    off_centre.back() =
+        formula::Exact::parse("1/2"); // at u = a is the apex, where some p are infinite
     add("flat-and-rounded", flat, ladder(many, "1"));
     add("wedge", wedge, off_centre);
     add("power law, m = 1/2", power, off_centre);
@@ -82,7 +83,7 @@ std::vector<CostCase> usual_cases() {
     return cases;
 }
 
-CostCase case_of(const Scene& scene) {
+CostCase case_of(const scene::Scene& scene) {
     if (!scene.profile) {
         throw InputError("the cost of a scene of P and M is not told: its tilt is found once, and "
                          "its pressures cost what those of the tilted profile do",
@@ -91,15 +92,15 @@ CostCase case_of(const Scene& scene) {
     }
     CostCase c{std::filesystem::path(scene.file).stem().string(),
                scene,
-               scene.ask.edges.empty() ? Edge::right : scene.ask.edges.front(),
+               scene.ask.edges.empty() ? contact::Edge::right : scene.ask.edges.front(),
                {},
                {}};
-    for (const AskedPoint& point : scene.ask.u) {
+    for (const scene::AskedPoint& point : scene.ask.u) {
         c.u.push_back(point.u);
     }
     if (c.u.empty()) {
-        const NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
-        const Real size = c.edge == Edge::right ? contact.a() : contact.b();
+        const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
+        const Real size = c.edge == contact::Edge::right ? contact.a() : contact.b();
         c.u = ladder(many, to_decimal(size, digits_of_places));
     }
     return c;
@@ -119,4 +120,4 @@ std::vector<std::size_t> thinned(std::size_t points, std::size_t most) {
     return chosen;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 
 /// A contact and the points at which its pressure is timed.
 struct CostCase {
     std::string name;
-    Scene scene;
-    Edge edge = Edge::right;
-    std::vector<Exact> u;
+    scene::Scene scene;
+    contact::Edge edge = contact::Edge::right;
+    std::vector<formula::Exact> u;
     /// The place (as u) that the points crowd at: 0 for the edge, else a knot or an apex.
-    Exact near = {};
+    formula::Exact near = {};
 
     /// |u - near| of a point, in units of a.
     [[nodiscard]] double distance(std::size_t point) const;
@@ -29,10 +29,10 @@ struct CostCase {
 
 /// A scene of the user's at its own points (its first edge), else at 40 points as above. Throws
 /// InputError where it gives no profile (a load of P and M): the routes that are compared take one.
-[[nodiscard]] CostCase case_of(const Scene& scene);
+[[nodiscard]] CostCase case_of(const scene::Scene& scene);
 
 /// So many of the points, the first and the last among them, at equal strides; all where there are
 /// no more.
 [[nodiscard]] std::vector<std::size_t> thinned(std::size_t points, std::size_t most);
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/cost/cost_case.hpp"
-#include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 
 /// What a route made of a point. A route that proves its values gives the ball as well.
 struct CostValue {
@@ -35,11 +35,11 @@ struct CostRoute {
     bool proves = false;
     bool dear = false; ///< takes so long that it is timed at few points and digits, unless asked to
     /// Whether the route takes this profile.
-    std::function<bool(const Scene&)> takes;
+    std::function<bool(const scene::Scene&)> takes;
     std::function<std::unique_ptr<ReadyContact>(const CostCase&, unsigned digits)> ready;
 };
 
 /// All of them; a new one is an entry of this list.
 [[nodiscard]] const std::vector<CostRoute>& cost_routes();
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 namespace {
 
 constexpr double enough_seconds_of_an_effect = 0.05;
@@ -53,7 +53,7 @@ const Added effects[] = {
      "terms = [1, 3]\ntolerance = \"5%\"\nquantities = [\"extent\"]\n"},
 };
 
-Scene scene_of(const Added& e, unsigned digits) {
+scene::Scene scene_of(const Added& e, unsigned digits) {
     std::string text =
         std::string("[profile]\n") + e.profile + "[load]\n" + e.load + "contact_modulus = \"1\"\n";
     if (*e.shear != '\0') {
@@ -64,7 +64,7 @@ Scene scene_of(const Added& e, unsigned digits) {
         text += "u = [\"1e-8\", \"1e-6\", \"1e-4\", \"1e-3\", \"0.01\", \"0.03\", \"0.1\", "
                 "\"0.2\", \"0.3\", \"0.45\"]\n";
     }
-    return parse_scene(text, e.name);
+    return scene::parse_scene(text, e.name);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ effect_costs(unsigned digits, bool timed,
         if (progress) {
             progress(costs.size(), std::size(effects));
         }
-        const Scene scene = scene_of(e, digits);
+        const scene::Scene scene = scene_of(e, digits);
         EffectCost cost{e.name, e.base, run_scene(scene).work, 0, 1};
         std::vector<double> seconds;
         double spent = 0;
@@ -98,4 +98,4 @@ effect_costs(unsigned digits, bool timed,
     return costs;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 namespace {
 
 constexpr unsigned digits_that_may_miss = 1; ///< a rounding of the last digit
@@ -94,4 +94,4 @@ std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells) {
     return all;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 
 /// y = factor x^exponent, by least squares in the logarithms.
 struct PowerLawFit {
@@ -45,4 +45,4 @@ struct BoundCost {
 /// For each case and number of digits that has both.
 [[nodiscard]] std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells);
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/machine.hpp"
 
-#include "edgeproof/precision/arb_include.hpp"
+#include "edgeproof/precision/ball/arb_include.hpp"
 
 #include <boost/version.hpp>
 
@@ -13,7 +13,7 @@
 #include <fstream>
 #include <thread>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 namespace {
 
 std::string processor() {
@@ -62,4 +62,4 @@ double thread_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

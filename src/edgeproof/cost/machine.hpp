@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 
 /// Where times were taken, as name and value: processor, cores, compiler, libraries with versions.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> machine();
@@ -12,4 +12,4 @@ namespace edgeproof {
 /// Processor time of this thread so far, in seconds.
 [[nodiscard]] double thread_seconds();
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

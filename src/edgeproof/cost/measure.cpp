@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/measure.hpp"
 
-#include "edgeproof/contact/ball_contact.hpp"
-#include "edgeproof/contact/integrated_contact.hpp"
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/cost/machine.hpp"
-#include "edgeproof/precision/digits_right.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/escalate.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 namespace {
 
 constexpr unsigned more_digits = 30;    ///< of the enclosure that errors are taken against
@@ -27,10 +27,10 @@ constexpr double too_long = 0.2; ///< for more than one sample
 /// Enclosures of the points chosen, by the route in balls, which shares no code with the others.
 std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& chosen,
                              unsigned digits) {
-    const Profile& profile = *c.scene.profile;
-    const bool closed = BallContact::has_closed_form(profile);
+    const contact::Profile& profile = *c.scene.profile;
+    const bool closed = contact::BallContact::has_closed_form(profile);
     const long wanted = static_cast<long>(static_cast<double>(digits) * 3.3219281) + 8;
-    std::map<long, IntegratedContact> curved; // by bits
+    std::map<long, contact::IntegratedContact> curved; // by bits
     std::vector<Ball> exact;
     for (const std::size_t i : chosen) {
         if (closed) {
@@ -40,7 +40,7 @@ std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& 
         }
         const auto at = [&](long bits) {
             const auto found = curved.find(bits);
-            const IntegratedContact& contact =
+            const contact::IntegratedContact& contact =
                 found != curved.end()
                     ? found->second
                     : curved.try_emplace(bits, profile, c.scene.contact_modulus, c.scene.load, bits)
@@ -328,4 +328,4 @@ std::vector<CostCell> measure(const std::vector<CostCase>& cases, const CostOpti
     return cells;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::cost {
 
 /// The middle half of some numbers.
 struct Quartiles {
@@ -71,4 +71,4 @@ struct CostOptions {
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);
 
-} // namespace edgeproof
+} // namespace edgeproof::cost

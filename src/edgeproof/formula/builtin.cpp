@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 constexpr unsigned any_number = 64;
@@ -49,4 +49,4 @@ std::string_view name_of(Builtin f) {
     return it == table.end() ? std::string_view{} : it->name;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// The functions that every formula may use. `none` marks a function that the environment of an
 /// evaluation has to supply.
@@ -47,4 +47,4 @@ struct BuiltinInfo {
 [[nodiscard]] std::optional<BuiltinInfo> find_builtin(std::string_view name);
 [[nodiscard]] std::string_view name_of(Builtin f);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

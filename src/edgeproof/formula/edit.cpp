@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 constexpr std::size_t bound_variable = 1;
@@ -167,4 +167,4 @@ Expr replace(const Expr& e, std::span<const std::size_t> path, const Expr& value
     return Expr::with_args(e, std::move(args));
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// Numbers of T out of exact ones, at the working precision. Throws DomainError for a number that
 /// overflows T, or that T would take for zero.
@@ -68,4 +68,4 @@ private:
     std::map<std::string, Function, std::less<>> functions_;
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

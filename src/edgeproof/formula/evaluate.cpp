@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/evaluate.hpp"
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 std::string inside(const std::string& what, const Expr& part) {
     constexpr std::size_t longest = 60;
@@ -32,4 +32,4 @@ std::pair<long, long> sum_bounds(const Expr& node) {
     return {lo, hi};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

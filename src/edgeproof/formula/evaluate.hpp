@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// What an evaluation in T needs to know:
 ///   T number(const Rational&) const        a number, and what rational parts come to
@@ -183,4 +183,4 @@ template <class T, class Env> T evaluate(const Expr& e, const Env& env) {
     return detail::evaluate_node<T>(e, env);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

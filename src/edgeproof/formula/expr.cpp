@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 struct Expr::Node {
     Kind kind = Kind::number;
@@ -214,4 +214,4 @@ Expr operator*(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::mul
 Expr operator/(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::div, {}, {x, y}); }
 Expr pow(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::pow, {}, {x, y}); }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// An exact expression: an immutable tree, cheap to copy and safe to share between threads.
 /// Nothing is simplified: the tree is what was written, so that a misprint stays a misprint.
@@ -128,4 +128,4 @@ struct ExprHash {
     [[nodiscard]] std::size_t operator()(const Expr& e) const noexcept { return e.hash(); }
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 Integer whole_power(const Integer& x, unsigned long n) {
@@ -130,4 +130,4 @@ std::optional<Rational> fold(Expr::Kind kind, Builtin f, std::span<const Expr> a
     return q;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

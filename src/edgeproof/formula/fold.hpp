@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// Size of a rational: bits of numerator and denominator together.
 [[nodiscard]] std::size_t bits_of(const Rational& q);
@@ -16,4 +16,4 @@ inline constexpr std::size_t max_folded_bits = std::size_t{1} << 17U;
 /// undefined (1/0) or too large.
 [[nodiscard]] std::optional<Rational> fold(Expr::Kind kind, Builtin f, std::span<const Expr> args);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

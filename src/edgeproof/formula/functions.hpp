@@ -13,7 +13,7 @@
 /// domains checked (real_functions.hpp). Any other type (a ball, a series, a divided difference)
 /// brings those that it has, found by argument-dependent lookup; a formula that needs one that the
 /// type does not have throws Error when it is evaluated.
-namespace edgeproof::detail {
+namespace edgeproof::formula::detail {
 
 namespace adl {
 
@@ -295,4 +295,4 @@ template <class T> [[nodiscard]] T quotient(const T& x, const T& y) {
     return T(x / y);
 }
 
-} // namespace edgeproof::detail
+} // namespace edgeproof::formula::detail

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 /// Names that some program somewhere takes for a constant or a limit.
@@ -275,4 +275,4 @@ std::string hint_for_character(std::string_view text, std::size_t offset) {
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

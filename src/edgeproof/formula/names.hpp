@@ -8,7 +8,7 @@
 #include <utility>
 
 /// What the parser says about names and characters: kept apart from the grammar.
-namespace edgeproof {
+namespace edgeproof::formula {
 
 [[nodiscard]] bool is_binder_name(std::string_view name);
 
@@ -36,4 +36,4 @@ inline constexpr std::string_view without_units =
 /// What to write instead of a character that has no place in a formula.
 [[nodiscard]] std::string hint_for_character(std::string_view text, std::size_t offset);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

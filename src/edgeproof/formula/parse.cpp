@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 constexpr std::size_t max_length = 20'000;
@@ -430,4 +430,4 @@ Expr parse(std::string_view text, const Symbols& allowed) { return Parser(text, 
 
 Expr parse(std::string_view text) { return parse(text, Symbols{}); }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// A text that is not an expression, or that uses a name it may not use. `problem()` names the
 /// column, `instead()` what may stand there.
@@ -75,4 +75,4 @@ private:
 /// Reads a constant expression: no variables.
 [[nodiscard]] Expr parse(std::string_view text);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

@@ -5,7 +5,7 @@
 #include <array>
 #include <cctype>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 using Kind = Expr::Kind;
@@ -301,4 +301,4 @@ std::string to_tex(const Expr& e, const std::function<std::string(std::string_vi
     return TexPrinter(symbol)(e);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

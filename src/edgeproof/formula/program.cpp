@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 constexpr long longest_written_out_sum = 1000;
@@ -146,4 +146,4 @@ Program::Program(const Expr& e, std::vector<std::string> symbols) : symbols_(std
     const ProgramBuilder built(*this, e);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

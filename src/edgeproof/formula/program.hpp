@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// An expression compiled once for a fixed order of its symbols, to be run at many points. Equal
 /// parts are computed once, parts without symbols never (they are constants, prepared once for
@@ -147,4 +147,4 @@ template <class T, class Externals = NoExternals>
     return slot(program.result());
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

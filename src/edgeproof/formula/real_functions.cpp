@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 namespace {
 
 [[noreturn]] void outside(Builtin f, const char* domain) {
@@ -369,4 +369,4 @@ template long double pow_int(const long double&, long);
 template Float128 pow_int(const Float128&, long);
 template Real pow_int(const Real&, long);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

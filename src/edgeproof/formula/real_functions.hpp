@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-namespace edgeproof {
+namespace edgeproof::formula {
 
 /// An exponent of moderate size in lowest terms.
 struct SmallFraction {
@@ -32,4 +32,4 @@ template <Arithmetic T> [[nodiscard]] T real_power(const T& x, const T& y);
 /// x^n; `Real`: correctly rounded.
 template <Arithmetic T> [[nodiscard]] T pow_int(const T& x, long n);
 
-} // namespace edgeproof
+} // namespace edgeproof::formula

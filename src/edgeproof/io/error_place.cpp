@@ -5,7 +5,7 @@
 
 #include <typeinfo>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 void rethrow_at(const std::string& file, std::size_t line, std::string_view instead) {
     const auto advice = [&](std::string_view usual) {
@@ -37,4 +37,4 @@ void rethrow_at(const std::string& file, std::size_t line, std::string_view inst
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::io

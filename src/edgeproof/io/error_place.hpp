@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 /// Only in a catch block. An error of ours that names no file becomes an InputError at FILE:LINE,
 /// with `instead` (or what suits its kind) as advice where it has none; any other exception, among
@@ -23,4 +23,4 @@ decltype(auto) at_place(const std::string& file, std::size_t line, const F& f,
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 std::string read_text(const std::filesystem::path& file, const std::string& what,
                       std::size_t most) {
@@ -50,4 +50,4 @@ std::uint64_t fnv1a(std::string_view text, std::uint64_t before) {
     return hash;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 
@@ -21,4 +21,4 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 [[nodiscard]] std::uint64_t fnv1a(std::string_view text,
                                   std::uint64_t before = 0xcbf29ce484222325U);
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::io {
 namespace {
 
 class NestingScan {
@@ -111,4 +111,4 @@ void check_toml_limits(std::string_view text, const std::string& file) {
     NestingScan(text, file).run();
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 inline constexpr std::size_t most_toml_bytes = 10'000'000;
 /// Names that one key or header may join by dots, and brackets that may be open at once. toml++ and
@@ -16,4 +16,4 @@ inline constexpr std::size_t most_toml_nesting = 32;
 /// whatever else is wrong is left to the parser.
 void check_toml_limits(std::string_view text, const std::string& file);
 
-} // namespace edgeproof
+} // namespace edgeproof::io

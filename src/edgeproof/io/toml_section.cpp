@@ -11,7 +11,7 @@
 #include <charconv>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 struct TomlSection::Source {
     toml::table root;
@@ -177,10 +177,10 @@ struct TomlSection::Access {
         }
         return list;
     }
-    [[nodiscard]] Exact exact(const toml::node& n, std::string_view key) const {
+    [[nodiscard]] formula::Exact exact(const toml::node& n, std::string_view key) const {
         const std::string text = scalar(n, key);
         try {
-            return Exact::parse(text);
+            return formula::Exact::parse(text);
         } catch (const InputError& error) {
             throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
                              error.instead())
@@ -343,7 +343,7 @@ std::vector<std::string> TomlSection::written_list(std::string_view key) const {
     access.for_each(key, [&](const toml::node& n) { list.push_back(access.written(n, key)); });
     return list;
 }
-Exact TomlSection::exact(std::string_view key) const {
+formula::Exact TomlSection::exact(std::string_view key) const {
     const Access access{*this};
     return access.exact(access.node(key), key);
 }
@@ -386,4 +386,4 @@ void TomlSection::reject(std::string_view key, const std::string& problem,
     reject(line(key), problem, instead);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/formula/exact.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::io {
 
 /// A table of a TOML file, read strictly. Whatever is not as it should be throws InputError with
 /// the file, the line, what is wrong and what to write instead.
@@ -49,10 +49,10 @@ public:
     /// A list of such; one alone is a list of one.
     [[nodiscard]] std::vector<std::string> written_list(std::string_view key) const;
     /// An exact constant: quoted ("pi/16") or a number.
-    [[nodiscard]] Exact exact(std::string_view key) const;
+    [[nodiscard]] formula::Exact exact(std::string_view key) const;
     /// One of a list, with the line that it stands on.
     struct Item {
-        Exact value;
+        formula::Exact value;
         std::size_t line;
     };
     /// A list of exact constants; one alone is a list of one.
@@ -77,4 +77,4 @@ private:
     const void* table_; ///< toml::table; toml++ stays out of this header
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// All that Edgeproof knows of MPI: a module of its own, loaded only where the program was started
 /// as one of several processes (cli/launched.cpp), so that alone it does not even link to MPI.
-#include "edgeproof/conformance/processes.hpp"
+#include "edgeproof/parallel/processes.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #define OMPI_SKIP_MPICXX 1
@@ -18,7 +18,7 @@ void check(int code, const char* what) {
     }
 }
 
-class MpiProcesses : public Processes {
+class MpiProcesses : public parallel::Processes {
 public:
     MpiProcesses() {
         int provided = MPI_THREAD_SINGLE;
@@ -67,6 +67,6 @@ private:
 } // namespace edgeproof
 
 /// The processes that this one was started with. Throws Error.
-extern "C" edgeproof::Processes* edgeproof_mpi_processes() {
+extern "C" edgeproof::parallel::Processes* edgeproof_mpi_processes() {
     return std::make_unique<edgeproof::MpiProcesses>().release();
 }

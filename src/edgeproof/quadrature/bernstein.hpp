@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// Where a function of one variable is known: holomorphic inside an ellipse about the interval
 /// centre +- half, its foci the interval's ends and its semi-axes half (rho +- 1/rho)/2.
@@ -48,4 +48,4 @@ struct BernsteinEllipse {
     return size;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

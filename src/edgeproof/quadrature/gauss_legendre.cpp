@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 
-#include "edgeproof/precision/ball.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 
 #include <map>
 #include <mutex>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 namespace {
 
 Real rounded(const Ball& x, long bits) {
@@ -60,4 +60,4 @@ std::shared_ptr<const GaussLegendreRule> gauss_legendre_rule(std::size_t n, long
     return slot->rule;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// The Gauss-Legendre rule of n nodes over -1 < x < 1, each number within about one unit of its
 /// last bit (Arb's roots, proved: F. Johansson and M. Mezzarobba, SIAM J. Sci. Comput. 40 (2018)
@@ -23,4 +23,4 @@ struct GaussLegendreRule {
 [[nodiscard]] std::shared_ptr<const GaussLegendreRule> gauss_legendre_rule(std::size_t n,
                                                                            long bits);
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

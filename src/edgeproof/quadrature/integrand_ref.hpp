@@ -3,7 +3,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// An integrand f(lo, hi), T and T to R, by reference: rules that take it are compiled once for a
 /// T and an R, not once for every integrand. What it refers to has to outlive it.
@@ -27,4 +27,4 @@ private:
 template <class T, class F>
 using IntegrandResult = std::remove_cvref_t<std::invoke_result_t<const F&, const T&, const T&>>;
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

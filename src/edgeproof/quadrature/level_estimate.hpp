@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// ln |x|, in binary64 whatever the size of x; -1e300 for 0.
 [[nodiscard]] inline double ln_size(const Real& x) {
@@ -68,4 +68,4 @@ private:
     double difference_ = 1e300;
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/near_singularity.hpp"
 
-#include "edgeproof/precision/elementary.hpp"
+#include "edgeproof/precision/elementary/elementary.hpp"
 #include "edgeproof/precision/instantiate.hpp"
 
 #include <cmath>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 template <Arithmetic T, class R>
 QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length,
@@ -74,9 +74,9 @@ QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& leng
                                                    const T&, const QuadratureOptions&);
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
     EDGEPROOF_INSTANTIATE_FOR(T, T)                                                                \
-    EDGEPROOF_INSTANTIATE_FOR(T, Series<T>)
+    EDGEPROOF_INSTANTIATE_FOR(T, series::Series<T>)
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
 #undef EDGEPROOF_INSTANTIATE_FOR
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

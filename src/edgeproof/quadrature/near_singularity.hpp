@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// The integral of f over an interval of length L when f has a singularity *outside*, `beyond`
 /// away from one end (0: none known). One that is near would slow tanh-sinh down without end; the
@@ -63,4 +63,4 @@ auto integrate_pieces(const F& f, const std::vector<T>& lengths, const T& beyond
     return std::move(*total);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

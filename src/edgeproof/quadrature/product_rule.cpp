@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 namespace {
 
 mpfr_ptr raw(Real& x) { return x.backend().data(); }
@@ -93,4 +93,4 @@ double product_rule_log_error(std::size_t n, double rho, double ln_M, double siz
            (static_cast<double>(n) - 1) * std::log(rho);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// A rule for the mean of f over 0 < t < 1 with the weight t^p (1 - t)^r, p, r > -1: end points
 /// that no polynomial comes near are in the weights, and f need only be smooth. Exact for
@@ -26,4 +26,4 @@ struct ProductRule {
 /// Approximation Practice, theorem 8.2), over the weight and over the rule.
 [[nodiscard]] double product_rule_log_error(std::size_t n, double rho, double ln_M, double size);
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -3,7 +3,7 @@
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/series/truncated.hpp"
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// What a rule has to know of the values that it adds: numbers, or whole truncated series, each
 /// coefficient of which must converge for itself.
@@ -32,20 +32,21 @@ template <Arithmetic T> struct QuadratureValue<T> {
     }
 };
 
-template <Arithmetic T> struct QuadratureValue<Series<T>> {
+template <Arithmetic T> struct QuadratureValue<series::Series<T>> {
     using Scalar = T;
     using One = QuadratureValue<T>;
-    static void add(Series<T>& sum, const T& weight, const Series<T>& f) {
+    static void add(series::Series<T>& sum, const T& weight, const series::Series<T>& f) {
         for (std::size_t k = 0; k < sum.order(); ++k) {
             One::add(sum[k], weight, f[k]);
         }
     }
-    static void add_magnitude(Series<T>& sum, const T& weight, const Series<T>& f) {
+    static void add_magnitude(series::Series<T>& sum, const T& weight, const series::Series<T>& f) {
         for (std::size_t k = 0; k < sum.order(); ++k) {
             One::add_magnitude(sum[k], weight, f[k]);
         }
     }
-    static T distance(const Series<T>& x, const Series<T>& y, const Series<T>& scale) {
+    static T distance(const series::Series<T>& x, const series::Series<T>& y,
+                      const series::Series<T>& scale) {
         T worst(0);
         for (std::size_t k = 0; k < x.order(); ++k) {
             const T d = One::distance(x[k], y[k], scale[k]);
@@ -55,7 +56,7 @@ template <Arithmetic T> struct QuadratureValue<Series<T>> {
         }
         return worst;
     }
-    static bool finite(const Series<T>& f) {
+    static bool finite(const series::Series<T>& f) {
         for (const T& c : f.coefficients()) {
             if (!One::finite(c)) {
                 return false;
@@ -65,4 +66,4 @@ template <Arithmetic T> struct QuadratureValue<Series<T>> {
     }
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -11,7 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 namespace {
 
 using At = IntegrandRef<Real, Real>;
@@ -228,4 +228,4 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     return std::nullopt;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// The integral of f over an interval of that length by Gauss-Legendre rules, for an integrand that
 /// is a power series in the root of the distance from each end (from d^(-1/2) on), which maps by a
@@ -24,4 +24,4 @@ namespace edgeproof {
 integrate_root_ends(const IntegrandRef<Real, Real>& f, const Real& length, const Real& beyond_lo,
                     const Real& beyond_hi);
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 namespace {
 
@@ -128,10 +128,10 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
     template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&,                           \
                                               const QuadratureOptions&);                           \
-    template QuadratureResult<Series<T>> tanh_sinh_of(const IntegrandRef<T, Series<T>>&,           \
-                                                      const QuadratureOptions&);
+    template QuadratureResult<series::Series<T>> tanh_sinh_of(                                     \
+        const IntegrandRef<T, series::Series<T>>&, const QuadratureOptions&);
 // NOLINTEND(bugprone-macro-parentheses)
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

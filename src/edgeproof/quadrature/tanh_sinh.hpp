@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// What a quadrature returns: never a value alone. `estimate` is the difference of the last two
 /// levels relative to the integral of |f|. It is an estimate, not a bound: a narrow feature that
@@ -48,7 +48,7 @@ struct QuadratureOptions {
 ///
 /// f is called as f(lo, hi) with lo + hi = 1, *both* distances exact to the last digit: near an
 /// end point the small one is what the integrand must be written in. End-point singularities up
-/// to d^(-1/2) (any logarithm times) cost no digits. R is T or Series<T>.
+/// to d^(-1/2) (any logarithm times) cost no digits. R is T or series::Series<T>.
 ///
 /// The working precision is that of the calling thread; node tables are per thread and precision.
 /// Not converging by `last_level` is said in the result, never silent.
@@ -61,4 +61,4 @@ template <Arithmetic T, class F>
     return tanh_sinh_of<T, R>(IntegrandRef<T, R>(f), options);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

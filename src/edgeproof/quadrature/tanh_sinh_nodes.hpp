@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::quadrature {
 
 /// The abscissas and weights of tanh-sinh on the unit interval at one precision. Level k holds
 /// the nodes that level k adds to those before it, from the middle outwards; built when first
@@ -88,4 +88,4 @@ template <Arithmetic T> [[nodiscard]] const TanhSinhNodes<T>& tanh_sinh_nodes() 
     return tables[digits_of<T>()];
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::quadrature

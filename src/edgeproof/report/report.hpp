@@ -11,13 +11,13 @@
 ///   figures.hpp          a figure as data, drawn by gnuplot
 ///   visible_text.hpp     somebody else's text, without control characters
 ///   files.hpp            files written aside and renamed: whole or not at all
-#include "edgeproof/report/agreement_report.hpp"
-#include "edgeproof/report/figures.hpp"
-#include "edgeproof/report/files.hpp"
-#include "edgeproof/report/golden.hpp"
-#include "edgeproof/report/html_report.hpp"
-#include "edgeproof/report/mutation_report.hpp"
-#include "edgeproof/report/reference_table.hpp"
-#include "edgeproof/report/table.hpp"
-#include "edgeproof/report/verdict_writers.hpp"
-#include "edgeproof/report/visible_text.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/report/figures/figures.hpp"
+#include "edgeproof/report/page/html_report.hpp"
+#include "edgeproof/report/tables/agreement_report.hpp"
+#include "edgeproof/report/tables/golden.hpp"
+#include "edgeproof/report/tables/mutation_report.hpp"
+#include "edgeproof/report/tables/reference_table.hpp"
+#include "edgeproof/report/tables/table.hpp"
+#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/text/visible_text.hpp"

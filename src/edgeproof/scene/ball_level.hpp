@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/ball_contact.hpp"
-#include "edgeproof/contact/ball_shear.hpp"
-#include "edgeproof/contact/ball_tilt.hpp"
-#include "edgeproof/contact/integrated_contact.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_shear.hpp"
+#include "edgeproof/contact/tilt/ball_tilt.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/scene/plan.hpp"
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 #include <optional>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 /// A scene's contact at one number of bits: what the route in balls goes up from level to level.
 class BallLevel {
 public:
     /// `edges`: both, where they are known already.
-    BallLevel(const Scene& scene, const Plan& plan, const std::optional<ExactEdges>& edges,
+    BallLevel(const Scene& scene, const Plan& plan, const std::optional<contact::ExactEdges>& edges,
               long bits)
         : scene_(scene), plan_(plan), bits_(bits) {
         if (scene.punch) {
@@ -29,9 +29,9 @@ public:
             } else {
                 closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
             }
-        } else if (edges && BallContact::has_closed_form(*scene.profile)) {
+        } else if (edges && contact::BallContact::has_closed_form(*scene.profile)) {
             closed_.emplace(*scene.profile, scene.contact_modulus, *edges, bits);
-        } else if (BallContact::has_closed_form(*scene.profile)) {
+        } else if (contact::BallContact::has_closed_form(*scene.profile)) {
             closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
         } else {
             curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
@@ -41,23 +41,23 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
     [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
-    [[nodiscard]] const ProvedPressure& proved_pressure() const {
-        return closed_ ? static_cast<const ProvedPressure&>(*closed_) : *curved_;
+    [[nodiscard]] const contact::ProvedPressure& proved_pressure() const {
+        return closed_ ? static_cast<const contact::ProvedPressure&>(*closed_) : *curved_;
     }
     [[nodiscard]] bool edge_may_be_on_knot() const {
         return closed_ ? closed_->edge_may_be_on_knot() : curved_->edge_may_be_on_knot();
     }
     /// Where it was solved for.
-    [[nodiscard]] const EnclosedTilt& tilt() const { return *tilt_; }
+    [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }
     /// Where an edge is, if that is given or proved by exact algebra.
-    [[nodiscard]] std::optional<Exact> known(Edge edge) const {
+    [[nodiscard]] std::optional<formula::Exact> known(contact::Edge edge) const {
         return closed_ ? closed_->known(edge) : curved_->known(edge);
     }
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
     /// The last one asked for is kept where it has several uses.
-    [[nodiscard]] const Ball& p(Edge edge, const Exact& u) {
+    [[nodiscard]] const Ball& p(contact::Edge edge, const formula::Exact& u) {
         if (plan_.terms == 0 && !scene_.shear) {
             used_once_ = closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u);
             return used_once_;
@@ -68,11 +68,11 @@ public:
         }
         return last_->p;
     }
-    [[nodiscard]] Ball q(Edge edge, const Exact& u) {
+    [[nodiscard]] Ball q(contact::Edge edge, const formula::Exact& u) {
         return together() ? shear_ratio() * p(edge, u)
                           : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
     }
-    [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
+    [[nodiscard]] const std::vector<Ball>& c(contact::Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
             c = closed_ ? closed_->expansion(edge, plan_.terms)
@@ -80,7 +80,7 @@ public:
         }
         return c;
     }
-    [[nodiscard]] const std::vector<Ball>& s(Edge edge) {
+    [[nodiscard]] const std::vector<Ball>& s(contact::Edge edge) {
         auto& s = s_[edge];
         if (s.empty() && together()) {
             for (const Ball& x : c(edge)) {
@@ -92,7 +92,7 @@ public:
         return s;
     }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] Ball sum(Edge edge, const Exact& u, std::size_t n, bool shear) {
+    [[nodiscard]] Ball sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear) {
         const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
         const Ball at = ball_of(u, bits_);
         Ball total = terms[n - 1];
@@ -104,12 +104,14 @@ public:
 
 private:
     struct Last {
-        Edge edge;
-        Exact u;
+        contact::Edge edge;
+        formula::Exact u;
         Ball p;
     };
-    [[nodiscard]] bool together() const { return scene_.shear->path == LoadingPath::together; }
-    [[nodiscard]] BallShearLoad load() const {
+    [[nodiscard]] bool together() const {
+        return scene_.shear->path == contact::LoadingPath::together;
+    }
+    [[nodiscard]] contact::BallShearLoad load() const {
         return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
     }
     [[nodiscard]] const Ball& shear_ratio() {
@@ -122,14 +124,14 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     long bits_;
-    std::optional<EnclosedTilt> tilt_;
-    std::optional<BallContact> closed_;
-    std::optional<IntegratedContact> curved_; ///< of g' that has no closed form
+    std::optional<contact::EnclosedTilt> tilt_;
+    std::optional<contact::BallContact> closed_;
+    std::optional<contact::IntegratedContact> curved_; ///< of g' that has no closed form
     std::optional<Last> last_;
     Ball used_once_;
     std::optional<Ball> ratio_;
-    std::map<Edge, std::vector<Ball>> c_;
-    std::map<Edge, std::vector<Ball>> s_;
+    std::map<contact::Edge, std::vector<Ball>> c_;
+    std::map<contact::Edge, std::vector<Ball>> s_;
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/ball_contact.hpp"
-#include "edgeproof/contact/ball_extent.hpp"
-#include "edgeproof/contact/profile_checks.hpp"
-#include "edgeproof/contact/rising_slope.hpp"
+#include "edgeproof/contact/curved/slope_monotonicity.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/ball_level.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/exact_values.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 /// A value within 1e-400 of zero beside the contact's own scale counts as zero.
@@ -24,27 +24,27 @@ constexpr long least_last_bits = 1L << 14;
 
 class BallRoute : public ValueRoute {
 public:
-    BallRoute(const Scene& scene, const Plan& plan, Work& work)
+    BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
         : scene_(scene), plan_(plan), work_(work),
           last_bits_(std::max(least_last_bits, 8 * plan.bits)), last_curved_bits_(8 * plan.bits) {
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
-        work.counts.load_inversions += scene.load.kind == Load::Kind::force ? 1 : 0;
+        work.counts.load_inversions += scene.load.kind == contact::Load::Kind::force ? 1 : 0;
         if (auto length = settle([](BallLevel& level) { return level.length(); },
                                  [](ExactValues& exact) { return exact.length(); },
                                  {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
             length_ = std::move(length->value);
         }
-        if (scene.load.kind == Load::Kind::right_edge) {
-            known_[Edge::right] = rational_of(scene.load.value);
+        if (scene.load.kind == contact::Load::Kind::right_edge) {
+            known_[contact::Edge::right] = rational_of(scene.load.value);
             if (scene.symmetric()) {
-                known_[Edge::left] = known_[Edge::right];
+                known_[contact::Edge::left] = known_[contact::Edge::right];
             }
         } else if (length_) {
-            know(Edge::right);
+            know(contact::Edge::right);
         }
         if (length_) {
-            know(Edge::left);
+            know(contact::Edge::left);
         }
         // No contact at any precision: the routes in Real say why.
         if (!length_) {
@@ -60,18 +60,19 @@ public:
         }
         const BallLevel* level = at_level(length_->bits());
         check_reach(*scene_.profile, level->a(), level->b());
-        const SlopeCourse course = course_of_slope(*scene_.profile, level->a(), level->b());
-        if (course.kind == SlopeCourse::Kind::falls) {
+        const contact::SlopeMonotonicity course =
+            monotonicity_of_slope(*scene_.profile, level->a(), level->b());
+        if (course.kind == contact::SlopeMonotonicity::Kind::falls) {
             throw InputError("g' decreases near x = " + course.where->midpoint().str(8),
                              "give a convex profile: g' must not decrease")
                 .at(scene_.file, scene_.profile_line);
         }
-        return course.kind == SlopeCourse::Kind::rises;
+        return course.kind == contact::SlopeMonotonicity::Kind::rises;
     }
 
     ContactValues contact() override {
         ContactValues values;
-        const bool given = scene_.load.kind == Load::Kind::right_edge;
+        const bool given = scene_.load.kind == contact::Load::Kind::right_edge;
         const char* by_load = given ? "given" : "from P";
         values.a = narrow([](BallLevel& level) { return level.a(); },
                           [](ExactValues& exact) { return exact.a(); }, by_load,
@@ -80,16 +81,17 @@ public:
                           [](ExactValues& exact) { return exact.b(); },
                           scene_.symmetric() ? by_load : "consistency",
                           [&](ValueRoute& other) { return other.contact().b; });
-        if (known_[Edge::right]) {
-            values.a.exactly = known_[Edge::right];
+        if (known_[contact::Edge::right]) {
+            values.a.exactly = known_[contact::Edge::right];
         }
-        if (known_[Edge::left]) {
-            values.b.exactly = known_[Edge::left];
+        if (known_[contact::Edge::left]) {
+            values.b.exactly = known_[contact::Edge::left];
         }
         if (scene_.punch) {
-            values.alpha = vouched([](BallLevel& level) { return level.tilt().alpha; },
-                                   [](ExactValues&) { return ExactNumber::unknown(); }, "tilt",
-                                   [&](ValueRoute& other) { return *other.contact().alpha; });
+            values.alpha =
+                bounded_value([](BallLevel& level) { return level.tilt().alpha; },
+                              [](ExactValues&) { return formula::ExactNumber::unknown(); }, "tilt",
+                              [&](ValueRoute& other) { return *other.contact().alpha; });
             const BallLevel* first = at_level(plan_.narrow_bits);
             if (first != nullptr && first->tilt().exactly_zero) {
                 values.alpha->exactly = Rational(0);
@@ -97,17 +99,18 @@ public:
         }
         if (plan_.resultants) {
             work_.counts.resultants += 2;
-            values.force = vouched([](BallLevel& level) { return level.force(); },
-                                   [](ExactValues& exact) { return exact.force(); },
-                                   given ? "contact-law" : "given",
-                                   [&](ValueRoute& other) { return *other.contact().force; });
+            values.force = bounded_value([](BallLevel& level) { return level.force(); },
+                                         [](ExactValues& exact) { return exact.force(); },
+                                         given ? "contact-law" : "given",
+                                         [&](ValueRoute& other) { return *other.contact().force; });
             if (!given) {
                 values.force->exactly = rational_of(scene_.load.value);
             }
-            values.moment = vouched([](BallLevel& level) { return level.moment(); },
-                                    [](ExactValues& exact) { return exact.moment(); },
-                                    scene_.moment ? "given" : "contact-law",
-                                    [&](ValueRoute& other) { return *other.contact().moment; });
+            values.moment =
+                bounded_value([](BallLevel& level) { return level.moment(); },
+                              [](ExactValues& exact) { return exact.moment(); },
+                              scene_.moment ? "given" : "contact-law",
+                              [&](ValueRoute& other) { return *other.contact().moment; });
             if (scene_.moment) {
                 values.moment->exactly = rational_of(*scene_.moment);
             }
@@ -115,12 +118,12 @@ public:
         return values;
     }
 
-    PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
+    PointValues at(contact::Edge edge, const formula::Exact& u, bool p, bool q) override {
         const Ball from = ball_of(u, length_ ? length_->bits() : plan_.bits);
         if (length_ && !certainly_less(from, *length_)) {
             throw DomainError("the point lies outside the contact");
         }
-        const bool together = q && scene_.shear->path == LoadingPath::together;
+        const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         (closed() ? work_.counts.closed_forms : work_.counts.quadratures) += p || together ? 1 : 0;
         work_.counts.shear_points += q ? 1 : 0;
         count_ratio(together);
@@ -140,10 +143,10 @@ public:
                               [&](ValueRoute& route) { return *instead(route).p; });
         }
         if (q) {
-            values.q = vouched([&](BallLevel& level) { return level.q(edge, u); },
-                               [&](ExactValues& exact) { return exact.q(edge, exactly(u)); },
-                               together ? "similar" : "full-stick",
-                               [&](ValueRoute& route) { return *instead(route).q; });
+            values.q = bounded_value([&](BallLevel& level) { return level.q(edge, u); },
+                                     [&](ExactValues& exact) { return exact.q(edge, exactly(u)); },
+                                     together ? "similar" : "full-stick",
+                                     [&](ValueRoute& route) { return *instead(route).q; });
         }
         if (plan_.terms == 0) {
             return values;
@@ -164,11 +167,11 @@ public:
         return values;
     }
 
-    EdgeValues expansion(Edge edge, bool p, bool q) override {
+    EdgeValues expansion(contact::Edge edge, bool p, bool q) override {
         count_expansions(edge, p, q);
         EdgeValues values;
         values.edge = edge;
-        const bool together = scene_.shear && scene_.shear->path == LoadingPath::together;
+        const bool together = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
         values.s_half_powers = together ? 1 : -1;
         std::optional<EdgeValues> other;
         const auto instead = [&](ValueRoute& route) -> const EdgeValues& {
@@ -179,30 +182,30 @@ public:
         };
         for (std::size_t k = 0; k < plan_.terms; ++k) {
             if (p) {
-                values.c.push_back(
-                    vouched([&](BallLevel& level) { return level.c(edge)[k]; },
-                            [&](ExactValues& exact) { return exact.c(edge, plan_.terms).at(k); },
-                            "series", [&](ValueRoute& route) { return instead(route).c.at(k); }));
+                values.c.push_back(bounded_value(
+                    [&](BallLevel& level) { return level.c(edge)[k]; },
+                    [&](ExactValues& exact) { return exact.c(edge, plan_.terms).at(k); }, "series",
+                    [&](ValueRoute& route) { return instead(route).c.at(k); }));
             }
             if (q) {
-                values.s.push_back(
-                    vouched([&](BallLevel& level) { return level.s(edge)[k]; },
-                            [&](ExactValues& exact) { return exact.s(edge, plan_.terms).at(k); },
-                            together ? "similar" : "full-stick",
-                            [&](ValueRoute& route) { return instead(route).s.at(k); }));
+                values.s.push_back(bounded_value(
+                    [&](BallLevel& level) { return level.s(edge)[k]; },
+                    [&](ExactValues& exact) { return exact.s(edge, plan_.terms).at(k); },
+                    together ? "similar" : "full-stick",
+                    [&](ValueRoute& route) { return instead(route).s.at(k); }));
             }
         }
         return values;
     }
 
-    ExtentValues extent(Edge edge, std::size_t n) override {
+    ExtentValues extent(contact::Edge edge, std::size_t n) override {
         ++work_.counts.extents;
         if (auto found = enclosed_extent(edge, n)) {
             return std::move(*found);
         }
         ExtentValues sampled = others().extent(edge, n);
-        for (Vouched* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
-                           &sampled.measure_fraction}) {
+        for (BoundedValue* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
+                                &sampled.measure_fraction}) {
             v->route = "scan, undecided in balls";
         }
         return sampled;
@@ -210,9 +213,9 @@ public:
 
 private:
     /// Nothing where the budget does not decide.
-    [[nodiscard]] std::optional<ExtentValues> enclosed_extent(Edge edge, std::size_t n) {
-        BallExtentSearch search(
-            [&](long bits) -> const ProvedPressure& {
+    [[nodiscard]] std::optional<ExtentValues> enclosed_extent(contact::Edge edge, std::size_t n) {
+        contact::BallExtentSearch search(
+            [&](long bits) -> const contact::ProvedPressure& {
                 BallLevel* level = at_level(bits);
                 if (level == nullptr) {
                     throw BudgetError("so few bits do not enclose the edges");
@@ -221,14 +224,14 @@ private:
             },
             edge, n, *scene_.ask.tolerance, scene_.ask.part);
         const auto settled = [&](const Ball& x) { return settles(x, plan_.digits); };
-        std::optional<EnclosedExtents> best;
+        std::optional<contact::EnclosedExtents> best;
         ExactExtents exactly;
         const long last = closed() ? last_bits_ : last_curved_bits_;
         for (long bits = plan_.bits; bits <= last; bits *= 2) {
             try {
                 best = search.at(bits);
             } catch (const BudgetError&) {
-                if (search.evaluations() > BallExtentSearch::most_evaluations) {
+                if (search.evaluations() > contact::BallExtentSearch::most_evaluations) {
                     break;
                 }
                 continue;
@@ -247,7 +250,7 @@ private:
             return {};
         }
         const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
-            return Vouched{x, true, "sign changes", q};
+            return BoundedValue{x, true, "sign changes", q};
         };
         const auto of_length = [&](const std::optional<Rational>& q) {
             return q && exactly.length ? std::optional(Rational(*q / *exactly.length))
@@ -278,15 +281,16 @@ private:
         std::optional<Rational> measure;
         std::vector<std::optional<Rational>> crossings;
     };
-    [[nodiscard]] ExactExtents exact_extents(const EnclosedExtents& found, const BallLevel& level,
-                                             Edge edge, std::size_t n) {
+    [[nodiscard]] ExactExtents exact_extents(const contact::EnclosedExtents& found,
+                                             const BallLevel& level, contact::Edge edge,
+                                             std::size_t n) {
         ExactExtents result;
         result.crossings.resize(found.crossings.size());
-        const auto part = [&](const Exact& fraction) {
+        const auto part = [&](const formula::Exact& fraction) {
             return exact_value([&](ExactValues& e) { return e.length() * exactly(fraction); },
                                level, found.length * ball_of(fraction, found.length.bits()));
         };
-        result.length = part(Exact::of(Rational(1)));
+        result.length = part(formula::Exact::of(Rational(1)));
         if (!result.length) {
             return result;
         }
@@ -320,20 +324,21 @@ private:
     }
     /// The crossing in a ball that holds one, where the error there is the tolerance exactly.
     [[nodiscard]] std::optional<Rational> exact_crossing(const Ball& u, const BallLevel& level,
-                                                         Edge edge, std::size_t n) {
-        const auto q = may_be_a_limit(u, plan_.digits) ? simplest_rational(u) : std::nullopt;
+                                                         contact::Edge edge, std::size_t n) {
+        const auto q =
+            may_be_a_limit(u, plan_.digits) ? contact::simplest_rational(u) : std::nullopt;
         if (!q || *q <= 0) {
             return {};
         }
-        const ExactNumber tolerance = exactly(*scene_.ask.tolerance);
+        const formula::ExactNumber tolerance = exactly(*scene_.ask.tolerance);
         const auto off = [&](ExactValues& e) {
-            const ExactNumber error = e.error(edge, ExactNumber(*q), n, false);
-            return error == tolerance || error == -tolerance ? ExactNumber(*q)
-                                                             : ExactNumber::unknown();
+            const formula::ExactNumber error = e.error(edge, formula::ExactNumber(*q), n, false);
+            return error == tolerance || error == -tolerance ? formula::ExactNumber(*q)
+                                                             : formula::ExactNumber::unknown();
         };
         return exact_value(off, level, u);
     }
-    [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
+    [[nodiscard]] bool closed() const { return plan_.route == contact::Route::closed_form; }
     /// A value, and what it is exactly where that is a rational number and was looked at.
     struct Found {
         Ball value;
@@ -388,7 +393,9 @@ private:
             return {};
         }
     }
-    [[nodiscard]] static ExactNumber exactly(const Exact& x) { return ExactNumber::of(x.expr()); }
+    [[nodiscard]] static formula::ExactNumber exactly(const formula::Exact& x) {
+        return formula::ExactNumber::of(x.expr());
+    }
     /// Made when it is first asked for. Null under a tilt that was solved for.
     [[nodiscard]] ExactValues* exact_values(const BallLevel& level) {
         if (!exact_) {
@@ -403,27 +410,27 @@ private:
     /// The bits of the next attempt.
     [[nodiscard]] long after(long bits) const { return bits < plan_.bits ? plan_.bits : 2 * bits; }
     template <class F, class Exactly, class Instead>
-    [[nodiscard]] Vouched vouched(const F& f, const Exactly& exactly, const char* route,
-                                  const Instead& instead) {
+    [[nodiscard]] BoundedValue bounded_value(const F& f, const Exactly& exactly, const char* route,
+                                             const Instead& instead) {
         return bounded(settle(f, exactly, plan_.digits), route, instead);
     }
     /// Of what cancels little, so that fewer bits will do at first.
     template <class F, class Exactly, class Instead>
-    [[nodiscard]] Vouched narrow(const F& f, const Exactly& exactly, const char* route,
-                                 const Instead& instead) {
+    [[nodiscard]] BoundedValue narrow(const F& f, const Exactly& exactly, const char* route,
+                                      const Instead& instead) {
         return bounded(settle(f, exactly, plan_.digits, plan_.narrow_bits), route, instead);
     }
     template <class Instead>
-    [[nodiscard]] Vouched bounded(std::optional<Found> x, const char* route,
-                                  const Instead& instead) {
+    [[nodiscard]] BoundedValue bounded(std::optional<Found> x, const char* route,
+                                       const Instead& instead) {
         if (x) {
             return {std::move(x->value), true, route, std::move(x->exactly)};
         }
         return instead(others());
     }
     template <class Instead>
-    [[nodiscard]] Approximation approximation(Edge edge, const Exact& u, std::size_t i, bool shear,
-                                              const Instead& instead) {
+    [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
+                                              std::size_t i, bool shear, const Instead& instead) {
         const std::size_t n = scene_.ask.terms[i];
         const auto local =
             settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
@@ -445,11 +452,11 @@ private:
     }
     /// x of the point u, which is `from` in a ball.
     template <class Instead>
-    [[nodiscard]] Vouched place(Edge edge, const Exact& u, const Ball& from,
-                                const Instead& instead) {
+    [[nodiscard]] BoundedValue place(contact::Edge edge, const formula::Exact& u, const Ball& from,
+                                     const Instead& instead) {
         const auto& known = known_[edge];
         const Rational* distance = u.expr().rational();
-        const bool right = edge == Edge::right;
+        const bool right = edge == contact::Edge::right;
         if (known && distance != nullptr) {
             const Rational x = right ? Rational(*known - *distance) : Rational(*distance - *known);
             // The text of what is known exactly is made of that: a ball of any width will do.
@@ -464,13 +471,13 @@ private:
             [&](ExactValues& exact) { return exact.x(edge, exactly(u)); }, "given", instead);
     }
     /// Keeps where an edge is, if that is a rational number, and known.
-    void know(Edge edge) {
+    void know(contact::Edge edge) {
         if (const auto exact = at_level(length_->bits())->known(edge)) {
             known_[edge] = rational_of(*exact);
         }
     }
-    void count_expansions(Edge edge, bool p, bool q) {
-        const bool together = q && scene_.shear->path == LoadingPath::together;
+    void count_expansions(contact::Edge edge, bool p, bool q) {
+        const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         count_ratio(together);
         if ((p || together) && expanded_.insert({edge, false}).second) {
             ++work_.counts.expansions;
@@ -494,10 +501,10 @@ private:
         auto& slot = levels_[bits];
         try {
             slot = std::make_unique<BallLevel>(scene_, plan_, edges_, bits);
-            const auto a = slot->known(Edge::right);
-            const auto b = slot->known(Edge::left);
+            const auto a = slot->known(contact::Edge::right);
+            const auto b = slot->known(contact::Edge::left);
             if (a && b && !scene_.symmetric()) {
-                edges_ = ExactEdges{*a, *b};
+                edges_ = contact::ExactEdges{*a, *b};
             }
         } catch (const BudgetError&) {
         } catch (const DomainError&) {
@@ -514,25 +521,27 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    Work& work_;
+    contact::Work& work_;
     long last_bits_;
     long last_curved_bits_; ///< integrals cost more
     std::map<long, std::unique_ptr<BallLevel>> levels_;
-    std::optional<ExactEdges> edges_; ///< where a level proved them
+    std::optional<contact::ExactEdges> edges_; ///< where a level proved them
     std::optional<Ball> length_;
-    std::map<Edge, std::optional<Rational>> known_; ///< distances of the edges from the origin
+    std::map<contact::Edge, std::optional<Rational>>
+        known_; ///< distances of the edges from the origin
     std::optional<ExactValues> exact_;
-    std::set<std::pair<Edge, bool>> expanded_;
+    std::set<std::pair<contact::Edge, bool>> expanded_;
     bool ratio_counted_ = false;
-    Work work_of_others_;
+    contact::Work work_of_others_;
     std::unique_ptr<ValueRoute> others_;
 };
 
 } // namespace
 
-std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan, Work& work) {
+std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan,
+                                            contact::Work& work) {
     try {
-        const Work before = work;
+        const contact::Work before = work;
         auto route = std::make_unique<BallRoute>(scene, plan, work);
         if (route->slope_rises()) {
             return route;
@@ -547,4 +556,4 @@ std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

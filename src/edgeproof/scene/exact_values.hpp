@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/exact_contact.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/scene/scene_file.hpp"
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 /// A scene's values in exact arithmetic, as far as they have an exact form (exact_contact.hpp);
 /// unknown ones otherwise. Keeps a reference to the scene.
@@ -16,31 +16,35 @@ class ExactValues {
 public:
     /// The profile is the scene's, or that of a tilt which is known to be zero. The balls enclose
     /// the edges.
-    ExactValues(const Scene& scene, const Profile& profile, const Ball& a, const Ball& b);
+    ExactValues(const Scene& scene, const contact::Profile& profile, const Ball& a, const Ball& b);
 
-    [[nodiscard]] const ExactNumber& a() const { return contact_.a(); }
-    [[nodiscard]] const ExactNumber& b() const { return contact_.b(); }
-    [[nodiscard]] ExactNumber length() const { return contact_.length(); }
-    [[nodiscard]] ExactNumber force() const { return contact_.force(); }
-    [[nodiscard]] ExactNumber moment() const { return contact_.moment(); }
-    [[nodiscard]] ExactNumber x(Edge edge, const ExactNumber& u) const;
-    [[nodiscard]] ExactNumber p(Edge edge, const ExactNumber& u) const;
-    [[nodiscard]] ExactNumber q(Edge edge, const ExactNumber& u) const;
+    [[nodiscard]] const formula::ExactNumber& a() const { return contact_.a(); }
+    [[nodiscard]] const formula::ExactNumber& b() const { return contact_.b(); }
+    [[nodiscard]] formula::ExactNumber length() const { return contact_.length(); }
+    [[nodiscard]] formula::ExactNumber force() const { return contact_.force(); }
+    [[nodiscard]] formula::ExactNumber moment() const { return contact_.moment(); }
+    [[nodiscard]] formula::ExactNumber x(contact::Edge edge, const formula::ExactNumber& u) const;
+    [[nodiscard]] formula::ExactNumber p(contact::Edge edge, const formula::ExactNumber& u) const;
+    [[nodiscard]] formula::ExactNumber q(contact::Edge edge, const formula::ExactNumber& u) const;
     /// So many coefficients of p, or of q, at least.
-    [[nodiscard]] const std::vector<ExactNumber>& c(Edge edge, std::size_t terms);
-    [[nodiscard]] const std::vector<ExactNumber>& s(Edge edge, std::size_t terms);
+    [[nodiscard]] const std::vector<formula::ExactNumber>& c(contact::Edge edge, std::size_t terms);
+    [[nodiscard]] const std::vector<formula::ExactNumber>& s(contact::Edge edge, std::size_t terms);
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] ExactNumber sum(Edge edge, const ExactNumber& u, std::size_t n, bool shear);
+    [[nodiscard]] formula::ExactNumber sum(contact::Edge edge, const formula::ExactNumber& u,
+                                           std::size_t n, bool shear);
     /// 1 - sum/value, with its sign.
-    [[nodiscard]] ExactNumber error(Edge edge, const ExactNumber& u, std::size_t n, bool shear);
+    [[nodiscard]] formula::ExactNumber error(contact::Edge edge, const formula::ExactNumber& u,
+                                             std::size_t n, bool shear);
 
 private:
-    [[nodiscard]] bool together() const { return scene_.shear->path == LoadingPath::together; }
+    [[nodiscard]] bool together() const {
+        return scene_.shear->path == contact::LoadingPath::together;
+    }
 
     const Scene& scene_;
-    ExactContact contact_;
-    std::map<Edge, std::vector<ExactNumber>> c_;
-    std::map<Edge, std::vector<ExactNumber>> s_;
+    contact::ExactContact contact_;
+    std::map<contact::Edge, std::vector<formula::ExactNumber>> c_;
+    std::map<contact::Edge, std::vector<formula::ExactNumber>> s_;
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

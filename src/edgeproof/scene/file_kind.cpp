@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 struct KindOfFile {
@@ -41,7 +41,7 @@ const KindOfFile& of(FileKind kind) { return file_kinds.at(static_cast<std::size
 
 } // namespace
 
-void expect_file_kind(const TomlSection& top, FileKind expected) {
+void expect_file_kind(const io::TomlSection& top, FileKind expected) {
     for (const std::string_view mark : of(expected).marks) {
         if (top.has(mark)) {
             return;
@@ -60,4 +60,4 @@ void expect_file_kind(const TomlSection& top, FileKind expected) {
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

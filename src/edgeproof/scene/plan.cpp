@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/plan.hpp"
 
-#include "edgeproof/contact/ball_contact.hpp"
-#include "edgeproof/contact/integrated_contact.hpp"
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 constexpr unsigned guard_digits = 20;
@@ -66,7 +66,7 @@ public:
         plan_.shear = ask_.wants(Quantity::shear);
         plan_.extents = ask_.wants(Quantity::extent);
         plan_.resultants = ask_.wants(Quantity::contact);
-        const bool similar = scene_.shear && scene_.shear->path == LoadingPath::together;
+        const bool similar = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
         plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
         plan_.points = plan_.pressure || plan_.shear ? ask_.u.size() : 0;
         const bool coefficients = ask_.wants(Quantity::coefficients);
@@ -75,14 +75,16 @@ public:
         plan_.expand_shear = scene_.shear && (coefficients || (approximations && plan_.shear));
         plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
                                 (plan_.expand_shear && similar);
-        const bool closed = !scene_.profile || BallContact::has_closed_form(*scene_.profile);
-        plan_.route = ask_.route != Route::automatic ? ask_.route
-                      : closed                       ? Route::closed_form
-                                                     : Route::singular_integral;
-        plan_.bits = bits_for(ask_.digits.count) + 96;
-        plan_.narrow_bits = closed ? std::min(whole_words(bits_for(ask_.digits.count) + 40),
-                                              plan_.bits)
-                                   : plan_.bits; // an integral costs more than its bits save
+        const bool closed =
+            !scene_.profile || contact::BallContact::has_closed_form(*scene_.profile);
+        plan_.route = ask_.route != contact::Route::automatic ? ask_.route
+                      : closed                                ? contact::Route::closed_form
+                                                              : contact::Route::singular_integral;
+        plan_.bits = formula::bits_for(ask_.digits.count) + 96;
+        plan_.narrow_bits = closed
+                                ? std::min(whole_words(formula::bits_for(ask_.digits.count) + 40),
+                                           plan_.bits)
+                                : plan_.bits; // an integral costs more than its bits save
         proof();
         contact();
         pressure();
@@ -94,8 +96,8 @@ public:
     }
 
 private:
-    void add(const char* name, bool on, std::string why, std::size_t Counts::*counter = nullptr,
-             std::size_t count = 0) {
+    void add(const char* name, bool on, std::string why,
+             std::size_t contact::Counts::*counter = nullptr, std::size_t count = 0) {
         if (on && counter != nullptr) {
             plan_.counts.*counter += count;
         }
@@ -108,16 +110,16 @@ private:
     }
 
     void proof() {
-        const bool closed = plan_.route == Route::closed_form;
-        const bool integrated = scene_.profile && ask_.route == Route::automatic && !closed &&
-                                IntegratedContact::handles(*scene_.profile);
+        const bool closed = plan_.route == contact::Route::closed_form;
+        const bool integrated = scene_.profile && ask_.route == contact::Route::automatic &&
+                                !closed && contact::IntegratedContact::handles(*scene_.profile);
         plan_.proved = closed || integrated;
         plan_.proved_why =
             closed ? "closed forms in ball arithmetic: every value is enclosed"
             : integrated
                 ? "rigorous integration in ball arithmetic: every value is enclosed, where "
                   "g' is proved not to decrease in the contact"
-            : ask_.route != Route::automatic
+            : ask_.route != contact::Route::automatic
                 ? "the route " + route_name(plan_.route) + " is asked for"
                 : "a function in g' is beyond the rigorous integration";
     }
@@ -125,18 +127,18 @@ private:
         const bool tilt = scene_.punch.has_value();
         add("tilt", tilt,
             tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
-            &Counts::tilts, 1);
-        const bool force = scene_.load.kind == Load::Kind::force;
-        add("size from force", force, force ? "P is given" : "a is given", &Counts::load_inversions,
-            1);
+            &contact::Counts::tilts, 1);
+        const bool force = scene_.load.kind == contact::Load::Kind::force;
+        add("size from force", force, force ? "P is given" : "a is given",
+            &contact::Counts::load_inversions, 1);
         const bool consistency = !scene_.symmetric();
         add("consistency", consistency,
             consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",
-            &Counts::consistency, 1);
-        for (const Edge edge : {Edge::right, Edge::left}) {
+            &contact::Counts::consistency, 1);
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
             const bool asked =
                 std::find(ask_.edges.begin(), ask_.edges.end(), edge) != ask_.edges.end();
-            add(edge == Edge::right ? "right edge" : "left edge", asked,
+            add(edge == contact::Edge::right ? "right edge" : "left edge", asked,
                 !asked                       ? "not asked"
                 : !plan_.mirrored            ? "asked"
                 : edge == ask_.edges.front() ? "asked; the other one is its mirror image"
@@ -144,7 +146,7 @@ private:
         }
     }
     void pressure() {
-        const bool closed = plan_.route == Route::closed_form;
+        const bool closed = plan_.route == contact::Route::closed_form;
         const std::size_t n = ask_.u.size() * edges_of_p();
         const std::string points =
             count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p(), "edge");
@@ -157,12 +159,12 @@ private:
             plan_.pressure && !closed ? "the route is " + route_name(plan_.route)
             : plan_.pressure          ? why + form
                                       : why,
-            &Counts::closed_forms, n);
+            &contact::Counts::closed_forms, n);
         add("pressure, quadrature", plan_.pressure && !closed,
             plan_.pressure && closed ? "there is a closed form"
             : plan_.pressure         ? why + ", " + route_name(plan_.route)
                                      : why,
-            &Counts::quadratures, n);
+            &contact::Counts::quadratures, n);
     }
     void expansions(bool coefficients) {
         const std::string terms = count_of(plan_.terms, "term");
@@ -170,17 +172,17 @@ private:
             plan_.expand_pressure ? (coefficients ? terms : terms + " for the approximations")
             : plan_.terms == 0    ? "no terms are asked for"
                                   : "only shear is asked for",
-            &Counts::expansions, edges_of_p());
+            &contact::Counts::expansions, edges_of_p());
     }
     void shear(bool similar) {
         const std::string none = scene_.shear ? "not asked for" : "there is no [shear]";
         const std::string how =
             similar ? "similar to p: P and Q grow together" : "full stick, P held";
-        add("shear", plan_.shear, plan_.shear ? how : none, &Counts::shear_points,
+        add("shear", plan_.shear, plan_.shear ? how : none, &contact::Counts::shear_points,
             ask_.u.size() * edges_of_q(similar));
         add("expansion of q", plan_.expand_shear,
-            plan_.expand_shear ? count_of(plan_.terms, "term") : none, &Counts::shear_expansions,
-            edges_of_q(similar));
+            plan_.expand_shear ? count_of(plan_.terms, "term") : none,
+            &contact::Counts::shear_expansions, edges_of_q(similar));
     }
     void resultants(bool similar) {
         // The tilt solver, and a load given as P, need P on the way; that is not counted here.
@@ -190,12 +192,12 @@ private:
             plan_.resultants ? "P and M"
             : for_shear      ? "P, since q = (Q/P) p"
                              : "not asked for",
-            &Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
+            &contact::Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
     }
     void extents() {
         add("extent", plan_.extents,
             plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
-            &Counts::extents, ask_.terms.size() * edges_of_p());
+            &contact::Counts::extents, ask_.terms.size() * edges_of_p());
     }
 
     const Scene& scene_;
@@ -210,4 +212,4 @@ Plan make_plan(const Scene& scene) {
     return Planner(scene).make();
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 constexpr std::array<std::string_view, 5> kinds{"power-law", "flat-and-rounded", "tilted-wedge",
@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> kinds{"power-law", "flat-and-rounded",
 
 /// Runs a maker; what it refuses is told with the line of the parameter that it names.
 template <class Make>
-auto located(const TomlSection& section, const std::vector<std::string_view>& parameters,
+auto located(const io::TomlSection& section, const std::vector<std::string_view>& parameters,
              const Make& make) {
     try {
         return make();
@@ -38,42 +38,42 @@ auto located(const TomlSection& section, const std::vector<std::string_view>& pa
                 line = section.line(key);
             }
         }
-        rethrow_at(section.file(), line);
+        io::rethrow_at(section.file(), line);
     }
 }
 
-Profile read_piecewise(const TomlSection& section) {
+contact::Profile read_piecewise(const io::TomlSection& section) {
     section.allow({"kind", "knots", "slopes", "symmetric"});
     const bool symmetric = section.has("symmetric") && section.flag("symmetric");
-    std::vector<Exact> knots;
+    std::vector<formula::Exact> knots;
     if (section.has("knots")) {
         for (const auto& item : section.exacts("knots")) {
             knots.push_back(item.value);
         }
     }
-    std::vector<Expr> slopes;
+    std::vector<formula::Expr> slopes;
     for (const std::string& text : section.texts("slopes")) {
         try {
-            slopes.push_back(parse(text, Symbols{"x"}));
+            slopes.push_back(parse(text, formula::Symbols{"x"}));
         } catch (const InputError& error) {
             throw InputError("slope \"" + text + "\": " + error.problem(), error.instead())
                 .at(section.file(), section.line("slopes"));
         }
     }
     return located(section, {}, [&] {
-        return symmetric ? Profile::piecewise_symmetric(knots, slopes)
-                         : Profile::piecewise(knots, slopes);
+        return symmetric ? contact::Profile::piecewise_symmetric(knots, slopes)
+                         : contact::Profile::piecewise(knots, slopes);
     });
 }
 
 } // namespace
 
-void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
+void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
     scene.profile_line = section.line();
     const std::string kind = section.text("kind");
     const auto get = [&](std::string_view key) {
-        Exact value = section.exact(key);
-        (void)at_place( // every parameter is compared with zero
+        formula::Exact value = section.exact(key);
+        (void)io::at_place( // every parameter is compared with zero
             section.file(), section.line(key), [&] { return value.sign(); },
             "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
         return value;
@@ -98,28 +98,31 @@ void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
                        "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
     }
     if (kind == "power-law") {
-        scene.profile = make({"m", "C"}, [&] { return Profile::power_law(get("C"), get("m")); });
-    } else if (kind == "flat-and-rounded") {
         scene.profile =
-            make({"t", "R"}, [&] { return Profile::flat_and_rounded(get("t"), get("R")); });
+            make({"m", "C"}, [&] { return contact::Profile::power_law(get("C"), get("m")); });
+    } else if (kind == "flat-and-rounded") {
+        scene.profile = make(
+            {"t", "R"}, [&] { return contact::Profile::flat_and_rounded(get("t"), get("R")); });
     } else if (kind == "tilted-wedge" && tilt_unknown) {
         scene.punch = make({"phi", "alpha"}, [&] {
-            const TiltedPunch punch = TiltedPunch::wedge(get("phi"));
-            (void)punch.at(Exact());
+            const contact::TiltedPunch punch = contact::TiltedPunch::wedge(get("phi"));
+            (void)punch.at(formula::Exact());
             return punch;
         });
     } else if (kind == "tilted-wedge") {
-        scene.profile =
-            make({"phi", "alpha"}, [&] { return Profile::tilted_wedge(get("phi"), get("alpha")); });
+        scene.profile = make({"phi", "alpha"}, [&] {
+            return contact::Profile::tilted_wedge(get("phi"), get("alpha"));
+        });
     } else if (kind == "tilted-flat-and-rounded" && tilt_unknown) {
         scene.punch = make({"alpha", "t", "R"}, [&] {
-            const TiltedPunch punch = TiltedPunch::flat_and_rounded(get("t"), get("R"));
-            (void)punch.at(Exact());
+            const contact::TiltedPunch punch =
+                contact::TiltedPunch::flat_and_rounded(get("t"), get("R"));
+            (void)punch.at(formula::Exact());
             return punch;
         });
     } else if (kind == "tilted-flat-and-rounded") {
         scene.profile = make({"alpha", "t", "R"}, [&] {
-            return Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
+            return contact::Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
         });
     } else if (kind == "piecewise") {
         scene.profile = read_piecewise(section);
@@ -128,4 +131,4 @@ void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene) {
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -3,9 +3,9 @@
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/scene/scene_file.hpp"
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 /// Fills in profile or punch of a scene from [profile]; with `tilt_unknown`, alpha must be absent.
-void read_profile(const TomlSection& section, bool tilt_unknown, Scene& scene);
+void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene);
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

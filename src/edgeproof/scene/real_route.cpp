@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
 #include "edgeproof/scene/value_route.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 /// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
@@ -20,7 +20,8 @@ constexpr unsigned tilt_digits = 20;
 /// Everything at one number of digits: the scene's own, or more where a difference is small.
 class Level {
 public:
-    Level(const Profile& profile, const Scene& scene, const Plan& plan, unsigned digits, Work* work)
+    Level(const contact::Profile& profile, const Scene& scene, const Plan& plan, unsigned digits,
+          contact::Work* work)
         : scene_(scene), plan_(plan), digits_(digits),
           contact_(profile, scene.contact_modulus, scene.load, digits, work) {
         if (scene.shear) {
@@ -30,16 +31,16 @@ public:
     Level(const Level&) = delete; // shear_ refers to contact_
     Level& operator=(const Level&) = delete;
 
-    [[nodiscard]] const NormalContact& contact() const { return contact_; }
+    [[nodiscard]] const contact::NormalContact& contact() const { return contact_; }
     [[nodiscard]] unsigned digits() const { return digits_; }
-    [[nodiscard]] long bits() const { return bits_for(contact_.a().precision()); }
+    [[nodiscard]] long bits() const { return formula::bits_for(contact_.a().precision()); }
 
     /// A value that has lost nothing beyond the guard.
-    [[nodiscard]] Vouched sound(const Real& x, const char* route) const {
+    [[nodiscard]] BoundedValue sound(const Real& x, const char* route) const {
         const PrecisionScope scope(x.precision());
         return estimated(x, Real(abs(x) * unit()), route);
     }
-    [[nodiscard]] const std::vector<Vouched>& c(Edge edge) {
+    [[nodiscard]] const std::vector<BoundedValue>& c(contact::Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
             raw_c_[edge] = contact_.expansion(edge, plan_.terms);
@@ -56,10 +57,10 @@ public:
         }
         return c;
     }
-    [[nodiscard]] const std::vector<Vouched>& s(Edge edge) {
+    [[nodiscard]] const std::vector<BoundedValue>& s(contact::Edge edge) {
         auto& s = s_[edge];
         if (s.empty()) {
-            const bool together = scene_.shear->path == LoadingPath::together;
+            const bool together = scene_.shear->path == contact::LoadingPath::together;
             if (together) {
                 (void)c(edge);
             }
@@ -79,13 +80,13 @@ public:
     }
 
     struct Values {
-        std::optional<Vouched> p;
-        std::optional<Vouched> q;
+        std::optional<BoundedValue> p;
+        std::optional<BoundedValue> q;
     };
-    [[nodiscard]] Values at(Edge edge, const Exact& u, bool p, bool q) {
+    [[nodiscard]] Values at(contact::Edge edge, const formula::Exact& u, bool p, bool q) {
         Values values;
-        std::optional<Estimated> pressure;
-        const bool together = q && scene_.shear->path == LoadingPath::together;
+        std::optional<contact::Estimated> pressure;
+        const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         if (p || together) {
             pressure = contact_.pressure(edge, u, route());
             const PrecisionScope scope(pressure->working_digits);
@@ -93,7 +94,7 @@ public:
                                  route_name(pressure->route));
         }
         if (q) {
-            const EstimatedTraction t =
+            const contact::EstimatedTraction t =
                 together ? shear_->similar_to(*pressure) : shear_->traction(edge, u);
             values.q = estimated(t.value, t.error, together ? "similar" : "full-stick");
         }
@@ -102,9 +103,10 @@ public:
 
 private:
     /// Where balls give a power law's closed form no value, they give the one in Real none either.
-    [[nodiscard]] Route route() const {
-        return plan_.proved && !contact_.profile().piecewise_linear() ? Route::singular_integral
-                                                                      : plan_.route;
+    [[nodiscard]] contact::Route route() const {
+        return plan_.proved && !contact_.profile().piecewise_linear()
+                   ? contact::Route::singular_integral
+                   : plan_.route;
     }
     [[nodiscard]] Real unit() const {
         return pow(Real(10), -static_cast<int>(digits_ + kept_digits));
@@ -113,19 +115,19 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     unsigned digits_;
-    NormalContact contact_;
-    std::optional<ShearTraction> shear_;
-    std::map<Edge, std::vector<Real>> raw_c_;
-    std::map<Edge, std::vector<Vouched>> c_;
-    std::map<Edge, std::vector<Vouched>> s_;
+    contact::NormalContact contact_;
+    std::optional<contact::ShearTraction> shear_;
+    std::map<contact::Edge, std::vector<Real>> raw_c_;
+    std::map<contact::Edge, std::vector<BoundedValue>> c_;
+    std::map<contact::Edge, std::vector<BoundedValue>> s_;
 };
 
 class RealRoute : public ValueRoute {
 public:
-    RealRoute(const Scene& scene, const Plan& plan, Work& work)
+    RealRoute(const Scene& scene, const Plan& plan, contact::Work& work)
         : scene_(scene), plan_(plan), work_(work) {
         if (scene.punch) {
-            const SolvedTilt tilt =
+            const contact::SolvedTilt tilt =
                 solve_tilt(*scene.punch, scene.contact_modulus, scene.load.value, *scene.moment,
                            plan.digits.count + tilt_digits);
             ++work.counts.tilts;
@@ -139,9 +141,9 @@ public:
 
     ContactValues contact() override {
         const Level& level = *levels_[0];
-        const bool force = scene_.load.kind == Load::Kind::force;
-        const Vouched load{ball_of(scene_.load.value, level.bits()), true, "given",
-                           rational_of(scene_.load.value)};
+        const bool force = scene_.load.kind == contact::Load::Kind::force;
+        const BoundedValue load{ball_of(scene_.load.value, level.bits()), true, "given",
+                                rational_of(scene_.load.value)};
         ContactValues values;
         values.a = force ? level.sound(level.contact().a(), "from P") : load;
         values.b = scene_.symmetric() ? values.a : level.sound(level.contact().b(), "consistency");
@@ -156,17 +158,17 @@ public:
                 values.force = load;
             }
             if (scene_.moment) {
-                values.moment = Vouched{ball_of(*scene_.moment, level.bits()), true, "given",
-                                        rational_of(*scene_.moment)};
+                values.moment = BoundedValue{ball_of(*scene_.moment, level.bits()), true, "given",
+                                             rational_of(*scene_.moment)};
             }
         }
         return values;
     }
 
-    PointValues at(Edge edge, const Exact& u, bool p, bool q) override {
+    PointValues at(contact::Edge edge, const formula::Exact& u, bool p, bool q) override {
         Level& base = *levels_[0];
-        if (!certainly_less(ball_of(u, base.bits()),
-                            Ball(length_of(Edge::right).value + length_of(Edge::left).value))) {
+        if (!certainly_less(ball_of(u, base.bits()), Ball(length_of(contact::Edge::right).value +
+                                                          length_of(contact::Edge::left).value))) {
             throw DomainError("the point lies outside the contact");
         }
         PointValues values;
@@ -188,7 +190,7 @@ public:
         return values;
     }
 
-    EdgeValues expansion(Edge edge, bool p, bool q) override {
+    EdgeValues expansion(contact::Edge edge, bool p, bool q) override {
         EdgeValues values;
         values.edge = edge;
         values.s_half_powers = levels_[0]->shear_half_powers();
@@ -201,10 +203,10 @@ public:
         return values;
     }
 
-    ExtentValues extent(Edge edge, std::size_t n) override {
+    ExtentValues extent(contact::Edge edge, std::size_t n) override {
         ++work_.counts.extents;
-        const Extents e = within_tolerance(levels_[0]->contact(), edge, n, *scene_.ask.tolerance,
-                                           scene_.ask.part);
+        const contact::Extents e = within_tolerance(levels_[0]->contact(), edge, n,
+                                                    *scene_.ask.tolerance, scene_.ask.part);
         const PrecisionScope scope(e.length.precision());
         ExtentValues values;
         values.edge = edge;
@@ -233,28 +235,31 @@ public:
     }
 
 private:
-    [[nodiscard]] Vouched length_of(Edge edge) const {
+    [[nodiscard]] BoundedValue length_of(contact::Edge edge) const {
         const Level& level = *levels_.at(0);
-        return level.sound(edge == Edge::right ? level.contact().a() : level.contact().b(), "");
+        return level.sound(edge == contact::Edge::right ? level.contact().a() : level.contact().b(),
+                           "");
     }
     /// x, exact where the edge is given.
-    [[nodiscard]] Vouched place(Edge edge, const Exact& u) const {
+    [[nodiscard]] BoundedValue place(contact::Edge edge, const formula::Exact& u) const {
         const long bits = levels_.at(0)->bits();
-        const bool given = scene_.load.kind == Load::Kind::right_edge &&
-                           (edge == Edge::right || scene_.symmetric());
+        const bool given = scene_.load.kind == contact::Load::Kind::right_edge &&
+                           (edge == contact::Edge::right || scene_.symmetric());
         if (given) {
-            const Expr& a = scene_.load.value.expr();
-            const Exact x(edge == Edge::right ? a - u.expr() : u.expr() - a);
+            const formula::Expr& a = scene_.load.value.expr();
+            const formula::Exact x(edge == contact::Edge::right ? a - u.expr() : u.expr() - a);
             return {ball_of(x, bits), true, "given", rational_of(x)};
         }
         const Ball from_edge = ball_of(u, bits);
-        Vouched length = length_of(edge);
-        length.value = edge == Edge::right ? length.value - from_edge : from_edge - length.value;
+        BoundedValue length = length_of(edge);
+        length.value =
+            edge == contact::Edge::right ? length.value - from_edge : from_edge - length.value;
         return length;
     }
     /// The sum of n terms; its relative error is worked out with more digits where it cancels.
-    [[nodiscard]] Approximation approximation(Edge edge, const Exact& u, std::size_t n,
-                                              const Level::Values& at_base, bool shear) {
+    [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
+                                              std::size_t n, const Level::Values& at_base,
+                                              bool shear) {
         const Digits digits = plan_.error_digits();
         const unsigned wanted = digits.count;
         Approximation result{n, {}, {}};
@@ -287,8 +292,9 @@ private:
             }
         }
     }
-    [[nodiscard]] Ball sum(Level& level, Edge edge, const Exact& u, std::size_t n, bool shear) {
-        const std::vector<Vouched>& c = shear ? level.s(edge) : level.c(edge);
+    [[nodiscard]] Ball sum(Level& level, contact::Edge edge, const formula::Exact& u, std::size_t n,
+                           bool shear) {
+        const std::vector<BoundedValue>& c = shear ? level.s(edge) : level.c(edge);
         const Ball at = ball_of(u, level.bits());
         Ball total = c[n - 1].value;
         for (std::size_t k = n - 1; k-- > 0;) {
@@ -309,15 +315,16 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    Work& work_;
-    std::optional<Exact> alpha_;
-    std::optional<Profile> profile_;
+    contact::Work& work_;
+    std::optional<formula::Exact> alpha_;
+    std::optional<contact::Profile> profile_;
     std::map<unsigned, std::unique_ptr<Level>> levels_;
 };
 
 } // namespace
 
-std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan, Work& work) {
+std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
+                                            contact::Work& work) {
     try {
         return std::make_unique<RealRoute>(scene, plan, work);
     } catch (const InputError& error) {
@@ -331,4 +338,4 @@ std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan
     }
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

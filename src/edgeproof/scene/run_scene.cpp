@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 /// What a mirror leaves as it is (x apart).
@@ -25,29 +25,29 @@ public:
         : scene_(scene), options_(options), plan_(result.plan), result_(result),
           route_(plan_.proved ? make_ball_route(scene, plan_, result.work)
                               : make_real_route(scene, plan_, result.work)),
-          similar_(scene.shear && scene.shear->path == LoadingPath::together) {}
+          similar_(scene.shear && scene.shear->path == contact::LoadingPath::together) {}
 
     void all() {
         result_.contact = route_->contact();
-        for (const Edge edge : plan_.edges) {
+        for (const contact::Edge edge : plan_.edges) {
             if (plan_.points > 0) {
                 points(edge);
             }
         }
         if (scene_.ask.wants(Quantity::coefficients)) {
-            for (const Edge edge : plan_.edges) {
+            for (const contact::Edge edge : plan_.edges) {
                 coefficients(edge);
             }
         }
         if (plan_.extents) {
-            for (const Edge edge : plan_.edges) {
+            for (const contact::Edge edge : plan_.edges) {
                 extents(edge);
             }
         }
     }
 
 private:
-    void points(Edge edge) {
+    void points(contact::Edge edge) {
         const bool computes_p = plan_.computes(edge);
         const bool computes_q = plan_.shear && (computes_p || !similar_);
         for (std::size_t i = 0; i < plan_.points; ++i) {
@@ -69,7 +69,7 @@ private:
             }
         }
     }
-    void coefficients(Edge edge) {
+    void coefficients(contact::Edge edge) {
         step();
         const bool computes_p = plan_.computes(edge);
         EdgeValues values = route_->expansion(edge, plan_.expand_pressure && computes_p,
@@ -82,7 +82,7 @@ private:
         }
         result_.coefficients.push_back(std::move(values));
     }
-    void extents(Edge edge) {
+    void extents(contact::Edge edge) {
         if (!plan_.computes(edge)) {
             const auto computed = result_.extents;
             for (ExtentValues values : computed) {
@@ -125,4 +125,4 @@ SceneResult run_scene(const Scene& scene, const RunOptions& options) {
     return result;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

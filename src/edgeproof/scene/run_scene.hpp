@@ -7,18 +7,18 @@
 #include <functional>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 struct PointRow {
-    Edge edge = Edge::right;
-    Exact u;
+    contact::Edge edge = contact::Edge::right;
+    formula::Exact u;
     PointValues values;
 };
 
 /// What a scene asked for, in the order asked, edge by edge.
 struct SceneResult {
     Plan plan;
-    Work work; ///< what was really done
+    contact::Work work; ///< what was really done
     ContactValues contact;
     std::vector<PointRow> points;
     std::vector<EdgeValues> coefficients;
@@ -35,4 +35,4 @@ struct RunOptions {
 /// where a quadrature does not reach its digits, Interrupted.
 [[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/scene_file.hpp"
 
-#include "edgeproof/contact/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml_limits.hpp"
@@ -14,17 +14,17 @@
 #include <algorithm>
 #include <array>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 namespace {
 
 constexpr long most_terms_allowed = 400;
 constexpr long most_digits = 100'000;
 
-Expr number(long k) { return Expr::number(Rational(k)); }
+formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
 
 /// The sign of the value of a key, or of what follows from it.
-int sign_of(const TomlSection& section, std::string_view key, const Exact& value) {
-    return at_place(
+int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
+    return io::at_place(
         section.file(), section.line(key), [&] { return value.sign(); },
         "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
 }
@@ -38,16 +38,16 @@ struct Materials {
 
 /// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 where (1 - 2 nu_1)(1 + nu_1)/E_1 is that of
 /// the other body (J. Dundurs, J. Appl. Mech. 36, 650, 1969): decided by symbols.
-Exact composite_modulus(const TomlSection& load, Materials& materials) {
+formula::Exact composite_modulus(const io::TomlSection& load, Materials& materials) {
     const auto body = [&](const char* E_key, const char* nu_key) {
-        const Exact E = load.exact(E_key);
-        const Exact nu = load.exact(nu_key);
+        const formula::Exact E = load.exact(E_key);
+        const formula::Exact nu = load.exact(nu_key);
         if (sign_of(load, E_key, E) <= 0) {
             load.reject(E_key, std::string(E_key) + " = " + E.text() + " is not positive",
                         "give Young's modulus > 0");
         }
-        if (sign_of(load, nu_key, Exact(nu.expr() + number(1))) <= 0 ||
-            sign_of(load, nu_key, Exact(number(1) - number(2) * nu.expr())) < 0) {
+        if (sign_of(load, nu_key, formula::Exact(nu.expr() + number(1))) <= 0 ||
+            sign_of(load, nu_key, formula::Exact(number(1) - number(2) * nu.expr())) < 0) {
             load.reject(nu_key, std::string(nu_key) + " = " + nu.text() + " is no Poisson's ratio",
                         "give -1 < nu <= 1/2");
         }
@@ -55,26 +55,27 @@ Exact composite_modulus(const TomlSection& load, Materials& materials) {
     };
     const auto [E1, nu1] = body("E1", "nu1");
     const auto [E2, nu2] = body("E2", "nu2");
-    materials.alike =
-        certainly_zero(E1.expr() - E2.expr()) && certainly_zero(nu1.expr() - nu2.expr());
-    const auto dilation = [](const Exact& E, const Exact& nu) {
+    materials.alike = contact::certainly_zero(E1.expr() - E2.expr()) &&
+                      contact::certainly_zero(nu1.expr() - nu2.expr());
+    const auto dilation = [](const formula::Exact& E, const formula::Exact& nu) {
         return (number(1) - number(2) * nu.expr()) * (number(1) + nu.expr()) / E.expr();
     };
-    materials.uncoupled = materials.alike || certainly_zero(dilation(E1, nu1) - dilation(E2, nu2));
-    const auto compliance = [](const Exact& E, const Exact& nu) {
+    materials.uncoupled =
+        materials.alike || contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2));
+    const auto compliance = [](const formula::Exact& E, const formula::Exact& nu) {
         return (number(1) - nu.expr() * nu.expr()) / E.expr();
     };
-    return Exact(number(1) / (compliance(E1, nu1) + compliance(E2, nu2)));
+    return formula::Exact(number(1) / (compliance(E1, nu1) + compliance(E2, nu2)));
 }
 
-Exact read_modulus(const TomlSection& load, Materials& materials) {
+formula::Exact read_modulus(const io::TomlSection& load, Materials& materials) {
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
         if (by_bodies) {
             load.reject("contact_modulus", "the contact modulus is given twice",
                         "give contact_modulus, or E1, nu1, E2 and nu2");
         }
-        Exact modulus = load.exact("contact_modulus");
+        formula::Exact modulus = load.exact("contact_modulus");
         if (sign_of(load, "contact_modulus", modulus) <= 0) {
             load.reject("contact_modulus",
                         "contact_modulus = " + modulus.text() + " is not positive", "give E* > 0");
@@ -88,7 +89,7 @@ Exact read_modulus(const TomlSection& load, Materials& materials) {
     return composite_modulus(load, materials);
 }
 
-void read_load(const TomlSection& load, Scene& scene, Materials& materials) {
+void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) {
     load.allow({"a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
     scene.contact_modulus = read_modulus(load, materials);
@@ -98,12 +99,12 @@ void read_load(const TomlSection& load, Scene& scene, Materials& materials) {
                     "give one of a = \"...\" and P = \"...\"");
     }
     const char* key = load.has("a") ? "a" : "P";
-    const Exact value = load.exact(key);
+    const formula::Exact value = load.exact(key);
     if (sign_of(load, key, value) <= 0) {
         load.reject(key, std::string(key) + " = " + value.text() + " is not positive",
                     std::string("give ") + key + " > 0");
     }
-    scene.load = load.has("a") ? Load::right_edge(value) : Load::force(value);
+    scene.load = load.has("a") ? contact::Load::right_edge(value) : contact::Load::force(value);
     scene.load_line = load.line(key);
     if (load.has("M")) {
         if (load.has("a")) {
@@ -115,13 +116,13 @@ void read_load(const TomlSection& load, Scene& scene, Materials& materials) {
 }
 
 /// A contact that ends on the flat carries no load.
-void check_reach(const TomlSection& load, const Scene& scene) {
-    if (scene.load.kind != Load::Kind::right_edge || !scene.profile ||
-        scene.profile->kind() != Profile::Kind::flat_and_rounded) {
+void check_reach(const io::TomlSection& load, const Scene& scene) {
+    if (scene.load.kind != contact::Load::Kind::right_edge || !scene.profile ||
+        scene.profile->kind() != contact::Profile::Kind::flat_and_rounded) {
         return;
     }
-    const Exact& t = scene.profile->parameters().at("t");
-    if (sign_of(load, "a", Exact(scene.load.value.expr() - t.expr())) <= 0) {
+    const formula::Exact& t = scene.profile->parameters().at("t");
+    if (sign_of(load, "a", formula::Exact(scene.load.value.expr() - t.expr())) <= 0) {
         load.reject("a",
                     "the half-width a = " + scene.load.value.text() +
                         " does not reach beyond the flat, t = " + t.text(),
@@ -129,15 +130,15 @@ void check_reach(const TomlSection& load, const Scene& scene) {
     }
 }
 
-void read_shear(const TomlSection& shear, const Materials& materials, Scene& scene) {
+void read_shear(const io::TomlSection& shear, const Materials& materials, Scene& scene) {
     shear.allow({"Q", "bulk_tension", "path"});
     if (!shear.has("Q") && !shear.has("bulk_tension")) {
         shear.reject(shear.line(), "the shear section has no load",
                      "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     }
-    ShearSpec spec;
-    spec.Q = shear.has("Q") ? shear.exact("Q") : Exact();
-    spec.bulk_tension = shear.has("bulk_tension") ? shear.exact("bulk_tension") : Exact();
+    contact::ShearSpec spec;
+    spec.Q = shear.has("Q") ? shear.exact("Q") : formula::Exact();
+    spec.bulk_tension = shear.has("bulk_tension") ? shear.exact("bulk_tension") : formula::Exact();
     if (sign_of(shear, "Q", spec.Q) == 0 &&
         sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
         shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
@@ -146,13 +147,13 @@ void read_shear(const TomlSection& shear, const Materials& materials, Scene& sce
     if (shear.has("path")) {
         const std::string path = shear.text("path");
         if (path == "together") {
-            spec.path = LoadingPath::together;
+            spec.path = contact::LoadingPath::together;
         } else if (path != "normal-first") {
             shear.reject("path", "unknown path '" + path + "'",
                          "write normal-first (P held, then Q) or together (P and Q in proportion)");
         }
     }
-    if (spec.path == LoadingPath::together && spec.bulk_tension.sign() != 0) {
+    if (spec.path == contact::LoadingPath::together && spec.bulk_tension.sign() != 0) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
@@ -172,7 +173,7 @@ void read_shear(const TomlSection& shear, const Materials& materials, Scene& sce
     scene.shear = spec;
 }
 
-Quantity quantity_of(const TomlSection& ask, const std::string& name) {
+Quantity quantity_of(const io::TomlSection& ask, const std::string& name) {
     if (const auto quantity = quantity_named(name)) {
         return *quantity;
     }
@@ -182,11 +183,11 @@ Quantity quantity_of(const TomlSection& ask, const std::string& name) {
 }
 
 /// What f refuses, told with the line of a key.
-template <class F> auto at_key(const TomlSection& ask, std::string_view key, const F& f) {
-    return at_place(ask.file(), ask.line(key), f);
+template <class F> auto at_key(const io::TomlSection& ask, std::string_view key, const F& f) {
+    return io::at_place(ask.file(), ask.line(key), f);
 }
 
-std::vector<AskedPoint> read_points(const TomlSection& ask) {
+std::vector<AskedPoint> read_points(const io::TomlSection& ask) {
     std::vector<AskedPoint> points;
     if (!ask.is_table("u")) {
         for (const auto& item : ask.exacts("u")) {
@@ -198,7 +199,7 @@ std::vector<AskedPoint> read_points(const TomlSection& ask) {
         }
         return points;
     }
-    const TomlSection range = ask.section("u");
+    const io::TomlSection range = ask.section("u");
     range.allow({"from", "to", "per_decade", "points"});
     const std::size_t line = ask.line("u");
     if (range.has("per_decade") == range.has("points")) {
@@ -206,8 +207,8 @@ std::vector<AskedPoint> read_points(const TomlSection& ask) {
                    "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
     }
     at_key(ask, "u", [&] {
-        const Exact from = range.exact("from");
-        const Exact to = range.exact("to");
+        const formula::Exact from = range.exact("from");
+        const formula::Exact to = range.exact("to");
         if (sign_of(range, "from", from) <= 0) {
             ask.reject(line, "u = " + from.text() + " is not inside the contact",
                        "give distances from the edge, 0 < u < a + b");
@@ -215,20 +216,21 @@ std::vector<AskedPoint> read_points(const TomlSection& ask) {
         const auto list = range.has("per_decade")
                               ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
                               : even_points(from, to, range.count("points", 2, 100'000));
-        for (const Exact& u : list) {
+        for (const formula::Exact& u : list) {
             points.push_back({u, line});
         }
     });
     return points;
 }
 
-void read_edges(const TomlSection& ask, Ask& result) {
+void read_edges(const io::TomlSection& ask, Ask& result) {
     result.edges.clear();
     for (const std::string& name : ask.texts("edges")) {
         if (name != "right" && name != "left") {
             ask.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
         }
-        const Edge edge = name == edge_name(Edge::right) ? Edge::right : Edge::left;
+        const contact::Edge edge =
+            name == edge_name(contact::Edge::right) ? contact::Edge::right : contact::Edge::left;
         if (std::find(result.edges.begin(), result.edges.end(), edge) != result.edges.end()) {
             ask.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
         }
@@ -239,10 +241,11 @@ void read_edges(const TomlSection& ask, Ask& result) {
     }
 }
 
-Route route_of(const TomlSection& ask) {
+contact::Route route_of(const io::TomlSection& ask) {
     const std::string name = ask.text("route");
-    for (const Route route : {Route::automatic, Route::closed_form, Route::singular_integral,
-                              Route::barber_mossakovskii}) {
+    for (const contact::Route route :
+         {contact::Route::automatic, contact::Route::closed_form, contact::Route::singular_integral,
+          contact::Route::barber_mossakovskii}) {
         if (name == route_name(route)) {
             return route;
         }
@@ -252,7 +255,7 @@ Route route_of(const TomlSection& ask) {
     ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
 }
 
-void read_ask(const TomlSection& ask, Scene& scene) {
+void read_ask(const io::TomlSection& ask, Scene& scene) {
     ask.allow({"edges", "terms", "u", "quantities", "tolerance", "process_zone", "part", "route",
                "digits"});
     Ask& result = scene.ask;
@@ -274,7 +277,7 @@ void read_ask(const TomlSection& ask, Scene& scene) {
             at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
     }
     if (ask.has("process_zone")) {
-        const Exact zone = ask.exact("process_zone");
+        const formula::Exact zone = ask.exact("process_zone");
         if (sign_of(ask, "process_zone", zone) <= 0) {
             ask.reject("process_zone", "process_zone = " + zone.text() + " is not positive",
                        "give the length of the process zone, or leave it out");
@@ -284,8 +287,9 @@ void read_ask(const TomlSection& ask, Scene& scene) {
     if (ask.has("part")) {
         const auto part = ask.exacts("part");
         if (part.size() != 2 || sign_of(ask, "part", part[0].value) < 0 ||
-            sign_of(ask, "part", Exact(part[1].value.expr() - part[0].value.expr())) <= 0 ||
-            sign_of(ask, "part", Exact(number(1) - part[1].value.expr())) < 0) {
+            sign_of(ask, "part", formula::Exact(part[1].value.expr() - part[0].value.expr())) <=
+                0 ||
+            sign_of(ask, "part", formula::Exact(number(1) - part[1].value.expr())) < 0) {
             ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
                        "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
         }
@@ -297,8 +301,8 @@ void read_ask(const TomlSection& ask, Scene& scene) {
     }
     if (ask.has("route")) {
         result.route = route_of(ask);
-        if (result.route == Route::closed_form && scene.profile &&
-            !BallContact::has_closed_form(*scene.profile)) {
+        if (result.route == contact::Route::closed_form && scene.profile &&
+            !contact::BallContact::has_closed_form(*scene.profile)) {
             ask.reject("route",
                        "only a power law or a piecewise linear g' has its pressure in closed form",
                        "write route = \"automatic\"");
@@ -363,17 +367,19 @@ std::optional<Quantity> quantity_named(std::string_view name) {
     return {};
 }
 
-std::string edge_name(Edge edge) { return edge == Edge::right ? "right" : "left"; }
+std::string edge_name(contact::Edge edge) {
+    return edge == contact::Edge::right ? "right" : "left";
+}
 
 std::size_t Ask::most_terms() const {
     return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
 }
 
-Exact parse_tolerance(std::string_view text) {
+formula::Exact parse_tolerance(std::string_view text) {
     const bool percent = !text.empty() && text.back() == '%';
-    const Exact given = [&] {
+    const formula::Exact given = [&] {
         try {
-            return Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
+            return formula::Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
         } catch (const InputError& error) {
             throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
                              "write it as 1%, 0.01 or 1/100");
@@ -383,11 +389,11 @@ Exact parse_tolerance(std::string_view text) {
         throw InputError("a tolerance of " + std::string(text) + " is not positive",
                          "give a tolerance > 0, such as 1%");
     }
-    return percent ? Exact(given.expr() / number(100)) : given;
+    return percent ? formula::Exact(given.expr() / number(100)) : given;
 }
 
 Scene parse_scene(std::string_view text, const std::string& file) {
-    const TomlSection top = TomlSection::parse(text, file);
+    const io::TomlSection top = io::TomlSection::parse(text, file);
     expect_file_kind(top, FileKind::scene);
     top.allow({"title", "profile", "load", "shear", "ask"});
     Scene scene;
@@ -396,27 +402,27 @@ Scene parse_scene(std::string_view text, const std::string& file) {
         scene.title = top.text("title");
     }
     Materials materials;
-    const TomlSection load = top.section("load");
-    const auto reading = [&](const TomlSection& section, const auto& read) {
-        at_place(section.file(), section.line(), [&] { read(section); });
+    const io::TomlSection load = top.section("load");
+    const auto reading = [&](const io::TomlSection& section, const auto& read) {
+        io::at_place(section.file(), section.line(), [&] { read(section); });
     };
-    reading(load, [&](const TomlSection& s) { read_load(s, scene, materials); });
+    reading(load, [&](const io::TomlSection& s) { read_load(s, scene, materials); });
     reading(top.section("profile"),
-            [&](const TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
-    reading(load, [&](const TomlSection& s) { check_reach(s, scene); });
+            [&](const io::TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
+    reading(load, [&](const io::TomlSection& s) { check_reach(s, scene); });
     if (top.has("shear")) {
         reading(top.section("shear"),
-                [&](const TomlSection& s) { read_shear(s, materials, scene); });
+                [&](const io::TomlSection& s) { read_shear(s, materials, scene); });
     }
     if (top.has("ask")) {
-        reading(top.section("ask"), [&](const TomlSection& s) { read_ask(s, scene); });
+        reading(top.section("ask"), [&](const io::TomlSection& s) { read_ask(s, scene); });
     }
     default_quantities(scene.ask, scene.shear.has_value());
     return scene;
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-    return parse_scene(read_text(file, "scene (TOML)", most_toml_bytes), file.string());
+    return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes), file.string());
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/extent.hpp"
-#include "edgeproof/contact/normal_contact.hpp"
-#include "edgeproof/contact/shear_traction.hpp"
-#include "edgeproof/contact/tilt_solver.hpp"
-#include "edgeproof/scene/vouched.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/routes/shear_traction.hpp"
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/scene/bounded_value.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 /// What may be asked of a scene.
 enum class Quantity {
@@ -27,19 +27,19 @@ enum class Quantity {
 
 /// u, and the line of the file that it was asked on.
 struct AskedPoint {
-    Exact u;
+    formula::Exact u;
     std::size_t line = 0;
 };
 
 struct Ask {
-    std::vector<Edge> edges{Edge::right};
+    std::vector<contact::Edge> edges{contact::Edge::right};
     std::vector<std::size_t> terms; ///< numbers of terms, in the order asked
     std::vector<AskedPoint> u;      ///< in the order asked
     std::set<Quantity> quantities;
-    std::optional<Exact> tolerance;
-    std::optional<Exact> process_zone; ///< a length from the edge
-    ExtentRange part;                  ///< that extents are measured over
-    Route route = Route::automatic;
+    std::optional<formula::Exact> tolerance;
+    std::optional<formula::Exact> process_zone; ///< a length from the edge
+    contact::ExtentRange part;                  ///< that extents are measured over
+    contact::Route route = contact::Route::automatic;
     Digits digits;
 
     [[nodiscard]] bool wants(Quantity quantity) const { return quantities.contains(quantity); }
@@ -53,12 +53,12 @@ struct Scene {
     std::string file;
     std::string title;
     /// The profile, or (with a load of P and M) the punch whose tilt is to be found.
-    std::optional<Profile> profile;
-    std::optional<TiltedPunch> punch;
-    Exact contact_modulus;
-    Load load;                   ///< a or P
-    std::optional<Exact> moment; ///< M, with `punch`
-    std::optional<ShearSpec> shear;
+    std::optional<contact::Profile> profile;
+    std::optional<contact::TiltedPunch> punch;
+    formula::Exact contact_modulus;
+    contact::Load load;                   ///< a or P
+    std::optional<formula::Exact> moment; ///< M, with `punch`
+    std::optional<contact::ShearSpec> shear;
     Ask ask;
     std::size_t profile_line = 0;
     std::size_t load_line = 0;
@@ -77,10 +77,10 @@ struct Scene {
 
 /// "right" and "left"; "pressure", "coefficients", ...: as in a scene file. Nothing for other
 /// names.
-[[nodiscard]] std::string edge_name(Edge edge);
+[[nodiscard]] std::string edge_name(contact::Edge edge);
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view name);
 
 /// "1%", "0.01", "1/100": a tolerance, exactly. Throws InputError unless it is positive.
-[[nodiscard]] Exact parse_tolerance(std::string_view text);
+[[nodiscard]] formula::Exact parse_tolerance(std::string_view text);
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -1,57 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/work.hpp"
+#include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/scene/bounded_value.hpp"
 #include "edgeproof/scene/plan.hpp"
-#include "edgeproof/scene/vouched.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::scene {
 
 /// The sum of the first n terms at a point, and |1 - sum/value|.
 struct Approximation {
     std::size_t n = 0;
-    Vouched local;
-    Vouched relative_error;
+    BoundedValue local;
+    BoundedValue relative_error;
 };
 
 struct PointValues {
-    Vouched x;
-    std::optional<Vouched> p;
+    BoundedValue x;
+    std::optional<BoundedValue> p;
     std::vector<Approximation> p_local;
-    std::optional<Vouched> q;
+    std::optional<BoundedValue> q;
     std::vector<Approximation> q_local;
 };
 
 struct EdgeValues {
-    Edge edge = Edge::right;
-    std::vector<Vouched> c; ///< of u^(1/2), u^(3/2), ... in p
-    std::vector<Vouched> s; ///< of q, from u^(s_half_powers/2) on
+    contact::Edge edge = contact::Edge::right;
+    std::vector<BoundedValue> c; ///< of u^(1/2), u^(3/2), ... in p
+    std::vector<BoundedValue> s; ///< of q, from u^(s_half_powers/2) on
     int s_half_powers = -1;
 };
 
 struct ExtentValues {
-    Edge edge = Edge::right;
+    contact::Edge edge = contact::Edge::right;
     std::size_t n = 0;
-    Vouched first_exit; ///< the end of the part looked at where it does not leave the tolerance
-    Vouched measure;
-    Vouched first_exit_fraction; ///< of a + b
-    Vouched measure_fraction;
-    std::vector<Vouched> crossings;
+    BoundedValue
+        first_exit; ///< the end of the part looked at where it does not leave the tolerance
+    BoundedValue measure;
+    BoundedValue first_exit_fraction; ///< of a + b
+    BoundedValue measure_fraction;
+    std::vector<BoundedValue> crossings;
     bool leaves = true; ///< there is a first exit in the part looked at
     /// The first exit lies beyond the process zone, where there is one.
     std::optional<bool> covers_zone;
 };
 
 struct ContactValues {
-    Vouched a;
-    Vouched b;
-    std::optional<Vouched> alpha; ///< the tilt, where it was solved for
-    std::optional<Vouched> force;
-    std::optional<Vouched> moment;
+    BoundedValue a;
+    BoundedValue b;
+    std::optional<BoundedValue> alpha; ///< the tilt, where it was solved for
+    std::optional<BoundedValue> force;
+    std::optional<BoundedValue> moment;
 };
 
 /// Where a scene's values come from: each with how far it is to be trusted, and by which name the
@@ -63,15 +64,16 @@ public:
     [[nodiscard]] virtual ContactValues contact() = 0;
     /// `p`, `q`: which of them to compute, with their approximations where terms are asked for.
     /// Throws DomainError where there is no value (outside the contact, on a corner).
-    [[nodiscard]] virtual PointValues at(Edge edge, const Exact& u, bool p, bool q) = 0;
-    [[nodiscard]] virtual EdgeValues expansion(Edge edge, bool p, bool q) = 0;
-    [[nodiscard]] virtual ExtentValues extent(Edge edge, std::size_t n) = 0;
+    [[nodiscard]] virtual PointValues at(contact::Edge edge, const formula::Exact& u, bool p,
+                                         bool q) = 0;
+    [[nodiscard]] virtual EdgeValues expansion(contact::Edge edge, bool p, bool q) = 0;
+    [[nodiscard]] virtual ExtentValues extent(contact::Edge edge, std::size_t n) = 0;
 };
 
 /// Values in Real with estimated errors (NormalContact, ShearTraction). Keeps references to all
 /// three. Throws InputError, told with the line of the load, where no contact carries it.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
-                                                          Work& work);
+                                                          contact::Work& work);
 
 /// Values in balls, proved (BallContact, ball_shear.hpp), for a plan that says `proved`: more and
 /// more bits until each rounds correctly. What has no enclosure within the bits (an edge on a knot
@@ -79,6 +81,6 @@ public:
 /// Real, and is called an estimate; so does everything where a curved g' is not proved to rise in
 /// the contact. Throws InputError, told with the line of the profile, where it is proved to fall.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan,
-                                                          Work& work);
+                                                          contact::Work& work);
 
-} // namespace edgeproof
+} // namespace edgeproof::scene

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/elementary/gamma_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/gamma_taylor.hpp"
 
 #include <cmath>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::series {
 
 /// f at two points, and (f(s) - f(x))/(s - x) *without* the subtraction: every operation carries
 /// the quotient forward by a formula that has no cancellation as s -> x, where it becomes f'(x).
@@ -222,4 +222,4 @@ template <Arithmetic T> [[nodiscard]] DividedDifference<T> gamma(const DividedDi
     return from_difference<T>(f, at[0], T(at[0] + difference), difference, at[1]);
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::series

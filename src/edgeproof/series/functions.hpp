@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/gamma_taylor.hpp"
+#include "edgeproof/precision/elementary/elementary.hpp"
+#include "edgeproof/precision/elementary/gamma_taylor.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
 
 /// Elementary functions of truncated series, each by the recurrence that its differential
 /// equation gives; the constant term uses the function of T.
-namespace edgeproof {
+namespace edgeproof::series {
 
 /// x^(p) for any exponent p of T, by n y' x = p y x'. Throws DomainError without a constant term.
 template <class T> [[nodiscard]] Series<T> pow_with_constant(const Series<T>& x, const T& p, T y0) {
@@ -91,6 +92,7 @@ template <class T> [[nodiscard]] Series<T> atan(const Series<T>& x) {
 
 /// atan by edgeproof/precision/elementary.hpp.
 template <class T> [[nodiscard]] Series<T> arc_tangent(const Series<T>& x) {
+    using edgeproof::arc_tangent; // of numbers
     return integrate_along(T(1) / (T(1) + x * x), x, T(arc_tangent(x[0])));
 }
 
@@ -196,4 +198,4 @@ template <class T> [[nodiscard]] Series<T> sgn(const Series<T>& x) {
     return Series<T>(x[0] < T(0) ? T(-1) : T(1), x.order());
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::series

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::series {
 
 /// A polynomial q_0 + q_1 sigma + ... over a field T. It stands as a coefficient of Series where
 /// an integrand is expanded in u and its terms are integrated over sigma.
@@ -126,4 +126,4 @@ private:
     std::vector<T> q_;
 };
 
-} // namespace edgeproof
+} // namespace edgeproof::series

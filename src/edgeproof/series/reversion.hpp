@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/series/truncated.hpp"
 
-namespace edgeproof {
+namespace edgeproof::series {
 
 /// f(g(z)) for g with no constant term (Horner). Throws DomainError when g has one.
 template <class T> [[nodiscard]] Series<T> compose(const Series<T>& f, const Series<T>& g) {
@@ -36,4 +36,4 @@ template <class T> [[nodiscard]] Series<T> revert(const Series<T>& f) {
     return g;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::series

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgeproof {
+namespace edgeproof::series {
 
 /// A truncated power series c_0 + c_1 z + ... + c_{n-1} z^{n-1} + O(z^n) over a field T
 /// (floating-point or symbolic). The result of an operation on two series is known to the smaller
@@ -151,4 +151,4 @@ template <class T> [[nodiscard]] Series<T> antiderivative(const Series<T>& s, co
     return Series<T>(std::move(r));
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::series

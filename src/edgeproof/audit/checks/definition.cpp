@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 
 CheckKind definition_kind() {
     const auto check = [](const Claim&, const AuditContext&) {
@@ -12,4 +12,4 @@ CheckKind definition_kind() {
     return {"definition", {{.name = "says"}}, check};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned working = 60;
 constexpr std::size_t gradient_draws = 4;
 
 /// The gradient of a formula by all names, by central differences good to about 20 digits.
-std::vector<Real> gradient(const Expr& e, const FormalValues& at,
+std::vector<Real> gradient(const formula::Expr& e, const FormalValues& at,
                            const std::vector<std::string>& names) {
     const PrecisionScope scope(working);
     const Real step = pow(Real(10), -10);
@@ -82,8 +82,8 @@ Real left_over(std::vector<std::vector<Real>> others, std::vector<Real> row) {
 /// point, if its gradient is a combination of theirs.
 Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
-    const Expr of = derive(claim.formula("of"), under);
-    std::vector<Expr> from;
+    const formula::Expr of = derive(claim.formula("of"), under);
+    std::vector<formula::Expr> from;
     std::set<std::string> names = free_symbols(of);
     for (const std::string& text : claim.list("from")) {
         from.push_back(derive(
@@ -98,7 +98,7 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     for (std::size_t draw = 0; draw < gradient_draws; ++draw) {
         const FormalValues values(names, under, draw, working);
         std::vector<std::vector<Real>> others;
-        for (const Expr& e : from) {
+        for (const formula::Expr& e : from) {
             std::vector<Real> g = gradient(e, values, variables);
             const Real size = largest(g);
             for (Real& x : g) {
@@ -123,7 +123,7 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
         .add("draws", gradient_draws)
         .add("left_of_the_gradient_at_least", value_text(least, 6));
     std::set<std::string> known;
-    for (const Expr& e : from) {
+    for (const formula::Expr& e : from) {
         known.merge(free_symbols(e));
     }
     std::string alone;
@@ -165,4 +165,4 @@ CheckKind dependence_kind() {
             check_dependence};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/sample/formal_values.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr std::size_t formal_draws = 3;
 
 /// Names of two formulas, and those that the functions along the family of contacts expand into.
-std::set<std::string> names_of(const Expr& x, const Expr& y) {
+std::set<std::string> names_of(const formula::Expr& x, const formula::Expr& y) {
     std::set<std::string> names = free_symbols(x);
     names.merge(free_symbols(y));
     for (unsigned k = 1; k <= 9; ++k) {
@@ -70,7 +70,7 @@ void enclose_term(const ExpansionComparison::Term& term, const std::vector<Forma
     Enclosed derived;
     for (const FormalValues& v : values) {
         try {
-            const long bits = 2 * bits_for(digits);
+            const long bits = 2 * formula::bits_for(digits);
             Ball x = v.enclose(term.printed, bits);
             Ball y = v.enclose(term.derived, bits);
             if (x.is_finite() && y.is_finite()) {
@@ -115,25 +115,25 @@ struct Remainder {
     std::size_t samples = 0;
 };
 
-Remainder measure_remainder(const Claim& claim, const AuditContext& context, const Expr& printed,
-                            const Expr& exact, const std::string& variable,
-                            const Rational& through) {
+Remainder measure_remainder(const Claim& claim, const AuditContext& context,
+                            const formula::Expr& printed, const formula::Expr& exact,
+                            const std::string& variable, const Rational& through) {
     constexpr int step = 3; // decades between the two values of the variable
     // An order needs few digits, but (from the power -1/2 on) that many cancel before it shows.
     constexpr double decades = 18; // the variable goes down to about 1e-18
     const auto digits = static_cast<unsigned>((through.convert_to<double>() + 1.5) * decades) + 30;
-    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, digits);
-    const Spots& spots = *sampled;
+    const std::shared_ptr<EvaluatedSamples> sampled = EvaluatedSamples::of(claim, context, digits);
+    const EvaluatedSamples& samples_at = *sampled;
     Remainder remainder;
-    for (const Spot& spot : spots.all()) {
-        Spot near = spot;
+    for (const EvaluatedSample& sample_at : samples_at.all()) {
+        EvaluatedSample near = sample_at;
         const auto it = near.variables.find(variable);
         if (it == near.variables.end()) {
             claim.reject("vary", "vary does not say where " + variable + " runs",
                          "write vary = { " + variable + " = [\"a*1e-14\"] }");
         }
         const PrecisionScope scope(digits + 20);
-        const auto left_over = [&](const Spot& at) {
+        const auto left_over = [&](const EvaluatedSample& at) {
             const Real value = at.evaluate(exact).value;
             const Real left = abs(value - at.evaluate(printed).value);
             return left <= abs(value) * pow(Real(10), -static_cast<int>(digits) + 10) ? Real(0)
@@ -149,7 +149,7 @@ Remainder measure_remainder(const Claim& claim, const AuditContext& context, con
         const double order = Real(log10(Real(far / close_by)) / step).convert_to<double>();
         if (!remainder.order || order < *remainder.order) {
             remainder.order = order;
-            remainder.at = spot.text;
+            remainder.at = sample_at.text;
         }
     }
     return remainder;
@@ -183,8 +183,8 @@ public:
             draws_.emplace_back(std::move(values), std::move(exact));
         }
     }
-    [[nodiscard]] bool looks_right(const Expr& written) const {
-        const Expr e = expand_definitions(written, claim_.vocabulary);
+    [[nodiscard]] bool passes_screening(const formula::Expr& written) const {
+        const formula::Expr e = expand_definitions(written, claim_.vocabulary);
         const PrecisionScope scope(digits_);
         return !draws_.empty() && std::all_of(draws_.begin(), draws_.end(), [&](const auto& draw) {
             const auto& [values, exact] = draw;
@@ -201,13 +201,14 @@ private:
 };
 
 Outcome check_expansion(const Claim& claim, const AuditContext& context) {
-    const Expr printed = claim.formula("says");
-    const Expr exact = claim.formula("of");
+    const formula::Expr printed = claim.formula("says");
+    const formula::Expr exact = claim.formula("of");
     const std::string variable = claim.text("variable");
     const SymbolicCase under = symbolic_case(claim, context);
     const ExpansionIn in{variable,
-                         claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left,
-                         Exact::parse(claim.text("through")).rational()};
+                         claim.text_or("edge", "right") == "right" ? contact::Edge::right
+                                                                   : contact::Edge::left,
+                         formula::Exact::parse(claim.text("through")).rational()};
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"));
     const ExpansionComparison comparison = compare_expansions(printed, exact, in, under);
@@ -245,15 +246,15 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     if (claim.has("as_if")) {
         Evidence hypotheses;
         for (const auto& [text, formulas] : claim.table("as_if")) {
-            const Expr other = expand_definitions(parse_formula(formulas.front(), claim.vocabulary),
-                                                  claim.vocabulary);
+            const formula::Expr other = expand_definitions(
+                parse_formula(formulas.front(), claim.vocabulary), claim.vocabulary);
             hypotheses.add(text, compare_expansions(printed, other, in, under).equal()
                                      ? "gives the printed line"
                                      : "does not give the printed line");
         }
         outcome.evidence.add("as_if", std::move(hypotheses));
     }
-    Patient patient;
+    RefutedFormula patient;
     patient.printed = claim.written("says");
     patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, exact);
@@ -264,8 +265,8 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     }
     patient.derived = sum_of(derived, variable);
     const QuickExpansion quick(claim, in, comparison, names, under);
-    patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
-    patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
+    patient.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
+    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         return compare_expansions(expand_definitions(e, claim.vocabulary), exact, in, under).equal()
                    ? Verdict::proved
                    : Verdict::refuted;
@@ -289,4 +290,4 @@ CheckKind expansion_kind() {
             check_expansion};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

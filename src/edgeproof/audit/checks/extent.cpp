@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/extent.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/quoted_figure.hpp"
-#include "edgeproof/audit/enclosed_sample.hpp"
-#include "edgeproof/audit/spots.hpp"
-#include "edgeproof/contact/ball_contact.hpp"
-#include "edgeproof/contact/ball_extent.hpp"
+#include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <cstdlib>
 #include <map>
 #include <optional>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// A field's formula in the parameters of a scene, as an exact number.
-Exact exact_in(const Claim& claim, std::string_view key, const SceneSpec& scene) {
-    Expr e = claim.formula(key);
+formula::Exact exact_in(const Claim& claim, std::string_view key, const SceneSpec& scene) {
+    formula::Expr e = claim.formula(key);
     for (const auto& [name, value] : scene.parameters) {
         e = substitute(e, name, value.expr());
     }
     try {
-        return Exact(e);
+        return formula::Exact(e);
     } catch (const Error&) {
         claim.reject(key, std::string(key) + " is not a number in the scene " + scene.text(),
                      "use numbers and the family's parameters only");
@@ -40,17 +40,19 @@ struct ReachInScene {
 
 ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
                       const QuotedFigure& figure) {
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
     const auto terms = static_cast<std::size_t>(claim.integer("terms"));
-    const Exact tolerance = Exact::parse(claim.text("tolerance"));
-    ExtentRange range;
+    const formula::Exact tolerance = formula::Exact::parse(claim.text("tolerance"));
+    contact::ExtentRange range;
     if (claim.has("upto")) {
         range.to = exact_in(claim, "upto", scene);
     }
-    const Setting setting(scene, context.digits());
-    const Extents extents = within_tolerance(setting.contact(), edge, terms, tolerance, range);
+    const EvaluatedScene scene_values(scene, context.digits());
+    const contact::Extents extents =
+        within_tolerance(scene_values.contact(), edge, terms, tolerance, range);
     const PrecisionScope scope(context.digits() + 20);
-    const Real base = setting.evaluate(claim.formula("base")).value;
+    const Real base = scene_values.evaluate(claim.formula("base")).value;
     const bool first = claim.text("reach") == "first-exit";
     ReachInScene reach;
     reach.value = (first ? extents.first_exit : extents.measure) / base;
@@ -71,7 +73,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     // The tolerance under which the quoted figure would be the distance.
     const Real u = Real(figure.value()) * base;
     if (u > 0 && u < extents.length) {
-        const Real error = setting.local(edge, terms, u) / setting.pressure(edge, u) - 1;
+        const Real error = scene_values.local(edge, terms, u) / scene_values.pressure(edge, u) - 1;
         e.add("error_at_the_quoted_distance", to_decimal(Real(error * 100), 4) + " %");
     }
     return reach;
@@ -79,25 +81,27 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
 
 /// The same figure in balls: every crossing found, and proved to be all that there are.
 Enclosed enclosed_reach(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
-    ExtentRange range;
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    contact::ExtentRange range;
     if (claim.has("upto")) {
         range.to = exact_in(claim, "upto", scene);
     }
-    const Profile profile = scene.make_profile();
-    const Load load = Load::right_edge(scene.parameter("a"));
-    std::map<long, BallContact> contacts;
-    const auto contact_at = [&](long bits) -> const BallContact& {
+    const contact::Profile profile = scene.make_profile();
+    const contact::Load load = contact::Load::right_edge(scene.parameter("a"));
+    std::map<long, contact::BallContact> contacts;
+    const auto contact_at = [&](long bits) -> const contact::BallContact& {
         return contacts.try_emplace(bits, profile, scene.parameter("Es"), load, bits).first->second;
     };
     Enclosed reach;
-    BallExtentSearch search(contact_at, edge, static_cast<std::size_t>(claim.integer("terms")),
-                            Exact::parse(claim.text("tolerance")), range);
+    contact::BallExtentSearch search(contact_at, edge,
+                                     static_cast<std::size_t>(claim.integer("terms")),
+                                     formula::Exact::parse(claim.text("tolerance")), range);
     const Sample sample{scene, std::nullopt, edge, {}};
-    const long needed = bits_for(context.digits());
+    const long needed = formula::bits_for(context.digits());
     for (long bits = 2 * needed; bits <= 8 * needed && !reach.ball; bits *= 2) {
         try {
-            const EnclosedExtents extents = search.at(bits);
+            const contact::EnclosedExtents extents = search.at(bits);
             const bool first = claim.text("reach") == "first-exit";
             reach.ball = (first ? extents.first_exit : extents.measure) /
                          EnclosedSample(sample, bits).evaluate(claim.formula("base"));
@@ -196,4 +200,4 @@ CheckKind extent_kind() {
             check_extent};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

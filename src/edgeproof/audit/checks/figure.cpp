@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/quoted_figure.hpp"
-#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/precision/error.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// How bad a verdict on a figure is.
@@ -12,23 +12,24 @@ int badness(Verdict v) { return v == Verdict::confirmed ? 0 : v == Verdict::impr
 
 Outcome check_figure(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
-    const Expr of = claim.formula("of");
-    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
-    const Spots& spots = *sampled;
+    const formula::Expr of = claim.formula("of");
+    const std::shared_ptr<EvaluatedSamples> sampled =
+        EvaluatedSamples::of(claim, context, context.digits());
+    const EvaluatedSamples& samples_at = *sampled;
     const PrecisionScope scope(context.digits() + 20);
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of")).add("samples", spots.all().size());
+    outcome.evidence.add("of", claim.text("of")).add("samples", samples_at.all().size());
     std::optional<Real> least;
     std::optional<Real> most;
     std::optional<Real> at_worst;
     int worst = -1;
-    for (const Spot& spot : spots.all()) {
-        const FormulaValue value = spot.evaluate(of);
+    for (const EvaluatedSample& sample_at : samples_at.all()) {
+        const FormulaValue value = sample_at.evaluate(of);
         if (!value.converged || !isfinite(value.value)) {
             outcome.verdict = NotRefuted::undecided;
             outcome.note = (value.converged ? "a number beyond the range of the arithmetic at "
                                             : "an integral did not converge at ") +
-                           spot.text;
+                           sample_at.text;
             return outcome;
         }
         const Judgement verdict = figure.verdict(value.value);
@@ -37,7 +38,7 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
             at_worst = value.value;
             outcome.verdict = verdict;
             outcome.computed = figure.text(value.value);
-            outcome.evidence.add("at", spot.text)
+            outcome.evidence.add("at", sample_at.text)
                 .add("value", value_text(value.value, context.digits()))
                 .add("rounds_to", figure.rounded(value.value))
                 .add("units_off", figure.units_off(value.value));
@@ -62,4 +63,4 @@ CheckKind figure_kind() {
         "figure", {{.name = "of", .type = KeySpec::Type::formula, .required = true}}, check_figure};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/rounded.hpp"
-#include "edgeproof/audit/formal_values.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/checks/parts/rounded.hpp"
+#include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// A test of candidates by numbers drawn for the symbols.
 class QuickSymbols {
 public:
-    QuickSymbols(const Claim& claim, const SymbolicCase& under, const Expr& derived,
+    QuickSymbols(const Claim& claim, const SymbolicCase& under, const formula::Expr& derived,
                  const std::vector<std::string>& alphabet)
         : claim_(claim) {
         std::set<std::string> names = free_symbols(derived);
         for (const std::string& name : alphabet) {
-            names.merge(free_symbols(expand_definitions(Expr::symbol(name), claim.vocabulary)));
+            names.merge(
+                free_symbols(expand_definitions(formula::Expr::symbol(name), claim.vocabulary)));
         }
         for (std::size_t draw = 0; draw < 40 && draws_.size() < 3; ++draw) {
             try {
@@ -28,8 +29,8 @@ public:
             }
         }
     }
-    [[nodiscard]] bool looks_right(const Expr& written) const {
-        const Expr e = expand_definitions(written, claim_.vocabulary);
+    [[nodiscard]] bool passes_screening(const formula::Expr& written) const {
+        const formula::Expr e = expand_definitions(written, claim_.vocabulary);
         const PrecisionScope scope(FormalValues::digits);
         const Real tolerance = pow(Real(10), -30);
         return !draws_.empty() && std::all_of(draws_.begin(), draws_.end(), [&](const auto& draw) {
@@ -43,12 +44,12 @@ private:
 };
 
 Outcome check_identity(const Claim& claim, const AuditContext& context) {
-    const Expr printed = claim.formula("says");
-    const Expr exact = claim.formula("of");
+    const formula::Expr printed = claim.formula("says");
+    const formula::Expr exact = claim.formula("of");
     const SymbolicCase under = symbolic_case(claim, context);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"));
-    std::optional<Expr> derived;
+    std::optional<formula::Expr> derived;
     bool proved = false;
     try {
         derived = derive(exact, under);
@@ -60,15 +61,16 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         outcome.evidence.add("derived", to_text(*derived)).add("derived_tex", to_tex(*derived));
     }
     // The same at samples: there the exact value comes from the contact itself, not from symbols.
-    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, context.digits());
-    Spots& spots = *sampled;
-    const Agreement agreement = spots.compare(printed, exact);
-    if (!spots.all().empty()) {
+    const std::shared_ptr<EvaluatedSamples> sampled =
+        EvaluatedSamples::of(claim, context, context.digits());
+    EvaluatedSamples& samples_at = *sampled;
+    const Agreement agreement = samples_at.compare(printed, exact);
+    if (!samples_at.all().empty()) {
         outcome.verdict = judge_samples(agreement, context.digits_needed());
     }
-    report_agreement(agreement, spots, context.digits(), outcome.evidence);
-    add_enclosures(agreement, spots, printed, exact, std::nullopt, context.digits(), outcome);
-    judge_rounded(claim, spots, exact, context.digits(), outcome);
+    report_agreement(agreement, samples_at, context.digits(), outcome.evidence);
+    add_enclosures(agreement, samples_at, printed, exact, std::nullopt, context.digits(), outcome);
+    judge_rounded(claim, samples_at, exact, context.digits(), outcome);
     if (outcome.evidence.find("rounded") != nullptr) {
         return outcome;
     }
@@ -78,7 +80,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
             by_samples == Verdict::confirmed ? NotRefuted::proved : NotRefuted::undecided;
         outcome.note = by_samples == Verdict::confirmed
                            ? "identically equal to the derived form; agrees at " +
-                                 std::to_string(spots.all().size()) + " samples"
+                                 std::to_string(samples_at.all().size()) + " samples"
                            : "equal in symbols but not at the samples";
         return outcome;
     }
@@ -91,23 +93,23 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         }
         return outcome;
     }
-    Patient patient;
+    RefutedFormula patient;
     patient.printed = claim.written("says");
     patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
-                                    &spots.all().front().sample.scene);
-    patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
+                                    &samples_at.all().front().sample.scene);
+    patient.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
     if (derived && !patient.ratio) {
         try {
-            const Expr ratio = derive(printed / *derived, under);
+            const formula::Expr ratio = derive(printed / *derived, under);
             outcome.evidence.add("ratio", to_text(ratio)).add("ratio_tex", to_tex(ratio));
         } catch (const Error&) {
             outcome.evidence.add("ratio", "no closed form");
         }
     }
-    patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
-        const Expr full = expand_definitions(e, claim.vocabulary);
-        if (judge_samples(spots.compare(full, exact), context.digits_needed()) !=
+    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
+        const formula::Expr full = expand_definitions(e, claim.vocabulary);
+        if (judge_samples(samples_at.compare(full, exact), context.digits_needed()) !=
             Verdict::confirmed) {
             return std::nullopt;
         }
@@ -118,10 +120,14 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     if (derived) {
         patient.derived = derived;
         quick.emplace(claim, under, *derived, patient.alphabet.symbols);
-        patient.looks_right = [&](const Expr& e) { return quick->looks_right(e); };
+        patient.passes_screening = [&](const formula::Expr& e) {
+            return quick->passes_screening(e);
+        };
     } else {
         sampled_quick.emplace(claim, context, exact);
-        patient.looks_right = [&](const Expr& e) { return sampled_quick->looks_right(e); };
+        patient.passes_screening = [&](const formula::Expr& e) {
+            return sampled_quick->passes_screening(e);
+        };
     }
     diagnose(patient, outcome);
     return outcome;
@@ -138,4 +144,4 @@ CheckKind identity_kind() {
             check_identity};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

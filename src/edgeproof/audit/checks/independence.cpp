@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// A formula that is to come out the same in all scenes, at each of some places: what differs
 /// between the scenes, it does not depend on.
 Outcome check_independence(const Claim& claim, const AuditContext& context) {
-    const Expr e = claim.formula("of");
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
-    std::vector<Exact> fractions;
+    const formula::Expr e = claim.formula("of");
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    std::vector<formula::Exact> fractions;
     for (const std::string& text : claim.list("at")) {
-        fractions.push_back(Exact::parse(text));
+        fractions.push_back(formula::Exact::parse(text));
     }
     Outcome outcome;
     std::vector<Real> first; // the values in the first scene
@@ -28,11 +29,11 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
     Evidence values;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     for (const SceneSpec& scene : scenes) {
-        const Setting setting(scene, context.digits());
+        const EvaluatedScene scene_values(scene, context.digits());
         profiles.insert(scene.profile);
         for (std::size_t k = 0; k < fractions.size(); ++k) {
-            const Place place = setting.place(edge, fractions[k]);
-            const FormulaValue evaluated = setting.evaluate(e, &place);
+            const Place place = scene_values.place(edge, fractions[k]);
+            const FormulaValue evaluated = scene_values.evaluate(e, &place);
             const Real& value = evaluated.value;
             if (!evaluated.converged || !isfinite(value)) {
                 outcome.note =
@@ -97,4 +98,4 @@ CheckKind independence_kind() {
             check_independence};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

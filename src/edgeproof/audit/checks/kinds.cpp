@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 
 const std::vector<CheckKind>& check_kinds() {
     static const std::vector<CheckKind> kinds{
@@ -39,4 +39,4 @@ const std::vector<KeySpec>& common_keys() {
     return keys;
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

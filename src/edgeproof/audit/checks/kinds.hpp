@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/check.hpp"
+#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/sample/audit_context.hpp"
 
 /// Every kind of claim, one file each in this folder. A new one is declared here and listed in
 /// kinds.cpp.
-namespace edgeproof {
+namespace edgeproof::audit {
 
 /// Nothing to check; with `of` the printed form is held against what the program takes it to be.
 [[nodiscard]] CheckKind definition_kind();
@@ -47,4 +48,4 @@ namespace edgeproof {
 /// The value of a parameter at which an approximation reaches farthest.
 [[nodiscard]] CheckKind optimum_kind();
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

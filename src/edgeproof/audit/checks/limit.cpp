@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/ladder.hpp"
+#include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 enum class Trend { towards, away, unclear };
@@ -49,8 +49,8 @@ Trend infinite_trend(const std::vector<Real>& f) {
 
 Outcome check_limit(const Claim& claim, const AuditContext& context) {
     const bool infinite = claim.text("limit") == "infinity";
-    const Expr of = claim.formula("of");
-    const Ladder ladder(claim, context, context.digits());
+    const formula::Expr of = claim.formula("of");
+    const ParameterSweep ladder(claim, context, context.digits());
     const PrecisionScope scope(context.digits() + 20);
     const Real noise = pow(Real(10), 5 - static_cast<int>(context.digits()));
     Outcome outcome;
@@ -66,14 +66,14 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
         std::vector<Real> f;
         std::vector<std::string> texts;
         for (std::size_t j = 0; j < ladder.values().size(); ++j) {
-            f.push_back(ladder.spot(j, k).evaluate(of).value);
+            f.push_back(ladder.sample_at(j, k).evaluate(of).value);
             texts.push_back(value_text(f.back(), 12));
             if (!isfinite(f.back())) {
                 outcome.note = "not evaluated here: a number beyond the range of the arithmetic";
                 return outcome;
             }
         }
-        const Spot& last = ladder.spot(ladder.values().size() - 1, k);
+        const EvaluatedSample& last = ladder.sample_at(ladder.values().size() - 1, k);
         const Trend trend =
             infinite ? infinite_trend(f)
                      : finite_trend(f, last.evaluate(claim.formula("limit")).value, noise);
@@ -122,4 +122,4 @@ CheckKind limit_kind() {
             check_limit};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

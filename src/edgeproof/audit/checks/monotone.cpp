@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/ladder.hpp"
-#include "edgeproof/audit/enclosures.hpp"
+#include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
-std::string step_text(const Ladder& ladder, std::size_t from) {
+std::string step_text(const ParameterSweep& ladder, std::size_t from) {
     return ladder.name() + " = " + ladder.values()[from] + " to " + ladder.values()[from + 1];
 }
 
@@ -23,7 +23,8 @@ struct Steps {
     std::vector<std::string> values;   ///< of `of`, at that sample or at the first
 };
 
-Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned digits) {
+Steps count_steps(const ParameterSweep& ladder, const formula::Expr& of, bool rising,
+                  unsigned digits) {
     Steps steps;
     const PrecisionScope scope(digits + 20);
     const Real noise = pow(Real(10), 2 - static_cast<int>(digits));
@@ -34,7 +35,7 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
         Real most(0);
         bool good_digits = true;
         for (std::size_t j = 0; j < ladder.values().size(); ++j) {
-            const FormulaValue value = ladder.spot(j, k).evaluate(of);
+            const FormulaValue value = ladder.sample_at(j, k).evaluate(of);
             good_digits = good_digits && value.converged;
             f.push_back(value.value);
         }
@@ -68,7 +69,7 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
             steps.bad_steps = bad;
             steps.bad_sample = k;
             steps.bad_from = largest;
-            steps.bad_at = ladder.spot(0, k).text;
+            steps.bad_at = ladder.sample_at(0, k).text;
         }
     }
     return steps;
@@ -76,7 +77,7 @@ Steps count_steps(const Ladder& ladder, const Expr& of, bool rising, unsigned di
 
 Outcome check_monotone(const Claim& claim, const AuditContext& context) {
     const bool rising = claim.text("sense") == "increasing";
-    const Ladder ladder(claim, context, context.digits());
+    const ParameterSweep ladder(claim, context, context.digits());
     const Steps steps = count_steps(ladder, claim.formula("of"), rising, context.digits());
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
@@ -96,9 +97,9 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
         outcome.note = (rising ? "falls from " : "grows from ") + steps.bad_steps.front() + " (" +
                        std::to_string(steps.bad) + " of " +
                        std::to_string(steps.bad + steps.good + steps.unclear) + " steps)";
-        const Expr of = claim.formula("of");
+        const formula::Expr of = claim.formula("of");
         const auto at = [&](std::size_t value) {
-            return enclosed(of, ladder.spot(value, steps.bad_sample).sample, context.digits());
+            return enclosed(of, ladder.sample_at(value, steps.bad_sample).sample, context.digits());
         };
         add_pair("before", at(steps.bad_from), "after", at(steps.bad_from + 1),
                  steps.bad_at + "; " + step_text(ladder, steps.bad_from), context.digits(),
@@ -126,4 +127,4 @@ CheckKind monotone_kind() {
             check_monotone};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

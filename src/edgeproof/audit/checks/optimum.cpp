@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/ladder.hpp"
-#include "edgeproof/contact/extent.hpp"
+#include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned search_digits = 20;
@@ -23,13 +23,15 @@ constexpr int refinements = 16;
 /// many terms stays within the tolerance, as a function of one parameter.
 class Reach {
 public:
-    Reach(const Claim& claim, const AuditContext& context, std::size_t scene, Exact tolerance)
+    Reach(const Claim& claim, const AuditContext& context, std::size_t scene,
+          formula::Exact tolerance)
         : claim_(claim), context_(context), scene_(scene), tolerance_(std::move(tolerance)),
           parameter_(claim.text("along")),
-          edge_(claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left),
+          edge_(claim.text_or("edge", "right") == "right" ? contact::Edge::right
+                                                          : contact::Edge::left),
           terms_(static_cast<std::size_t>(claim.integer("terms"))) {
         if (claim.has("upto")) {
-            range_.to = Exact::parse(claim.text("upto"));
+            range_.to = formula::Exact::parse(claim.text("upto"));
         }
     }
     [[nodiscard]] Real operator()(const Rational& value) {
@@ -37,12 +39,13 @@ public:
         if (known != tried_.end()) {
             return known->second;
         }
-        const Ledger fixed =
-            with_parameter(context_.ledger(), claim_.text("over"), parameter_, Expr::number(value));
+        const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"), parameter_,
+                                            formula::Expr::number(value));
         const AuditContext at(fixed, context_.digits());
-        const Setting setting(at.scenes(claim_).at(scene_), search_digits);
+        const EvaluatedScene scene_values(at.scenes(claim_).at(scene_), search_digits);
         ++calls_;
-        const Extents e = within_tolerance(setting.contact(), edge_, terms_, tolerance_, range_);
+        const contact::Extents e =
+            within_tolerance(scene_values.contact(), edge_, terms_, tolerance_, range_);
         return tried_[value] = e.first_exit / e.length;
     }
     /// The values tried next to this one, or the value itself where there is none on that side.
@@ -58,11 +61,11 @@ private:
     const Claim& claim_;
     const AuditContext& context_;
     std::size_t scene_;
-    Exact tolerance_;
+    formula::Exact tolerance_;
     std::string parameter_;
-    Edge edge_;
+    contact::Edge edge_;
     std::size_t terms_;
-    ExtentRange range_;
+    contact::ExtentRange range_;
     std::size_t calls_ = 0;
     std::map<Rational, Real> tried_;
 };
@@ -135,13 +138,13 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
 }
 
 Outcome check_optimum(const Claim& claim, const AuditContext& context) {
-    const Rational claimed = Exact::parse(claim.text("at")).rational();
+    const Rational claimed = formula::Exact::parse(claim.text("at")).rational();
     const auto& between = claim.list("between");
     if (between.size() != 2) {
         claim.reject("between", "the search goes between two values", "write [\"0\", \"2\"]");
     }
-    const Rational lo = Exact::parse(between[0]).rational();
-    const Rational hi = Exact::parse(between[1]).rational();
+    const Rational lo = formula::Exact::parse(between[0]).rational();
+    const Rational hi = formula::Exact::parse(between[1]).rational();
     if (!(lo < claimed && claimed < hi)) {
         claim.reject("between", "the value claimed is not between the ends of the search",
                      "take it in");
@@ -158,7 +161,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     for (std::size_t k = 0; k < scenes; ++k) {
         std::optional<Real> last_off;
         for (const std::string& text : claim.list("tolerances")) {
-            Reach reach(claim, context, k, Exact::parse(text));
+            Reach reach(claim, context, k, formula::Exact::parse(text));
             const Real here = reach(claimed);
             const Best best = search(reach, claimed, lo, hi);
             calls += reach.calls();
@@ -216,4 +219,4 @@ CheckKind optimum_kind() {
             check_optimum};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

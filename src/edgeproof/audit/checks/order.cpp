@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr int first_rung = 20; // decades from the length of the contact
@@ -23,7 +23,7 @@ struct OrderInScene {
     Real order;
     Real order_said;
     Real ratio;
-    bool clear = true; ///< neighbouring rungs agree
+    bool clear = true; ///< neighbouring steps agree
 };
 
 Real slope(const Real& near, const Real& far, const Real& decades) {
@@ -31,18 +31,19 @@ Real slope(const Real& near, const Real& far, const Real& decades) {
 }
 
 /// nullopt where `says` is zero: nothing is of the order of zero.
-std::optional<OrderInScene> measure(const Setting& setting, const Sample& sample, const Expr& of,
-                                    const Expr& says, const std::string& text) {
+std::optional<OrderInScene> measure(const EvaluatedScene& scene_values, const Sample& sample,
+                                    const formula::Expr& of, const formula::Expr& says,
+                                    const std::string& text) {
     OrderInScene found;
     found.text = text;
     std::vector<Real> f;
     std::vector<Real> g;
-    const Variables variables = setting.values_of(sample.variables);
+    const Variables variables = scene_values.values_of(sample.variables);
     for (int k = 0; k < rungs_to_the_edge; ++k) {
-        const Real u = setting.length() * pow(Real(10), -(first_rung + k * decades_per_rung));
-        const Place place = setting.place_at_u(sample.edge, u);
-        f.push_back(abs(setting.evaluate(of, &place, variables).value));
-        g.push_back(abs(setting.evaluate(says, &place, variables).value));
+        const Real u = scene_values.length() * pow(Real(10), -(first_rung + k * decades_per_rung));
+        const Place place = scene_values.place_at_u(sample.edge, u);
+        f.push_back(abs(scene_values.evaluate(of, &place, variables).value));
+        g.push_back(abs(scene_values.evaluate(says, &place, variables).value));
         if (g.back() == 0) {
             return std::nullopt;
         }
@@ -67,20 +68,20 @@ struct Scenes {
     std::size_t left_out = 0; ///< where `says` is zero or `where` does not hold
 };
 
-Scenes measure_all(const Claim& claim, const AuditContext& context, const Expr& says) {
-    const Expr of = claim.formula("of");
+Scenes measure_all(const Claim& claim, const AuditContext& context, const formula::Expr& says) {
+    const formula::Expr of = claim.formula("of");
     // Errors near the edge are differences of nearly equal numbers.
     const unsigned digits =
         context.digits() + first_rung + rungs_to_the_edge * decades_per_rung + 20;
     Scenes scenes;
     const PrecisionScope scope(digits + 20);
     for (const Sample& sample : context.samples(claim)) {
-        const Setting setting(sample.scene, digits);
-        if (claim.has("where") && !setting.holds(claim.condition("where"))) {
+        const EvaluatedScene scene_values(sample.scene, digits);
+        if (claim.has("where") && !scene_values.holds(claim.condition("where"))) {
             ++scenes.left_out;
             continue;
         }
-        if (auto found = measure(setting, sample, of, says,
+        if (auto found = measure(scene_values, sample, of, says,
                                  sample.scene.family + ": " + sample.scene.text())) {
             scenes.all.push_back(std::move(*found));
         } else {
@@ -161,7 +162,7 @@ Outcome check_order(const Claim& claim, const AuditContext& context) {
     report(scenes, outcome.evidence);
     if (!holds(outcome.verdict) && claim.has("candidates")) {
         for (const std::string& text : claim.list("candidates")) {
-            const Expr says =
+            const formula::Expr says =
                 expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary);
             const Scenes anew = measure_all(claim, context, says);
             std::string note;
@@ -189,4 +190,4 @@ CheckKind order_kind() {
             check_order};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

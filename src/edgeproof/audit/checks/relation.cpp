@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/margin_scan.hpp"
-#include "edgeproof/audit/spots.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/audit/checks/parts/margin_scan.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// What was found in one scene.
@@ -19,7 +19,7 @@ struct RelationInScene {
 
 bool names_a_place(const Condition& condition) {
     return std::any_of(condition.begin(), condition.end(), [](const Relation& r) {
-        for (const Expr& side : {r.lhs, r.rhs}) {
+        for (const formula::Expr& side : {r.lhs, r.rhs}) {
             const auto names = free_symbols(side);
             if (names.contains("x") || names.contains("u")) {
                 return true;
@@ -227,8 +227,9 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
     }
     const bool placed = names_a_place(condition) || (where && names_a_place(*where));
     const PrecisionScope scope(context.digits() + 20);
-    const Real nearest = claim.has("nearest") ? Exact::parse(claim.text("nearest")).to<Real>()
-                                              : pow(Real(10), holds == "near-edge" ? -40 : -10);
+    const Real nearest = claim.has("nearest")
+                             ? formula::Exact::parse(claim.text("nearest")).to<Real>()
+                             : pow(Real(10), holds == "near-edge" ? -40 : -10);
     std::vector<std::pair<std::string, RelationInScene>> found;
     std::size_t left_out = 0;
     for (const Sample& sample : context.samples(claim)) {
@@ -263,4 +264,4 @@ CheckKind relation_kind() {
             check_relation};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

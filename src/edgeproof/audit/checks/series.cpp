@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/residual_fit.hpp"
-#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/text.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 std::vector<Real> numbers(const Claim& claim, std::string_view key) {
     std::vector<Real> values;
     for (const std::string& text : claim.list(key)) {
         try {
-            values.push_back(Exact::parse(text).to<Real>());
+            values.push_back(formula::Exact::parse(text).to<Real>());
         } catch (const InputError& error) {
             claim.reject(key, error.problem(), error.instead());
         }
@@ -32,27 +32,28 @@ struct FitInScene {
     std::optional<Difference> against; ///< of an order, or of a coefficient
 };
 
-FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
-                     const std::vector<Real>& orders, unsigned digits) {
+FitInScene fit_scene(const SceneSpec& scene, contact::Edge edge,
+                     const std::vector<formula::Expr>& terms, const std::vector<Real>& orders,
+                     unsigned digits) {
     ResidualFitOptions options;
     options.orders = orders.size();
     options.digits = digits;
     options.points = std::max<std::size_t>(12, digits / 4);
-    options.route = Route::automatic;
+    options.route = contact::Route::automatic;
     // The printed coefficients, to as many digits as the fit computes the pressure to.
     const auto enough = digits + static_cast<unsigned>(orders.size() * (options.points / 3 + 6));
-    const Setting setting(scene, enough);
+    const EvaluatedScene scene_values(scene, enough);
     std::vector<Real> c;
     c.reserve(terms.size());
-    for (const Expr& term : terms) {
-        c.push_back(setting.evaluate(term).value);
+    for (const formula::Expr& term : terms) {
+        c.push_back(scene_values.evaluate(term).value);
     }
     // Of what is left no coefficient is claimed, only its order.
-    const std::vector<Real> exact = setting.expansion(edge, orders.size());
+    const std::vector<Real> exact = scene_values.expansion(edge, orders.size());
     c.insert(c.end(), exact.begin() + static_cast<std::ptrdiff_t>(c.size()), exact.end());
     const std::vector<OrderFit> fits =
         fit_residuals(scene.make_profile(), scene.parameter("Es"),
-                      Load::right_edge(scene.parameter("a")), edge, options, c);
+                      contact::Load::right_edge(scene.parameter("a")), edge, options, c);
     FitInScene found;
     for (const OrderFit& fit : fits) {
         found.slopes.push_back(to_decimal(fit.slope, 12));
@@ -83,7 +84,7 @@ FitInScene fit_scene(const SceneSpec& scene, Edge edge, const std::vector<Expr>&
 Outcome check_series(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
     const std::vector<Real> orders = numbers(claim, "orders");
-    std::vector<Expr> terms;
+    std::vector<formula::Expr> terms;
     if (claim.has("terms")) {
         for (const std::string& text : claim.list("terms")) {
             terms.push_back(
@@ -94,7 +95,8 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         claim.reject("orders", "the orders do not go with the terms",
                      "give one for each term, and one more for what is left, 8 at most");
     }
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
     Outcome outcome;
     std::size_t scenes = 0;
     std::size_t vanishing = 0;
@@ -165,4 +167,4 @@ CheckKind series_kind() {
             check_series};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/judgement.hpp"
-#include "edgeproof/audit/size_extents.hpp"
-#include "edgeproof/audit/size_scan.hpp"
+#include "edgeproof/audit/checks/parts/size_extents.hpp"
+#include "edgeproof/audit/checks/parts/size_scan.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/formula/environment.hpp"
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// a, b, L and the coefficients at both edges, in binary128.
@@ -23,8 +23,8 @@ public:
         if (name == "a" || name == "b" || name == "L") {
             return name == "a" ? e.a : name == "b" ? e.b : e.length();
         }
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const std::string_view prefix = edge == Edge::right ? "right_c" : "left_c";
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+            const std::string_view prefix = edge == contact::Edge::right ? "right_c" : "left_c";
             if (name.starts_with(prefix) && name.size() == prefix.size() + 1) {
                 const auto k = static_cast<std::size_t>(name.back() - '0');
                 const auto& c = contact_.coefficients(edge);
@@ -75,9 +75,10 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
                      "name a family with count = 1 and write sizes = [\"FROM\", \"TO\"]");
     }
     const Condition condition = claim.condition("says");
-    const Profile profile = scenes.front().make_profile();
+    const contact::Profile profile = scenes.front().make_profile();
     const ContactsBySize contacts(profile);
-    const SizeScan scan(profile, Exact::parse(range[0]), Exact::parse(range[1]), 4);
+    const SizeScan scan(profile, formula::Exact::parse(range[0]), formula::Exact::parse(range[1]),
+                        4);
     std::optional<Difference> against;
     const auto where = [&](const Condition& all) {
         return scan.where([&](const Float128& a) {
@@ -125,4 +126,4 @@ CheckKind size_condition_kind() {
             check_size_condition};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

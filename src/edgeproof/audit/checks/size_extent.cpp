@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/size_extents.hpp"
-#include "edgeproof/audit/size_scan.hpp"
+#include "edgeproof/audit/checks/parts/size_extents.hpp"
+#include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <map>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr std::string_view kind_name = "size-extent";
@@ -24,7 +24,7 @@ struct Quoted {
 
 Quoted read_quoted(const Claim& claim) {
     const auto number = [&](std::string_view key) {
-        return Exact::parse(claim.text(key)).to<Float128>();
+        return formula::Exact::parse(claim.text(key)).to<Float128>();
     };
     const auto terms = [&](std::string_view key) {
         const long n = claim.integer(key);
@@ -39,7 +39,8 @@ Quoted read_quoted(const Claim& claim) {
     for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
         q.key += "/" + claim.text_or(name, "");
     }
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
     q.of = {edge, terms("terms"), number("tolerance")};
     if (claim.has("over_terms")) {
         q.over = ExtentOf{edge, terms("over_terms"), q.of.tolerance};
@@ -103,7 +104,8 @@ struct Found {
     std::size_t looked_at = 0;
 };
 
-Found find_sizes(const Quoted& q, const Profile& profile, const Exact& from, const Exact& to) {
+Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula::Exact& from,
+                 const formula::Exact& to) {
     const SizeScan scan(profile, from, to);
     const ContactsBySize contacts(profile);
     std::array<std::vector<Float128>, reading_count> table;
@@ -206,14 +208,14 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     }
     const auto size = [&](const std::string& text) {
         try {
-            return Exact::parse(text);
+            return formula::Exact::parse(text);
         } catch (const InputError& error) {
             claim.reject("sizes", error.problem(), error.instead());
         }
     };
-    const Profile profile = scenes.front().make_profile();
-    const Exact from = size(range[0]);
-    const Exact to = size(range[1]);
+    const contact::Profile profile = scenes.front().make_profile();
+    const formula::Exact from = size(range[0]);
+    const formula::Exact to = size(range[1]);
     const auto sizes_of = [&](const Quoted& q) {
         return context.once<Found>("size-extent/" + scenes.front().family + "/" + range[0] + "/" +
                                        range[1] + q.key,
@@ -311,4 +313,4 @@ CheckKind size_extent_kind() {
             check_size_extent};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned split_digits = 18; // orders are measured: more would show nothing more
@@ -19,10 +19,11 @@ struct CutTerms {
     std::vector<ExpansionTerm> whole;     ///< their finite parts from 0 to 1
 };
 
-CutTerms cut_terms(const Expr& integrand, const std::string& variable, const ExpansionIn& in,
-                   const SymbolicCase& under) {
-    const Expr whole = Expr::call(
-        "integral", {integrand, Expr::symbol(variable), Expr::number(0), Expr::number(1)});
+CutTerms cut_terms(const formula::Expr& integrand, const std::string& variable,
+                   const ExpansionIn& in, const SymbolicCase& under) {
+    const formula::Expr whole =
+        formula::Expr::call("integral", {integrand, formula::Expr::symbol(variable),
+                                         formula::Expr::number(0), formula::Expr::number(1)});
     return {expand(integrand, in, under), expand(whole, in, under)};
 }
 
@@ -38,11 +39,11 @@ public:
     Splitting(const Claim& claim, const AuditContext& context)
         : variable_(claim.text("variable")), small_(claim.text("small")), of_(claim.formula("of")) {
         for (const Sample& sample : context.samples(claim)) {
-            settings_.emplace_back(sample.scene, split_digits);
+            scene_values_.emplace_back(sample.scene, split_digits);
             texts_.push_back(sample.text());
-            variables_.push_back(settings_.back().values_of(sample.variables));
+            variables_.push_back(scene_values_.back().values_of(sample.variables));
         }
-        for (std::size_t i = 0; i < settings_.size(); ++i) {
+        for (std::size_t i = 0; i < scene_values_.size(); ++i) {
             for (const int shrink : {1, 10}) {
                 second_.push_back(second_part(i, shrink));
             }
@@ -52,7 +53,7 @@ public:
     [[nodiscard]] Left left(const CutTerms& terms) const {
         const PrecisionScope scope(split_digits + 20);
         Left worst{1e9, {}};
-        for (std::size_t i = 0; i < settings_.size(); ++i) {
+        for (std::size_t i = 0; i < scene_values_.size(); ++i) {
             const Real far = abs(Real(second_[2 * i] + with_cut(terms, i, 1)));
             const Real near = abs(Real(second_[2 * i + 1] + with_cut(terms, i, 10)));
             const double order = Real(log10(Real(far / near))).convert_to<double>();
@@ -62,7 +63,7 @@ public:
         }
         return worst;
     }
-    [[nodiscard]] std::size_t samples() const { return settings_.size(); }
+    [[nodiscard]] std::size_t samples() const { return scene_values_.size(); }
 
 private:
     [[nodiscard]] Variables at(std::size_t i, int shrink) const {
@@ -71,12 +72,14 @@ private:
         v.at(small_) /= shrink;
         return v;
     }
-    [[nodiscard]] Expr cut() const { return Expr::number(1) - Expr::symbol("delta"); }
+    [[nodiscard]] formula::Expr cut() const {
+        return formula::Expr::number(1) - formula::Expr::symbol("delta");
+    }
     /// The integral from the cut to 1, as it stands.
     [[nodiscard]] Real second_part(std::size_t i, int shrink) const {
-        const Expr e =
-            Expr::call("integral", {of_, Expr::symbol(variable_), cut(), Expr::number(1)});
-        const FormulaValue value = settings_[i].evaluate(e, nullptr, at(i, shrink));
+        const formula::Expr e = formula::Expr::call(
+            "integral", {of_, formula::Expr::symbol(variable_), cut(), formula::Expr::number(1)});
+        const FormulaValue value = scene_values_[i].evaluate(e, nullptr, at(i, shrink));
         if (!value.converged) {
             throw BudgetError("the integral from the cut to 1 did not converge");
         }
@@ -90,20 +93,22 @@ private:
         };
         Real sum(0);
         for (const ExpansionTerm& term : terms.integrand) {
-            const Expr first = Expr::call(
-                "integral", {term.coefficient, Expr::symbol(variable_), Expr::number(0), cut()});
-            sum += settings_[i].evaluate(first, nullptr, v).value * power(term.exponent);
+            const formula::Expr first =
+                formula::Expr::call("integral", {term.coefficient, formula::Expr::symbol(variable_),
+                                                 formula::Expr::number(0), cut()});
+            sum += scene_values_[i].evaluate(first, nullptr, v).value * power(term.exponent);
         }
         for (const ExpansionTerm& term : terms.whole) {
-            sum -= settings_[i].evaluate(term.coefficient, nullptr, v).value * power(term.exponent);
+            sum -= scene_values_[i].evaluate(term.coefficient, nullptr, v).value *
+                   power(term.exponent);
         }
         return sum;
     }
 
     std::string variable_;
     std::string small_;
-    Expr of_;
-    std::vector<Setting> settings_;
+    formula::Expr of_;
+    std::vector<EvaluatedScene> scene_values_;
     std::vector<std::string> texts_;
     std::vector<Variables> variables_;
     std::vector<Real> second_;
@@ -112,8 +117,10 @@ private:
 /// That the terms of a cut cancel between the two parts of an integral.
 Outcome check_split(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
-    const Edge edge = claim.text_or("edge", "right") == "right" ? Edge::right : Edge::left;
-    const ExpansionIn in{claim.text("small"), edge, Exact::parse(claim.text("through")).rational()};
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const ExpansionIn in{claim.text("small"), edge,
+                         formula::Exact::parse(claim.text("through")).rational()};
     const std::string variable = claim.text("variable");
     const Splitting splitting(claim, context);
     const Left left = splitting.left(cut_terms(claim.formula("of"), variable, in, under));
@@ -127,8 +134,8 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
     if (claim.has("as_if")) {
         Evidence hypotheses;
         for (const auto& [text, formulas] : claim.table("as_if")) {
-            const Expr other = expand_definitions(parse_formula(formulas.front(), claim.vocabulary),
-                                                  claim.vocabulary);
+            const formula::Expr other = expand_definitions(
+                parse_formula(formulas.front(), claim.vocabulary), claim.vocabulary);
             std::string found;
             try {
                 const Left with = splitting.left(cut_terms(other, variable, in, under));
@@ -171,4 +178,4 @@ CheckKind split_kind() {
             check_split};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

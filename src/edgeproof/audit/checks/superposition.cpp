@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/linear_loads.hpp"
-#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/audit/sample/linear_loads.hpp"
 #include "edgeproof/precision/error.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// What two loads make of a quantity, each alone: of one sign they add, else they subtract. With
@@ -14,7 +14,7 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     if (loads.size() != 2) {
         claim.reject("loads", "loads are not two", "write loads = [\"Q\", \"sig0\"]");
     }
-    const Expr of = claim.formula("of");
+    const formula::Expr of = claim.formula("of");
     const bool says_add = claim.text("says") == "add";
     Outcome outcome;
     std::size_t adding = 0;
@@ -74,4 +74,4 @@ CheckKind superposition_kind() {
         check_superposition};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

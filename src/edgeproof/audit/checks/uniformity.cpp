@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/enclosures.hpp"
-#include "edgeproof/audit/spots.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 constexpr int rungs_to_the_breakdown = 20; // decades towards the place of the breakdown
@@ -22,16 +22,16 @@ struct Rest {
     std::string last;
 };
 
-Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
-            const std::string& variable, const Expr& rest, unsigned digits) {
-    const Expr towards = Exact::parse(claim.text("towards")).expr();
+Rest follow(const EvaluatedScene& scene_values, const Claim& claim, const Variables& fixed,
+            const std::string& variable, const formula::Expr& rest, unsigned digits) {
+    const formula::Expr towards = formula::Exact::parse(claim.text("towards")).expr();
     const PrecisionScope scope(2 * digits);
-    const Real end = setting.evaluate(towards).value;
+    const Real end = scene_values.evaluate(towards).value;
     std::vector<Real> values;
     for (int k = 1; k <= rungs_to_the_breakdown; ++k) {
         Variables at = fixed;
         at.insert_or_assign(variable, Real(end - pow(Real(10), -k)));
-        values.push_back(abs(setting.evaluate(rest, nullptr, at).value));
+        values.push_back(abs(scene_values.evaluate(rest, nullptr, at).value));
     }
     Rest found;
     // Where nothing is left but roundoff, the expansion ends: nothing can break down.
@@ -41,23 +41,23 @@ Rest follow(const Setting& setting, const Claim& claim, const Variables& fixed,
     found.first = value_text(values.front(), 12);
     found.last = value_text(values.back(), 12);
     if (!found.vanishes) {
-        // The last half of the ladder.
+        // The last half of the sweep.
         const Real growth = values.back() / values[rungs_to_the_breakdown / 2 - 1];
         found.slope = Real(log10(growth) / (rungs_to_the_breakdown / 2)).convert_to<double>();
     }
     return found;
 }
 
-/// What the printed term has on the last rung, and what is left there, in balls.
-void add_last_rung(const Claim& claim, const Sample& sample, const Expr& rest, const Expr& term,
-                   unsigned digits, Outcome& outcome) {
+/// What the printed term has on the last step, and what is left there, in balls.
+void add_last_rung(const Claim& claim, const Sample& sample, const formula::Expr& rest,
+                   const formula::Expr& term, unsigned digits, Outcome& outcome) {
     const std::string& variable = claim.text("variable");
-    const Expr at =
-        Exact::parse(claim.text("towards")).expr() -
-        pow(Expr::number(Rational(10)), Expr::number(Rational(-rungs_to_the_breakdown)));
+    const formula::Expr at = formula::Exact::parse(claim.text("towards")).expr() -
+                             pow(formula::Expr::number(Rational(10)),
+                                 formula::Expr::number(Rational(-rungs_to_the_breakdown)));
     add_pair("printed", enclosed(substitute(term, variable, at), sample, digits), "exact",
              enclosed(substitute(rest, variable, at), sample, digits),
-             sample.text() + ", " + variable + " = " + Exact(at).text(), digits, outcome);
+             sample.text() + ", " + variable + " = " + formula::Exact(at).text(), digits, outcome);
 }
 
 /// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
@@ -66,9 +66,10 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     const std::string& small = claim.text("small");
     const std::string& variable = claim.text("variable");
     const auto order = static_cast<unsigned>(claim.integer("order"));
-    const Expr rest = (claim.formula("of") - claim.formula("approximation")) /
-                      pow(Expr::symbol(small), Expr::number(Rational(order)));
-    std::optional<Expr> predicted;
+    const formula::Expr rest =
+        (claim.formula("of") - claim.formula("approximation")) /
+        pow(formula::Expr::symbol(small), formula::Expr::number(Rational(order)));
+    std::optional<formula::Expr> predicted;
     if (claim.has("term")) {
         predicted = claim.formula("term");
     }
@@ -85,13 +86,13 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     Evidence in_scenes;
     const std::vector<Sample> samples = context.samples(claim);
     for (const Sample& sample : samples) {
-        const Setting setting(sample.scene, digits);
-        Variables fixed = setting.values_of(sample.variables);
+        const EvaluatedScene scene_values(sample.scene, digits);
+        Variables fixed = scene_values.values_of(sample.variables);
         if (!fixed.contains(small)) {
             claim.reject("vary", "vary does not say how small " + small + " is",
                          "write vary = { " + small + " = [\"b*1e-6\"] }");
         }
-        const Rest exact = follow(setting, claim, fixed, variable, rest, digits);
+        const Rest exact = follow(scene_values, claim, fixed, variable, rest, digits);
         Evidence one;
         // The growth claimed: 1 by decade where it breaks down, 0 where it does not.
         if (!against && !exact.vanishes) {
@@ -107,7 +108,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
                 .add("at_1e-20", exact.last);
         }
         if (predicted) {
-            const Rest printed = follow(setting, claim, fixed, variable, *predicted, digits);
+            const Rest printed = follow(scene_values, claim, fixed, variable, *predicted, digits);
             one.add("growth_of_the_printed_term", fmt::format("{:.6f}", printed.slope));
             if (by_the_term == nullptr && printed.slope > 0.9 && !exact.vanishes &&
                 exact.slope < 0.1) {
@@ -161,4 +162,4 @@ CheckKind uniformity_kind() {
             check_uniformity};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

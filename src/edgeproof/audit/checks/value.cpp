@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/comparison.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/rounded.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/checks/parts/rounded.hpp"
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// `digits` of context, or fewer.
 Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
-    const Expr printed = claim.formula("says");
-    const Expr exact = claim.formula("of");
-    std::optional<Expr> scale;
+    const formula::Expr printed = claim.formula("says");
+    const formula::Expr exact = claim.formula("of");
+    std::optional<formula::Expr> scale;
     if (claim.has("scale")) {
         scale = claim.formula("scale");
     }
-    const std::shared_ptr<Spots> sampled = Spots::of(claim, context, digits);
-    Spots& spots = *sampled;
+    const std::shared_ptr<EvaluatedSamples> sampled = EvaluatedSamples::of(claim, context, digits);
+    EvaluatedSamples& samples_at = *sampled;
     Outcome outcome;
-    if (spots.all().empty()) {
+    if (samples_at.all().empty()) {
         outcome.note = "no sample fulfils the condition";
         return outcome;
     }
-    const Agreement agreement = spots.compare(printed, exact, scale);
+    const Agreement agreement = samples_at.compare(printed, exact, scale);
     const double needed = AuditContext::digits_needed(digits);
     outcome.verdict = judge_samples(agreement, needed);
     outcome.evidence.add("of", claim.text("of"));
-    report_agreement(agreement, spots, digits, outcome.evidence);
-    add_enclosures(agreement, spots, printed, exact, scale, digits, outcome);
-    judge_rounded(claim, spots, exact, digits, outcome);
+    report_agreement(agreement, samples_at, digits, outcome.evidence);
+    add_enclosures(agreement, samples_at, printed, exact, scale, digits, outcome);
+    judge_rounded(claim, samples_at, exact, digits, outcome);
     if (outcome.evidence.find("rounded") != nullptr) {
         return outcome;
     }
     if (outcome.verdict == Verdict::confirmed) {
-        outcome.note = "agrees at " + std::to_string(spots.all().size()) + " samples";
+        outcome.note = "agrees at " + std::to_string(samples_at.all().size()) + " samples";
         return outcome;
     }
     if (outcome.verdict != Verdict::refuted) {
@@ -42,16 +42,16 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         return outcome;
     }
     QuickSamples quick(claim, context, exact);
-    Patient patient;
+    RefutedFormula patient;
     patient.printed = claim.written("says");
     patient.exact = claim.written("of");
     patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
-                                    &spots.all().front().sample.scene);
-    patient.ratio = ratio_by_samples(agreement, spots, outcome.evidence);
-    patient.looks_right = [&](const Expr& e) { return quick.looks_right(e); };
-    patient.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
-        return judge_samples(spots.compare(expand_definitions(e, claim.vocabulary), exact, scale),
-                             needed);
+                                    &samples_at.all().front().sample.scene);
+    patient.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
+    patient.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
+    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
+        return judge_samples(
+            samples_at.compare(expand_definitions(e, claim.vocabulary), exact, scale), needed);
     };
     diagnose(patient, outcome);
     return outcome;
@@ -59,14 +59,16 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
 
 /// Whether a confirmed claim holds to all digits, at samples spread evenly over the others.
 bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
-    const auto spots = Spots::of(claim, context, context.digits(), ManyDigits::samples);
-    std::optional<Expr> scale;
+    const auto samples_at =
+        EvaluatedSamples::of(claim, context, context.digits(), ManyDigits::samples);
+    std::optional<formula::Expr> scale;
     if (claim.has("scale")) {
         scale = claim.formula("scale");
     }
-    const Agreement agreement = spots->compare(claim.formula("says"), claim.formula("of"), scale);
+    const Agreement agreement =
+        samples_at->compare(claim.formula("says"), claim.formula("of"), scale);
     Evidence more;
-    report_agreement(agreement, *spots, context.digits(), more);
+    report_agreement(agreement, *samples_at, context.digits(), more);
     evidence.add("all_digits", std::move(more));
     return judge_samples(agreement, context.digits_needed()) == Verdict::confirmed;
 }
@@ -95,4 +97,4 @@ CheckKind value_kind() {
             check_value};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

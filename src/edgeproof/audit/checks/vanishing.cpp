@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/enclosures.hpp"
-#include "edgeproof/audit/linear_loads.hpp"
-#include "edgeproof/audit/ratio.hpp"
-#include "edgeproof/audit/spots.hpp"
+#include "edgeproof/audit/diagnosis/ratio.hpp"
+#include "edgeproof/audit/sample/linear_loads.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/exact_ball.hpp"
 
 #include <algorithm>
 
-namespace edgeproof {
+namespace edgeproof::audit {
 namespace {
 
 /// Where a coefficient vanishes: the printed ratio of the loads against the one that makes it so,
@@ -23,7 +23,8 @@ struct Zero {
 };
 
 Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variables>& parameters,
-               const Expr& coefficient, const Expr& ratio, const Expr& printed, unsigned needed) {
+               const formula::Expr& coefficient, const formula::Expr& ratio,
+               const formula::Expr& printed, unsigned needed) {
     Zero zero;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const LinearLoads& loads = scenes[i];
@@ -63,16 +64,16 @@ std::pair<Enclosed, Enclosed> enclosed_zero(const SceneSpec& scene, const Claim&
     const auto& loads = claim.list("loads");
     std::pair<Enclosed, Enclosed> found;
     try {
-        const long bits = 2 * bits_for(digits);
-        EnclosedSample sample(Sample{scene, std::nullopt, Edge::right, {}}, bits);
+        const long bits = 2 * formula::bits_for(digits);
+        EnclosedSample sample(Sample{scene, std::nullopt, contact::Edge::right, {}}, bits);
         const Ball none(0, bits);
         const Ball one(1, bits);
-        const auto with = [&](const Ball& first, const Ball& second, const Expr& e) {
+        const auto with = [&](const Ball& first, const Ball& second, const formula::Expr& e) {
             sample.set(loads[0], first);
             sample.set(loads[1], second);
             return sample.evaluate(e);
         };
-        const Expr of = claim.formula("of");
+        const formula::Expr of = claim.formula("of");
         const Ball second = -(with(one, none, of) / with(none, one, of));
         found.first.ball = with(one, second, claim.formula("ratio"));
         found.second.ball = with(one, second, claim.formula("says"));
@@ -91,16 +92,16 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     }
     for (const SceneSpec& scene : context.scenes(claim)) {
         scenes.emplace_back(scene, context.digits(), loads[0], loads[1]);
-        const Setting setting(scene, context.digits());
+        const EvaluatedScene scene_values(scene, context.digits());
         Variables values;
         for (const auto& [name, value] : scene.parameters) {
-            values.emplace(name, setting.parameter(name));
+            values.emplace(name, scene_values.parameter(name));
         }
         parameters.push_back(std::move(values));
     }
-    const Expr ratio = claim.formula("ratio");
-    const Expr printed = claim.formula("says");
-    const auto zero_of = [&](const Expr& coefficient) {
+    const formula::Expr ratio = claim.formula("ratio");
+    const formula::Expr printed = claim.formula("says");
+    const auto zero_of = [&](const formula::Expr& coefficient) {
         return find_zero(scenes, parameters, coefficient, ratio, printed, context.digits_needed());
     };
     const Zero zero = zero_of(claim.formula("of"));
@@ -123,7 +124,7 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
                              quotient ? to_text(*quotient) : "no closed form");
         std::string value = "another value";
         if (quotient) {
-            const Expr printed_value = claim.written("says");
+            const formula::Expr printed_value = claim.written("says");
             const Rational* q = quotient->rational();
             value = to_text(q != nullptr && *q == -1 ? -printed_value : printed_value / *quotient);
             outcome.correct = claim.text("ratio") + " = " + value + " for " + claim.text("of");
@@ -163,4 +164,4 @@ CheckKind vanishing_kind() {
             check_vanishing};
 }
 
-} // namespace edgeproof
+} // namespace edgeproof::audit

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/undefined.hpp"
+
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/enclosure/exact_zero.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/magnitude.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+namespace {
+
+using Kind = formula::Expr::Kind;
+using Found = std::optional<NoValue>;
+
+constexpr int halvings = 16; // places in an integral: 2^-16 of its length from an end, at the least
+
+/// A formula at a sample, under values for the variables of the integrals that it stands in.
+class At {
+public:
+    At(const EvaluatedSample& sample_at, Variables variables)
+        : sample_at_(sample_at), variables_(std::move(variables)) {}
+
+    /// The first part without a value, from the innermost.
+    [[nodiscard]] Found undefined(const formula::Expr& e) const {
+        if (e.rational() != nullptr) {
+            return std::nullopt;
+        }
+        if (e.kind() == Kind::integral || e.kind() == Kind::pv) {
+            return undefined_within(e);
+        }
+        if (e.is_binder()) {
+            return std::nullopt;
+        }
+        for (const formula::Expr& part : e.args()) {
+            if (auto found = undefined(part)) {
+                return found;
+            }
+        }
+        return undefined_itself(e);
+    }
+
+private:
+    [[nodiscard]] Found undefined_itself(const formula::Expr& e) const {
+        if (e.kind() == Kind::div) {
+            return zero(e.arg(1)) ? by_symbols("division by zero", e) : std::nullopt;
+        }
+        if (e.kind() == Kind::pow) {
+            const Rational* k = e.arg(1).rational();
+            if (k != nullptr && *k < 0 && zero(e.arg(0))) {
+                return by_symbols("zero to a negative power", e);
+            }
+            return k != nullptr && denominator(*k) != 1
+                       ? beyond(e.arg(0), "a negative number to a power that is not an integer", e)
+                       : std::nullopt;
+        }
+        if (e.kind() != Kind::call) {
+            return std::nullopt;
+        }
+        if (e.name() == "q") {
+            return either(formula::Expr::symbol("a") - e.arg(0),
+                          e.arg(0) + formula::Expr::symbol("b"),
+                          "traction at a place beyond the contact", e);
+        }
+        const formula::Expr one = formula::Expr::number(1);
+        const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
+        switch (e.builtin()) {
+        case formula::Builtin::log:
+            if (zero(e.arg(0))) {
+                return by_symbols("log of zero", e);
+            }
+            return beyond(e.arg(0), of + "negative", e);
+        case formula::Builtin::sqrt:
+            return beyond(e.arg(0), of + "negative", e);
+        case formula::Builtin::asin:
+        case formula::Builtin::acos:
+        case formula::Builtin::atanh:
+            return either(one - e.arg(0), one + e.arg(0), of + "not between -1 and 1", e);
+        case formula::Builtin::acosh:
+            return beyond(e.arg(0) - one, of + "less than 1", e);
+        case formula::Builtin::gamma:
+            if (const Rational* k = e.arg(0).rational();
+                k != nullptr && denominator(*k) == 1 && *k <= 0) {
+                return by_symbols(of + "a pole", e);
+            }
+            return std::nullopt;
+        default:
+            return std::nullopt;
+        }
+    }
+
+    static Found by_symbols(const std::string& what, const formula::Expr& e) {
+        return NoValue{inside(what, e), true};
+    }
+    /// Zero for all that its names may stand for.
+    [[nodiscard]] bool zero(const formula::Expr& e) const {
+        if (const Rational* q = e.rational()) {
+            return *q == 0;
+        }
+        switch (e.kind()) {
+        case Kind::neg:
+        case Kind::div:
+            return zero(e.arg(0));
+        case Kind::mul:
+            return zero(e.arg(0)) || zero(e.arg(1));
+        case Kind::pow: {
+            const Rational* k = e.arg(1).rational();
+            return k != nullptr && *k > 0 && zero(e.arg(0));
+        }
+        case Kind::call:
+            if (e.builtin() == formula::Builtin::sqrt || e.builtin() == formula::Builtin::abs) {
+                return zero(e.arg(0));
+            }
+            break;
+        default:
+            break;
+        }
+        return surely_zero(e, sample_at_.scene_values->contact().profile().symmetric());
+    }
+
+    [[nodiscard]] Real value(const formula::Expr& e) const {
+        return sample_at_.scene_values
+            ->evaluate(e, sample_at_.place ? &*sample_at_.place : nullptr, variables_)
+            .value;
+    }
+    /// `what`, if `margin` is negative by more than roundoff.
+    [[nodiscard]] Found beyond(const formula::Expr& margin, const std::string& what,
+                               const formula::Expr& e) const {
+        try {
+            const Real x = value(margin);
+            const Real terms =
+                magnitude(margin, [this](const formula::Expr& part) { return value(part); });
+            if (!isfinite(terms) || !(-x > terms * pow(Real(10), -20))) {
+                return std::nullopt;
+            }
+        } catch (const DomainError&) {
+            return std::nullopt; // it has a part that is undefined, which is looked at by itself
+        } catch (const BudgetError&) {
+            return std::nullopt;
+        }
+        return NoValue{inside(what, e), certainly_beyond(margin)};
+    }
+    [[nodiscard]] Found either(const formula::Expr& first, const formula::Expr& second,
+                               const std::string& what, const formula::Expr& e) const {
+        auto found = beyond(first, what, e);
+        return found ? found : beyond(second, what, e);
+    }
+    [[nodiscard]] bool certainly_beyond(const formula::Expr& margin) const {
+        const long bits = formula::bits_for(working_digits());
+        try {
+            EnclosedSample sample(sample_at_.sample, bits);
+            for (const auto& [name, value] : variables_) {
+                if (!sample_at_.variables.contains(name)) {
+                    sample.set(name, Ball(value, bits));
+                }
+            }
+            return certainly_negative(sample.evaluate(margin));
+        } catch (const Error&) {
+            return false; // no enclosure: the estimate stands, and is called so
+        }
+    }
+    [[nodiscard]] Found undefined_within(const formula::Expr& integral) const {
+        const formula::Expr& from = integral.arg(2);
+        const formula::Expr& to = integral.arg(3);
+        for (const formula::Expr* limit : {&from, &to}) {
+            if (auto found = undefined(*limit)) {
+                return found;
+            }
+        }
+        try {
+            const Real lo = value(from);
+            const Real length = value(to) - lo;
+            for (int k = 1; k <= halvings; ++k) {
+                const Real part = ldexp(length, -k);
+                for (const Real& s : {Real(lo + part), Real(lo + length - part)}) {
+                    Variables inside = variables_;
+                    inside.insert_or_assign(integral.arg(1).name(), s);
+                    if (auto found = At(sample_at_, std::move(inside)).undefined(integral.arg(0))) {
+                        return found;
+                    }
+                }
+            }
+        } catch (const DomainError&) {
+            return std::nullopt; // limits without a value, for reasons that are none here
+        } catch (const BudgetError&) {
+            return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    const EvaluatedSample& sample_at_;
+    Variables variables_;
+};
+
+} // namespace
+
+std::optional<NoValue> no_value_of(const formula::Expr& e, const EvaluatedSample& sample_at) {
+    return At(sample_at, sample_at.variables).undefined(e);
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
+#include "edgeproof/audit/diagnosis/ratio.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+
+#include <memory>
+#include <optional>
+
+/// What the kinds value, identity and expansion share.
+namespace edgeproof::audit {
+
+/// b = a for a family of symmetric contacts; P(a), b(a) where `given` names them.
+[[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
+
+/// Digits, samples and the worst of them, into the evidence.
+void report_agreement(const Agreement& agreement, const EvaluatedSamples& samples_at,
+                      unsigned digits, Evidence& evidence);
+
+/// By what the samples say, of so many digits that are needed: confirmed, refuted (by a difference
+/// of values), underspecified (no value in print at some), undecided.
+[[nodiscard]] Judgement judge_samples(const Agreement& agreement, double needed);
+
+/// printed/exact at all samples, recognised; also puts the ratio's range into the evidence.
+[[nodiscard]] std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
+                                                            const EvaluatedSamples& samples_at,
+                                                            Evidence& evidence);
+
+/// A test of candidates at a few samples, to a few digits; expressions as written in the claim.
+class QuickSamples {
+public:
+    QuickSamples(const Claim& claim, const AuditContext& context, const formula::Expr& exact);
+    [[nodiscard]] bool passes_screening(const formula::Expr& written);
+
+private:
+    static constexpr unsigned digits = 10;
+    static constexpr std::size_t most_samples = 4;
+    const Claim& claim_;
+    std::shared_ptr<EvaluatedSamples> samples_at_;
+    std::vector<std::pair<std::size_t, Real>> targets_;
+};
+
+} // namespace edgeproof::audit

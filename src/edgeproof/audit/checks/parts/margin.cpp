@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/margin.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+
+ConditionInScene::ConditionInScene(const Sample& sample, Condition condition,
+                                   std::optional<Condition> where, unsigned digits)
+    : sample_(sample), condition_(std::move(condition)), where_(std::move(where)), digits_(digits) {
+    sample_.fraction.reset();
+}
+
+unsigned ConditionInScene::digits_of(std::size_t level) const {
+    return level == 0 ? digits_ : level == 1 ? 2 * digits_ + 40 : 4 * digits_ + 160;
+}
+
+const EvaluatedScene& ConditionInScene::at_level(std::size_t level) const {
+    auto& scene_values = scene_values_[level];
+    if (!scene_values) {
+        scene_values = std::make_unique<EvaluatedScene>(sample_.scene, digits_of(level));
+    }
+    return *scene_values;
+}
+
+std::vector<Real> ConditionInScene::knots() const {
+    const PrecisionScope scope(digits_ + 20);
+    const EvaluatedScene& s = scene_values();
+    std::vector<Real> fractions;
+    for (const formula::Exact& knot : s.contact().profile().knots()) {
+        const Real x = knot.to<Real>();
+        const Real u = sample_.edge == contact::Edge::right ? Real(s.a() - x) : Real(s.b() + x);
+        if (u > 0 && u < s.length()) {
+            fractions.push_back(u / s.length());
+        }
+    }
+    std::sort(fractions.begin(), fractions.end());
+    return fractions;
+}
+
+Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const {
+    const EvaluatedScene& s = at_level(level);
+    const unsigned digits = digits_of(level);
+    const PrecisionScope scope(digits + 20);
+    const Real noise = pow(Real(10), -static_cast<int>(digits));
+    const Variables variables = s.values_of(sample_.variables);
+    std::optional<Margin> least;
+    for (const Relation& r : condition_) {
+        using Op = Relation::Op;
+        const Real lhs = s.evaluate(r.lhs, place, variables).value;
+        const Real rhs = s.evaluate(r.rhs, place, variables).value;
+        const Real scale = std::max(Real(abs(lhs)), Real(abs(rhs)));
+        const Real difference =
+            r.op == Op::greater || r.op == Op::greater_equal ? Real(lhs - rhs) : Real(rhs - lhs);
+        Margin m{scale == 0 ? Real(0) : Real(difference / scale), difference, true};
+        if (!isfinite(lhs) || !isfinite(rhs)) {
+            throw BudgetError("a number beyond the range of the arithmetic");
+        }
+        const bool alike = abs(m.value) <= noise;
+        if (r.op == Op::equal) {
+            m.value = alike ? Real(1) : Real(-abs(m.value));
+            m.difference = m.value;
+        } else if (alike) {
+            const bool strict = r.op == Op::less || r.op == Op::greater;
+            // Zero on both sides is equality; anything else may yet come apart.
+            m.clear = !strict || scale == 0;
+            m.value = strict ? Real(0) : noise;
+            m.difference = m.value;
+        }
+        if (m.clear && m.value < 0) {
+            return m; // one that fails decides
+        }
+        if (!least) {
+            least = m;
+            continue;
+        }
+        least->clear = least->clear && m.clear;
+        least->value = std::min(least->value, m.value);
+        least->difference = std::min(least->difference, m.difference);
+    }
+    return *least;
+}
+
+std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
+    try {
+        std::optional<Margin> m;
+        for (std::size_t level = 0; level < levels && !(m && m->clear); ++level) {
+            const EvaluatedScene& s = at_level(level);
+            std::optional<Place> place;
+            if (fraction != nullptr) {
+                const PrecisionScope scope(digits_of(level) + 20);
+                place = s.place_at_u(sample_.edge, Real(*fraction * s.length()));
+            }
+            const Place* at = place ? &*place : nullptr;
+            if (level == 0 && where_ && !s.holds(*where_, at, s.values_of(sample_.variables))) {
+                return std::nullopt;
+            }
+            m = margin_at(level, at);
+        }
+        return m;
+    } catch (const DomainError&) {
+        return std::nullopt; // on a corner, or beyond the far edge by roundoff
+    }
+}
+
+std::optional<Margin> ConditionInScene::at(const Real& fraction) const { return margin(&fraction); }
+std::optional<Margin> ConditionInScene::anywhere() const { return margin(nullptr); }
+std::string ConditionInScene::text() const { return sample_.scene.family + ": " + sample_.text(); }
+
+} // namespace edgeproof::audit

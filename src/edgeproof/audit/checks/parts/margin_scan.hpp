@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/checks/parts/margin.hpp"
+
+namespace edgeproof::audit {
+
+/// A margin at a distance from the edge, as a fraction of the contact's length.
+struct MarginAt {
+    Real fraction;
+    Margin margin;
+};
+
+/// A condition looked at all over a contact: geometrically towards both edges and both sides of
+/// every knot, evenly between them, and wherever the margin dips between those places as if it
+/// might change its sign. That nothing is missed is *sampled*, not proved.
+class MarginScan {
+public:
+    /// `nearest`: how near to the edge, as a fraction of the length.
+    MarginScan(const ConditionInScene& condition, const Real& nearest);
+
+    /// In the order of their distance from the edge.
+    [[nodiscard]] const std::vector<MarginAt>& places() const noexcept { return places_; }
+    /// nullptr if no place is admitted.
+    [[nodiscard]] const MarginAt* least() const;
+    [[nodiscard]] const MarginAt* most() const;
+    [[nodiscard]] std::size_t unclear() const;
+    /// Intervals in which the condition holds (or fails), their ends isolated to 12 digits, one
+    /// end being a place of the scan where the condition is not asked beyond it.
+    [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;
+
+private:
+    void look(const Real& fraction);
+    void in_order();
+    void seek_extrema();
+    [[nodiscard]] Real change_between(Real lo, Real hi, bool holds_at_lo) const;
+
+    const ConditionInScene& condition_;
+    std::vector<MarginAt> places_;
+};
+
+} // namespace edgeproof::audit

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace edgeproof::audit {
+namespace {
+
+/// Computed figures are held to be right to all but so many of the working digits.
+constexpr int lost_digits = 25;
+
+Rational power_of_ten(unsigned k) {
+    Rational p = 1;
+    while (k-- > 0) {
+        p *= 10;
+    }
+    return p;
+}
+
+} // namespace
+
+QuotedFigure QuotedFigure::of(const Claim& claim) {
+    std::string number = claim.text("quoted");
+    QuotedFigure figure;
+    if (number.ends_with('%')) {
+        figure.percent_ = true;
+        number.pop_back();
+        while (number.ends_with(' ')) {
+            number.pop_back();
+        }
+    }
+    const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+    if (number.empty() || !std::all_of(number.begin(), number.end(), plain)) {
+        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is no decimal",
+                     "write it as quoted, such as \"6.4 %\" or \"0.03\"");
+    }
+    try {
+        figure.value_ = parse_decimal(number);
+    } catch (const InputError& error) {
+        claim.reject("quoted", error.problem(), error.instead());
+    }
+    const std::size_t point = number.find('.');
+    if (point != std::string::npos) {
+        figure.decimals_ = static_cast<unsigned>(number.size() - point - 1);
+    }
+    figure.unit_ = 1 / power_of_ten(figure.decimals_);
+    if (figure.percent_) {
+        figure.value_ /= 100;
+        figure.unit_ /= 100;
+    }
+    return figure;
+}
+
+bool QuotedFigure::half_way(const Real& computed) const {
+    const Real steps = computed / Real(unit_);
+    const Real from_half = abs(Real(steps - floor(steps) - Real(1) / 2));
+    return from_half <=
+           (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
+}
+
+long QuotedFigure::units_off(const Real& computed) const {
+    const Real steps = computed / Real(unit_);
+    const Real quoted(Rational(value_ / unit_));
+    // A half is rounded up, on whichever side of it roundoff has left the value.
+    const Real rounded =
+        half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
+    const Real off = rounded - quoted;
+    constexpr long most = 1000000000;
+    return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
+}
+
+Judgement QuotedFigure::verdict(const Real& computed) const {
+    if (!isfinite(computed)) {
+        return NotRefuted::undecided;
+    }
+    const long off = std::labs(units_off(computed));
+    if (off <= 1) {
+        return off == 0 ? NotRefuted::confirmed : NotRefuted::imprecise;
+    }
+    return Judgement(Difference::of(Real(value_), computed, Real(unit_)));
+}
+
+std::string QuotedFigure::rounded(const Real& computed) const {
+    Real shown = percent_ ? Real(computed * 100) : computed;
+    if (half_way(computed)) {
+        shown = (floor(Real(computed / Real(unit_))) + 1) * Real(unit_) * (percent_ ? 100 : 1);
+    }
+    return shown.str(decimals_, std::ios_base::fixed) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
+    return to_decimal(percent_ ? Real(computed * 100) : computed, digits) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::note(const Real& computed) const {
+    const long off = units_off(computed);
+    const std::string between =
+        half_way(computed) ? " (half-way between two, as far as its digits tell: rounded up)" : "";
+    if (off == 0) {
+        return "rounds to it" + between;
+    }
+    const long size = std::labs(off);
+    return "rounds to " + rounded(computed) + ": " + std::to_string(size) +
+           (size == 1 ? " unit" : " units") + " of the last quoted place " +
+           (off > 0 ? "above" : "below") + between;
+}
+
+} // namespace edgeproof::audit

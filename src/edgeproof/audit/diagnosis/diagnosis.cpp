@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof::audit {
+namespace {
+
+/// How many candidates that look right are checked in full.
+constexpr std::size_t most_full_checks = 4;
+
+bool numbered(const std::string& name, char letter) {
+    return name.size() == 2 && name[0] == letter && name[1] >= '1' && name[1] <= '9';
+}
+
+bool safe(const std::function<bool(const formula::Expr&)>& test, const formula::Expr& e) {
+    try {
+        return test(e);
+    } catch (const InputError&) {
+        return false; // an edit can make a formula that no one may write
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+std::optional<Verdict> safe_verdict(const RefutedFormula& patient, const formula::Expr& e) {
+    try {
+        const auto verdict = patient.verdict_of(e);
+        return verdict && holds(*verdict) ? verdict : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+bool accept(const RefutedFormula& patient, const formula::Expr& formula, Outcome& outcome) {
+    const auto verdict = safe_verdict(patient, formula);
+    if (!verdict) {
+        return false;
+    }
+    outcome.correct = to_text(formula);
+    outcome.evidence.add("correct_tex", to_tex(formula));
+    outcome.evidence.add("correct_verdict", name_of(*verdict));
+    return true;
+}
+
+} // namespace
+
+void diagnose(const RefutedFormula& patient, Outcome& outcome) {
+    std::size_t tried = 0;
+    std::size_t checked = 0;
+    for (const Edit& edit : single_edits(patient.printed, patient.alphabet)) {
+        ++tried;
+        if (edit.formula == patient.exact) {
+            continue; // says nothing: a thing equals itself
+        }
+        if (!safe(patient.passes_screening, edit.formula)) {
+            continue;
+        }
+        if (++checked > most_full_checks) {
+            break;
+        }
+        if (accept(patient, edit.formula, outcome)) {
+            Evidence e;
+            e.add("what", edit.what).add("printed", edit.before).add("correct", edit.after);
+            outcome.evidence.add("edit", std::move(e));
+            outcome.evidence.add("edits_tried", tried);
+            outcome.note = edit.what + ": " + edit.before + " should be " + edit.after;
+            return;
+        }
+    }
+    outcome.evidence.add("edits_tried", tried);
+    if (patient.ratio) {
+        const formula::Expr& r = *patient.ratio;
+        const formula::Expr corrected = r.kind() == formula::Expr::Kind::neg
+                                            ? -(patient.printed / r.arg(0))
+                                            : patient.printed / r;
+        if (accept(patient, corrected, outcome)) {
+            outcome.note = "printed is " + to_text(r) + " times what is right";
+            return;
+        }
+    }
+    if (patient.derived && accept(patient, *patient.derived, outcome)) {
+        outcome.note = "no single edit makes it right; the derived form is given";
+        outcome.evidence.add("derived_instead", true);
+        return;
+    }
+    outcome.note = "no correction was found";
+}
+
+EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
+                          const formula::Expr& exact, const SceneSpec* scene) {
+    std::set<std::string> names = free_symbols(printed);
+    names.merge(free_symbols(exact));
+    const std::set<std::string> written = names;
+    const auto any = [&](char letter) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& n) { return numbered(n, letter); });
+    };
+    // The coefficients are made of the derivatives of the law.
+    const bool coefficient = std::any_of(names.begin(), names.end(), [](const std::string& n) {
+        return n.starts_with("right_c") || n.starts_with("left_c");
+    });
+    const bool rates = coefficient || any('P');
+    if (rates) {
+        names.insert({"P1", "P2", "P3"});
+    }
+    if (coefficient || any('b')) {
+        names.insert({"b", "b1", "b2", "b3"});
+    }
+    names.insert("a");
+    if (claim.has("vary")) {
+        for (const auto& [name, values] : claim.table("vary")) {
+            names.insert(name);
+        }
+    }
+    // What stands in the formula already, or in its scene, before what could also stand there.
+    std::vector<std::string> in_order(names.begin(), names.end());
+    std::stable_partition(in_order.begin(), in_order.end(), [&](const std::string& name) {
+        return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));
+    });
+    EditAlphabet alphabet;
+    for (const std::string& name : in_order) {
+        if (name.starts_with("right_c") || name.starts_with("left_c")) {
+            continue;
+        }
+        alphabet.symbols.push_back(name);
+        if (numbered(name, 'P') || name == "x" || name == "P" || name == "M") {
+            continue;
+        }
+        const formula::Expr e = formula::Expr::symbol(name);
+        alphabet.factors.push_back(e);
+        alphabet.factors.push_back(formula::Expr::call("sqrt", {e}));
+        alphabet.factors.push_back(pow(e, formula::Expr::number(2)));
+    }
+    for (const char* rate : {"P1", "P2", "P3"}) {
+        if (rates) {
+            alphabet.factors.push_back(formula::Expr::symbol(rate));
+        }
+    }
+    if (scene != nullptr) {
+        for (const auto& [name, value] : scene->parameters) {
+            if (!names.contains(name)) {
+                alphabet.factors.push_back(formula::Expr::symbol(name));
+            }
+        }
+    }
+    if (names.contains("b")) {
+        const formula::Expr length = formula::Expr::symbol("a") + formula::Expr::symbol("b");
+        alphabet.factors.push_back(length);
+        alphabet.factors.push_back(formula::Expr::call("sqrt", {length}));
+    }
+    alphabet.factors.push_back(formula::Expr::pi());
+    alphabet.factors.push_back(formula::Expr::call("sqrt", {formula::Expr::number(2)}));
+    return alphabet;
+}
+
+} // namespace edgeproof::audit

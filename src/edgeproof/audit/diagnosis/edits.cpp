@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/diagnosis/edits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <unordered_set>
+
+namespace edgeproof::audit {
+namespace {
+
+using Kind = formula::Expr::Kind;
+
+formula::Expr whole(long n) { return formula::Expr::number(Rational(n)); }
+formula::Expr fraction(long n, long d) { return whole(n) / whole(d); }
+
+class Editor {
+public:
+    Editor(const formula::Expr& formula, const EditAlphabet& alphabet)
+        : formula_(formula), alphabet_(alphabet) {}
+
+    std::vector<Edit> operator()() {
+        for (const formula::Path& path : paths(formula_)) {
+            path_ = path;
+            node_ = at(formula_, path);
+            edit_node();
+        }
+        std::stable_sort(edits_.begin(), edits_.end(),
+                         [](const Edit& x, const Edit& y) { return x.cost < y.cost; });
+        std::unordered_set<formula::Expr, formula::ExprHash> seen{formula_};
+        std::vector<Edit> unique;
+        for (Edit& e : edits_) {
+            if (seen.insert(e.formula).second) {
+                unique.push_back(std::move(e));
+            }
+        }
+        return unique;
+    }
+
+private:
+    void put(const formula::Expr& value, const char* what, int cost) {
+        // Shown with what stands around it, as a bare 3 -> 4 says too little.
+        formula::Path around = path_;
+        formula::Expr before = node_;
+        while (!around.empty() && before.height() < 2) {
+            around.pop_back();
+            before = at(formula_, around);
+        }
+        formula::Expr edited = replace(formula_, path_, value);
+        edits_.push_back({edited, what, to_text(before), to_text(at(edited, around)), cost});
+    }
+
+    [[nodiscard]] Kind parent_kind() const {
+        if (path_.empty()) {
+            return Kind::number;
+        }
+        const formula::Path up(path_.begin(), path_.end() - 1);
+        return at(formula_, up).kind();
+    }
+    [[nodiscard]] bool is_exponent() const {
+        return parent_kind() == Kind::pow && path_.back() == 1;
+    }
+    /// A term of a sum, or the whole formula, or what a function or an integral is of.
+    [[nodiscard]] bool is_term() const {
+        const Kind k = parent_kind();
+        return path_.empty() || k == Kind::add || k == Kind::sub || k == Kind::neg ||
+               k == Kind::call || k == Kind::integral || k == Kind::pv;
+    }
+
+    void edit_node() {
+        switch (node_.kind()) {
+        case Kind::number:
+            number();
+            break;
+        case Kind::symbol:
+            symbol();
+            break;
+        case Kind::neg:
+            put(node_.arg(0), "sign", 1);
+            break;
+        case Kind::add:
+            put(node_.arg(0) - node_.arg(1), "sign", 1);
+            put(node_.arg(0), "term too many", 3);
+            put(node_.arg(1), "term too many", 3);
+            bracket();
+            break;
+        case Kind::sub:
+            put(node_.arg(0) + node_.arg(1), "sign", 1);
+            put(node_.arg(0), "term too many", 3);
+            put(-node_.arg(1), "term too many", 3);
+            bracket();
+            break;
+        case Kind::mul:
+            put(node_.arg(0), "factor too many", 1);
+            put(node_.arg(1), "factor too many", 1);
+            put(node_.arg(0) / node_.arg(1), "factor inverted", 1);
+            put(node_.arg(1) / node_.arg(0), "factor inverted", 2);
+            break;
+        case Kind::div:
+            put(node_.arg(0), "factor too many", 1);
+            put(node_.arg(0) * node_.arg(1), "factor inverted", 1);
+            put(node_.arg(1) / node_.arg(0), "factor inverted", 2);
+            break;
+        case Kind::pow:
+            put(node_.arg(0), "exponent", 1);
+            break;
+        case Kind::call:
+            call();
+            break;
+        default:
+            break;
+        }
+        if (!is_exponent() && node_.kind() != Kind::number) {
+            powers();
+        }
+        if (is_term()) {
+            factors();
+            if (node_.kind() != Kind::neg && !is_exponent()) {
+                put(-node_, "sign", 1);
+            }
+        }
+    }
+
+    void number() {
+        const Rational n = node_.number();
+        const char* what = is_exponent() ? "exponent" : "coefficient";
+        if (is_exponent()) {
+            for (const auto& step : {Rational(1), Rational(-1), Rational(1, 2), Rational(-1, 2)}) {
+                put(formula::Expr::number(Rational(n + step)), what, 1);
+            }
+        }
+        if (denominator(n) != 1) {
+            // One unit in the last place of a decimal.
+            Rational unit(1);
+            while (denominator(Rational(n / unit)) != 1) {
+                unit /= 10;
+            }
+            put(formula::Expr::number(Rational(n + unit)), what, 1);
+            put(formula::Expr::number(Rational(n - unit)), what, 1);
+        } else {
+            put(formula::Expr::number(Rational(n + 1)), what, 1);
+            if (n >= 1) {
+                put(formula::Expr::number(Rational(n - 1)), what, 1);
+            }
+            for (const int tens : {10, 100}) {
+                if (n >= tens) {
+                    put(formula::Expr::number(Rational(n + tens)), what, 1);
+                    put(formula::Expr::number(Rational(n - tens)), what, 1);
+                }
+            }
+        }
+        for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 16, 24, 30, 32, 48, 64}) {
+            put(whole(k), what, 2);
+        }
+        for (const int k : {2, 3, 4, 5, 6, 8, 10, 16}) {
+            put(formula::Expr::number(Rational(n * k)), what, 2);
+            put(node_ / whole(k), what, 2);
+        }
+        if (n != 0) {
+            put(-node_, "sign", 2);
+        }
+    }
+
+    void symbol() {
+        for (const std::string& name : alphabet_.symbols) {
+            if (name != node_.name()) {
+                // A prime more or fewer before another letter.
+                const bool prime = name.front() == node_.name().front() && name.size() <= 2 &&
+                                   node_.name().size() <= 2;
+                put(formula::Expr::symbol(name), prime ? "prime" : "symbol", prime ? 1 : 2);
+            }
+        }
+    }
+
+    void bracket() {
+        // -(x + y) for -x + y: the sign of the first term alone, or of both.
+        const formula::Expr& x = node_.arg(0);
+        const formula::Expr& y = node_.arg(1);
+        put(node_.kind() == Kind::add ? -x + y : -x - y, "sign", 1);
+    }
+
+    void call() {
+        if (node_.builtin() == formula::Builtin::sqrt) {
+            put(node_.arg(0), "root", 1);
+            put(pow(node_.arg(0), fraction(3, 2)), "exponent", 1);
+            put(whole(1) / node_, "factor inverted", 2);
+            return;
+        }
+        using Pair = std::pair<std::string_view, std::string_view>;
+        static constexpr std::array<Pair, 7> swaps{{{"sin", "cos"},
+                                                    {"asin", "acos"},
+                                                    {"right_local", "left_local"},
+                                                    {"bof", "binv"},
+                                                    {"Pof", "P1of"},
+                                                    {"log", "exp"},
+                                                    {"tan", "atan"}}};
+        for (const auto& [one, other] : swaps) {
+            const std::string& name = node_.name();
+            if (name == one || name == other) {
+                put(formula::Expr::call(
+                        name == one ? other : one,
+                        std::vector<formula::Expr>(node_.args().begin(), node_.args().end())),
+                    "function", 2);
+            }
+        }
+        if (node_.builtin() == formula::Builtin::abs) {
+            put(node_.arg(0), "absolute value", 2);
+        }
+    }
+
+    void powers() {
+        const bool is_power = node_.kind() == Kind::pow;
+        if (parent_kind() == Kind::pow || is_power) {
+            return; // its exponent is edited where it stands
+        }
+        const bool product = node_.kind() == Kind::mul && parent_kind() != Kind::mul;
+        if (node_.kind() == Kind::pi || product) {
+            put(formula::Expr::call("sqrt", {node_}), "root", 1);
+        }
+        if (node_.kind() == Kind::symbol || node_.kind() == Kind::add ||
+            node_.kind() == Kind::sub || node_.kind() == Kind::call) {
+            if (node_.builtin() != formula::Builtin::sqrt) {
+                put(formula::Expr::call("sqrt", {node_}), "root", 1);
+            }
+            put(pow(node_, whole(2)), "exponent", 1);
+            put(pow(node_, fraction(3, 2)), "exponent", 1);
+        }
+        if (path_.empty() || (is_term() && parent_kind() != Kind::call)) {
+            put(formula::Expr::call("abs", {node_}), "absolute value", 3);
+        }
+    }
+
+    void factors() {
+        for (const int k : {2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 16, 20, 32, 64}) {
+            put(whole(k) * node_, "factor missing", 2);
+            put(node_ / whole(k), "factor missing", 2);
+        }
+        for (const formula::Expr& f : alphabet_.factors) {
+            put(f * node_, "factor missing", 2);
+            put(node_ / f, "factor missing", 2);
+        }
+    }
+
+    const formula::Expr& formula_;
+    const EditAlphabet& alphabet_;
+    formula::Path path_;
+    formula::Expr node_;
+    std::vector<Edit> edits_;
+};
+
+} // namespace
+
+std::vector<Edit> single_edits(const formula::Expr& formula, const EditAlphabet& alphabet) {
+    return Editor(formula, alphabet)();
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
+
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+namespace {
+
+formula::Expr integer(long n) { return formula::Expr::number(Rational(n)); }
+formula::Expr call_of(const char* f, std::vector<formula::Expr> args) {
+    return formula::Expr::call(f, std::move(args));
+}
+formula::Expr root_of(const formula::Expr& x) { return call_of("sqrt", {x}); }
+
+const formula::Expr edge_a =
+    formula::Expr::symbol("a"); // NOLINT: Expr is immutable and needs no other source
+const formula::Expr edge_b = formula::Expr::symbol("b"); // NOLINT
+
+constexpr long most_whole = 200; // exponent of a power law that is written out
+
+std::string indexed(const char* name, std::size_t i) {
+    return std::string(name) + " " + std::to_string(i);
+}
+
+} // namespace
+
+ContactFormulas::ContactFormulas(const contact::Profile& profile,
+                                 const contact::BallContact& contact, const Ball& modulus)
+    : profile_(profile), contact_(contact), modulus_(modulus) {
+    named("modulus of the contact", modulus);
+    switch (profile.kind()) {
+    case contact::Profile::Kind::power_law: {
+        const Rational* m = parameter("m").rational();
+        if (m == nullptr) {
+            throw Error("a power law of an exponent that is no fraction has no enclosure inside "
+                        "an integral");
+        }
+        exponent_ = *m;
+        named("factor of the force rate", contact.force_rate() / pow(contact.a(), *m));
+        named("factor of the pressure", contact.force_rate() / Ball::pi(contact.bits()));
+        break;
+    }
+    case contact::Profile::Kind::tilted_wedge:
+        named("factor of the force rate", contact.force_rate());
+        named("ratio of the edges", contact.b() / contact.a());
+        break;
+    case contact::Profile::Kind::flat_and_rounded:
+        break;
+    case contact::Profile::Kind::tilted_flat_and_rounded:
+        if (profile.knots().size() == 3 && !profile.symmetric()) {
+            break;
+        }
+        [[fallthrough]];
+    default:
+        throw Error("a profile of kind " + profile.kind_name() +
+                    " has no enclosure inside an integral");
+    }
+    if (!exponent_) {
+        read_pressure();
+    }
+}
+
+formula::Expr ContactFormulas::parameter(const char* name) const {
+    return profile_.parameters().at(name).expr();
+}
+
+formula::Expr ContactFormulas::named(const std::string& name, const Ball& value) {
+    constants_.insert_or_assign(name, value);
+    return formula::Expr::symbol(name);
+}
+
+bool ContactFormulas::beyond(const Ball& near, const formula::Expr& knot) const {
+    const Ball at = enclosed_constant(formula::Exact(knot), contact_.bits());
+    if (overlaps(near, at)) {
+        throw BudgetError("a place that cannot be told from a knot");
+    }
+    return certainly_less(at, near);
+}
+
+formula::Expr ContactFormulas::slope(const formula::Expr& x, const Ball& near,
+                                     bool absolute) const {
+    std::size_t piece = 0;
+    for (const std::size_t knot : changing_knots(absolute)) {
+        if (beyond(near, profile_.knots()[knot].expr())) {
+            piece = knot + 1;
+        }
+    }
+    const formula::Expr g = substitute(profile_.pieces()[piece].slope, "x", x);
+    // g' <= 0 left of the origin and >= 0 to the right of it.
+    return absolute && piece <= profile_.origin() ? -g : g;
+}
+
+std::optional<formula::Expr> ContactFormulas::force_rate(const formula::Expr& s,
+                                                         const Ball& near) const {
+    switch (profile_.kind()) {
+    case contact::Profile::Kind::power_law:
+        return formula::Expr::symbol("factor of the force rate") *
+               pow(s, formula::Expr::number(*exponent_));
+    case contact::Profile::Kind::tilted_wedge:
+        return formula::Expr::symbol("factor of the force rate");
+    case contact::Profile::Kind::flat_and_rounded: {
+        const formula::Expr t = parameter("t");
+        if (!beyond(near, t)) {
+            return integer(0);
+        }
+        // pi/2 - asin(t/s), in a form that keeps its digits and its root at s = t.
+        return formula::Expr::symbol("modulus of the contact") * s / parameter("R") * integer(2) *
+               call_of("atan", {root_of((s - t) / (s + t))});
+    }
+    default:
+        if (beyond(near, parameter("alpha") * parameter("R"))) {
+            return std::nullopt;
+        }
+        // All of the contact on the right arc.
+        return formula::Expr::symbol("modulus of the contact") * formula::Expr::pi() * s /
+               (integer(2) * parameter("R"));
+    }
+}
+
+std::optional<formula::Expr> ContactFormulas::left_edge(const formula::Expr& s,
+                                                        const Ball& near) const {
+    if (profile_.symmetric()) {
+        return s;
+    }
+    if (profile_.kind() == contact::Profile::Kind::tilted_wedge) {
+        return formula::Expr::symbol("ratio of the edges") * s;
+    }
+    if (beyond(near, parameter("alpha") * parameter("R"))) {
+        return std::nullopt;
+    }
+    return s;
+}
+
+std::optional<TiltedPath> ContactFormulas::path(const Ball& near) const {
+    if (profile_.kind() != contact::Profile::Kind::tilted_flat_and_rounded ||
+        !beyond(near, parameter("alpha") * parameter("R"))) {
+        return std::nullopt;
+    }
+    const long bits = contact_.bits();
+    const auto value = [&](const char* name) {
+        return enclosed_constant(formula::Exact(parameter(name)), bits);
+    };
+    const Ball r = value("alpha") * value("R");
+    const Ball left = -contact_.with_right_edge(near).b();
+    const bool on_arc = !beyond(left, profile_.knots()[0].expr());
+    return TiltedPath(on_arc ? TiltedPath::LeftEdge::on_left_arc : TiltedPath::LeftEdge::on_flat, r,
+                      value("t"), value("R"), modulus_);
+}
+
+formula::Expr ContactFormulas::traction(const formula::Expr& x) {
+    const formula::Expr tension =
+        formula::Expr::symbol("sig0") * (integer(2) * x + edge_b - edge_a) / integer(8);
+    return (formula::Expr::symbol("Q") / formula::Expr::pi() + tension) /
+           root_of((edge_a - x) * (x + edge_b));
+}
+
+/// The numbers of ball_pressure.cpp: marks of the knots, jumps of g' and drops of g'' there.
+void ContactFormulas::read_pressure() {
+    const long bits = contact_.bits();
+    const auto constant = [&](const formula::Expr& e) {
+        return enclosed_constant(formula::Exact(e), bits);
+    };
+    Ball arc(0, bits);
+    contact::BallMark before = contact::BallMark::left_end(contact_.a(), contact_.b());
+    for (std::size_t i = 0; i <= profile_.knots().size(); ++i) {
+        const auto& piece = *profile_.pieces()[i].linear;
+        const bool last = i == profile_.knots().size();
+        const Ball knot = last ? contact_.a() : constant(profile_.knots()[i].expr());
+        const contact::BallMark mark =
+            last ? contact::BallMark::right_end(contact_.a(), contact_.b())
+                 : contact::BallMark::at(contact_.a(), contact_.b(), knot);
+        arc += constant(piece.rate) * (before.h - mark.h);
+        before = mark;
+        if (last || mark.outside) {
+            continue;
+        }
+        const auto& next = *profile_.pieces()[i + 1].linear;
+        if (piece.rate == next.rate && piece.at_origin == next.at_origin) {
+            continue;
+        }
+        named(indexed("knot", i), knot);
+        named(indexed("jump", i), profile_.has_corner(i)
+                                      ? constant(next.at_origin) - constant(piece.at_origin) +
+                                            (constant(next.rate) - constant(piece.rate)) * knot
+                                      : Ball(0, bits));
+        named(indexed("drop", i), constant(piece.rate) - constant(next.rate));
+        named(indexed("inset", i), contact::root(mark.right));
+        named(indexed("outset", i), contact::root(mark.left));
+    }
+    named("arc of the contact", arc);
+    named("factor of the pressure", modulus_ / (Ball::pi(bits) * 2));
+}
+
+std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr& x) const {
+    const formula::Expr right = root_of(edge_a - x);
+    const formula::Expr left = root_of(x + (symmetric() ? edge_a : edge_b));
+    if (exponent_) {
+        if (denominator(*exponent_) != 1 || *exponent_ > most_whole) {
+            return std::nullopt;
+        }
+        // I_m = (w + (m - 1) z^2 I_{m-2})/m, I_0 = log((1 + w)/z), I_1 = w.
+        const long m = exponent_->convert_to<long>();
+        const formula::Expr z = x / edge_a;
+        const formula::Expr w = right * left / edge_a;
+        formula::Expr sum =
+            m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - call_of("log_above", {z});
+        for (long k = m % 2 + 2; k <= m; k += 2) {
+            sum = (w + integer(k - 1) * (pow(z, integer(2)) * sum)) / integer(k);
+        }
+        return formula::Expr::symbol("factor of the pressure") * sum;
+    }
+    formula::Expr sum = formula::Expr::symbol("arc of the contact") * (right * left);
+    for (std::size_t i = 0; i < profile_.knots().size(); ++i) {
+        if (!constants_.contains(indexed("knot", i))) {
+            continue;
+        }
+        const auto at_knot = [&](const char* name) {
+            return formula::Expr::symbol(indexed(name, i));
+        };
+        // ball_green, with |v - x| as the real part of a logarithm has it.
+        const formula::Expr green =
+            integer(2) * call_of("log", {at_knot("inset") * left + at_knot("outset") * right}) -
+            call_of("log", {edge_a + (symmetric() ? edge_a : edge_b)}) -
+            call_of("log_above", {x - at_knot("knot")});
+        sum = sum + (at_knot("jump") + at_knot("drop") * (at_knot("knot") - x)) * green;
+    }
+    return formula::Expr::symbol("factor of the pressure") * sum;
+}
+
+/// w = sqrt(1 - z^2), z = |x|/a.
+formula::Expr ContactFormulas::root_of_y(const formula::Expr& x) const {
+    return root_of((edge_a - x) * (x + edge_a)) / edge_a;
+}
+
+/// With y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
+/// (Abramowitz and Stegun 15.3.6)
+///     I_m = (w/m) 2F1((1 - m)/2, 1; 1 - m/2; z^2) + (sqrt(pi)/2) Gamma(-m/2)/Gamma((1 - m)/2) z^m.
+formula::Expr ContactFormulas::power_law_pressure(const formula::Expr& x, const Ball& near) const {
+    if (!exponent_) {
+        throw Error("'p' has no enclosure inside such an integral");
+    }
+    const formula::Expr m = formula::Expr::number(*exponent_);
+    const formula::Expr half = formula::Expr::number(Rational(1, 2));
+    const formula::Expr z = (certainly_positive(near) ? x : -x) / edge_a;
+    const formula::Expr w = root_of_y(x);
+    const formula::Expr first = (integer(1) - m) * half;
+    const Ball size = abs(near) / contact_.a() * 10;
+    formula::Expr integral;
+    if (certainly_less(size, Ball(7, size.bits()))) {
+        const formula::Expr even =
+            w / m *
+            call_of("gauss", {first, integer(1), integer(1) - m * half, pow(z, integer(2))});
+        integral = even + root_of(formula::Expr::pi()) * half * call_of("gamma", {-(m * half)}) /
+                              call_of("gamma", {first}) * pow(z, m);
+    } else {
+        const formula::Expr y = (edge_a - x) * (x + edge_a) / pow(edge_a, integer(2));
+        integral =
+            w * call_of("gauss", {first, integer(1), formula::Expr::number(Rational(3, 2)), y});
+    }
+    return formula::Expr::symbol("factor of the pressure") * integral;
+}
+
+std::vector<std::size_t> ContactFormulas::changing_knots(bool absolute) const {
+    std::vector<std::size_t> knots;
+    for (std::size_t i = 0; i < profile_.knots().size(); ++i) {
+        const bool changes = !(profile_.pieces()[i].slope == profile_.pieces()[i + 1].slope);
+        if (changes || (absolute && i == profile_.origin())) {
+            knots.push_back(i);
+        }
+    }
+    return knots;
+}
+
+std::vector<formula::Expr> ContactFormulas::slope_knots(bool absolute) const {
+    std::vector<formula::Expr> knots;
+    for (const std::size_t knot : changing_knots(absolute)) {
+        knots.push_back(profile_.knots()[knot].expr());
+    }
+    return knots;
+}
+
+std::vector<formula::Expr> ContactFormulas::contact_knots() const {
+    switch (profile_.kind()) {
+    case contact::Profile::Kind::flat_and_rounded:
+        return {parameter("t")};
+    case contact::Profile::Kind::tilted_flat_and_rounded: {
+        const formula::Expr r = parameter("alpha") * parameter("R");
+        return {r, call_of("binv", {r + integer(2) * parameter("t")})};
+    }
+    default:
+        return {};
+    }
+}
+
+std::vector<formula::Expr> ContactFormulas::pressure_knots() const {
+    const formula::Expr inner = edge_a * formula::Expr::number(Rational(7, 10));
+    return {-inner, integer(0), inner};
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+
+#include "edgeproof/audit/enclosure/exact_zero.hpp"
+#include "edgeproof/audit/enclosure/integrand.hpp"
+#include "edgeproof/audit/enclosure/integrand_parts.hpp"
+#include "edgeproof/audit/enclosure/line_integral.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace edgeproof::audit {
+namespace {
+
+using Centre = Integrand::Centre;
+
+/// One end of a piece.
+struct PieceEnd {
+    formula::Expr written;
+    Ball at;
+    bool of_contacts = false; ///< where P1of and bof change their formula
+    Ball angle = {};          ///< on a path
+};
+
+class EnclosedIntegral {
+public:
+    EnclosedIntegral(const formula::Expr& node, const IntegralSurroundings& around, unsigned digits)
+        : f_(node.arg(0)), variable_(node.arg(1).name()), around_(around), digits_(digits),
+          lo_(resolved(node.arg(2))), hi_(resolved(node.arg(3))) {
+        if (node.kind() == formula::Expr::Kind::pv) {
+            pole_ = node.arg(4);
+        }
+    }
+
+    [[nodiscard]] Ball value() {
+        PieceEnd lo{lo_, number(lo_)};
+        PieceEnd hi{hi_, number(hi_)};
+        if (certainly_less(hi.at, lo.at)) {
+            std::swap(lo, hi);
+            return -real_part(between(lo, hi));
+        }
+        if (!certainly_less(lo.at, hi.at)) {
+            throw BudgetError("the ends of an integral that are not told apart");
+        }
+        return real_part(between(lo, hi));
+    }
+
+private:
+    static Ball real_part(const Box& sum) {
+        Ball value = sum.real();
+        if (!sum.may_be_real()) {
+            arb_indeterminate(value.data()); // a root of what is negative somewhere
+        }
+        return value;
+    }
+
+    /// max and min of what the balls tell apart.
+    [[nodiscard]] formula::Expr resolved(const formula::Expr& e) {
+        const bool greater = e.builtin() == formula::Builtin::max;
+        if ((!greater && e.builtin() != formula::Builtin::min) || e.args().size() != 2) {
+            return e;
+        }
+        const Ball x = number(e.arg(0));
+        const Ball y = number(e.arg(1));
+        if (overlaps(x, y)) {
+            return e;
+        }
+        return resolved(certainly_less(x, y) == greater ? e.arg(1) : e.arg(0));
+    }
+
+    [[nodiscard]] Ball number(const formula::Expr& e) {
+        if (const auto it = numbers_.find(e); it != numbers_.end()) {
+            return it->second;
+        }
+        Ball value = around_.value(e);
+        numbers_.emplace(e, value);
+        return value;
+    }
+
+    [[nodiscard]] const ContactFormulas& contact(const formula::Expr& call) const {
+        if (around_.contact == nullptr) {
+            throw Error("'" + call.name() + "' has no enclosure inside an integral");
+        }
+        return *around_.contact;
+    }
+
+    [[nodiscard]] Box between(const PieceEnd& lo, const PieceEnd& hi) {
+        lowest_ = lo;
+        highest_ = hi;
+        if (pole_ &&
+            !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
+            throw BudgetError("a pole that is not seen to be inside the interval");
+        }
+        if (around_.contact != nullptr && holds_pressure(f_, variable_)) {
+            if (const auto above = over_the_contact()) {
+                return *above;
+            }
+        }
+        std::vector<PieceEnd> ends{lo};
+        for (PieceEnd& cut : cuts()) {
+            ends.push_back(std::move(cut));
+        }
+        ends.push_back(hi);
+        Box sum(around_.bits);
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            sum = sum + piece(ends[i], ends[i + 1]);
+            if (!sum.is_finite()) {
+                break;
+            }
+        }
+        return sum;
+    }
+
+    /// A linear function of the variable, at a place.
+    [[nodiscard]] Ball linear_at(const formula::Expr& argument, const Ball& place) {
+        const auto line = contact::as_linear(argument, variable_);
+        if (!line) {
+            throw Error("an argument that is not linear has no enclosure inside an integral");
+        }
+        return number(line->at_origin) + number(line->rate) * place;
+    }
+
+    /// The same for a contact's right edge, which has to lie right of the origin from one end of
+    /// the integral to the other.
+    [[nodiscard]] Ball right_edge_at(const formula::Expr& argument, const Ball& place) {
+        for (const Ball* end : {&lowest_.at, &highest_.at}) {
+            const Ball edge = linear_at(argument, *end);
+            if (!certainly_positive(edge) && arb_is_zero(edge.data()) == 0) {
+                throw Error("a contact's edge that may not be positive inside an integral");
+            }
+        }
+        return linear_at(argument, place);
+    }
+
+    /// Inside, ascending.
+    [[nodiscard]] std::vector<PieceEnd> cuts() {
+        std::vector<PieceEnd> inside;
+        if (around_.contact == nullptr) {
+            return inside;
+        }
+        const auto same = [&](const PieceEnd& x, const formula::Expr& e, const Ball& at) {
+            if (!overlaps(x.at, at)) {
+                return false;
+            }
+            if (x.written == e || surely_zero(x.written - e, around_.symmetric)) {
+                return true;
+            }
+            throw BudgetError("places where an integrand changes that are not told apart");
+        };
+        for (const IntegrandCut& cut : integrand_cuts(f_, variable_, *around_.contact)) {
+            const Ball at = number(cut.at);
+            if (same(lowest_, cut.at, at) || same(highest_, cut.at, at)) {
+                continue;
+            }
+            const auto known = std::find_if(inside.begin(), inside.end(),
+                                            [&](const PieceEnd& x) { return same(x, cut.at, at); });
+            if (known != inside.end()) {
+                known->of_contacts = known->of_contacts || cut.of_contacts;
+            } else if (certainly_less(lowest_.at, at) && certainly_less(at, highest_.at)) {
+                inside.push_back({cut.at, at, cut.of_contacts});
+            }
+        }
+        std::sort(inside.begin(), inside.end(),
+                  [](const PieceEnd& x, const PieceEnd& y) { return certainly_less(x.at, y.at); });
+        return inside;
+    }
+
+    /// Functions of the contact as they are about `place`.
+    [[nodiscard]] IntegrandMeaning meaning(const Ball& place, bool above) {
+        IntegrandMeaning m;
+        m.constant = [this](const formula::Expr& e) { return number(e); };
+        m.rational = around_.rational;
+        m.surely_zero = [this](const formula::Expr& e) {
+            return surely_zero(e, around_.symmetric);
+        };
+        m.written_out = [this, place, above](const formula::Expr& e) {
+            const bool size = is_size_of_slope(e);
+            const formula::Expr& f = size ? e.arg(0) : e;
+            const ContactFormulas& formulas = contact(f);
+            std::optional<formula::Expr> out;
+            if (f.name() == "g1") {
+                out = formulas.slope(f.arg(0), linear_at(f.arg(0), place), size);
+            } else if (f.name() == "P1of") {
+                out = formulas.force_rate(f.arg(0), right_edge_at(f.arg(0), place));
+            } else if (f.name() == "bof") {
+                out = formulas.left_edge(f.arg(0), right_edge_at(f.arg(0), place));
+            } else if (f.name() == "q") {
+                out = ContactFormulas::traction(f.arg(0));
+            } else if (f.name() == "p" && above) {
+                out = formulas.pressure_above(f.arg(0));
+            } else if (f.name() == "p") {
+                out = formulas.power_law_pressure(f.arg(0), linear_at(f.arg(0), place));
+            }
+            if (!out) {
+                throw Error("'" + f.name() + "' has no enclosure inside an integral");
+            }
+            return *out;
+        };
+        return m;
+    }
+
+    [[nodiscard]] Box piece(PieceEnd from, PieceEnd to) {
+        const Ball place = (from.at + to.at) / 2;
+        IntegrandMeaning m = meaning(place, false);
+        std::optional<TiltedPath> path;
+        const auto argument = contact_argument(f_, variable_);
+        if (argument && around_.contact != nullptr) {
+            path = around_.contact->path(linear_at(*argument, place));
+            if (path) {
+                m.path = &*path;
+                m.path_argument = argument;
+                const bool upwards =
+                    certainly_positive(number(contact::as_linear(*argument, variable_)->rate));
+                from.angle = angle_of(from, *argument, *path, upwards);
+                to.angle = angle_of(to, *argument, *path, !upwards);
+            }
+        }
+        Integrand f(f_, variable_, std::move(m), around_.bits);
+        if (f.vanishes()) {
+            return Box(around_.bits);
+        }
+        if (!pole_) {
+            return by_ends(f, from, to, path.has_value());
+        }
+        const Ball pole = number(*pole_);
+        if (certainly_less(pole, from.at) || certainly_less(to.at, pole)) {
+            return by_ends(f, from, to, path.has_value());
+        }
+        if (path || !certainly_less(from.at, pole) || !certainly_less(pole, to.at)) {
+            throw BudgetError("a pole that is not told from where the integrand changes");
+        }
+        return over_pole(f, from, pole, to);
+    }
+
+    /// `first`: where the path's angle is least.
+    [[nodiscard]] Ball angle_of(const PieceEnd& end, const formula::Expr& argument,
+                                const TiltedPath& path, bool first) {
+        if (end.of_contacts) {
+            return first ? Ball(0, around_.bits) : path.end_of_flat();
+        }
+        const formula::Expr s = substitute(argument, variable_, end.written);
+        return path.angle_of(number(s), number(formula::Expr::call("bof", {s})));
+    }
+
+    static const Ball& position(const PieceEnd& end, bool by_angle) {
+        return by_angle ? end.angle : end.at;
+    }
+
+    /// From where it is counted to v; half the piece, or all of it.
+    [[nodiscard]] Box from_centre(Integrand& f, const Ball& near, const Ball& far) const {
+        const auto root_of_distance = [&](const Ball& x) {
+            Ball v(0, around_.bits);
+            if (arb_is_zero(x.data()) != 0) {
+                return Box(v); // of which Arb takes no root
+            }
+            arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), around_.bits);
+            return Box(v);
+        };
+        return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
+    }
+
+    /// The end to count from: of the piece, or of the whole integral where that is near enough for
+    /// what is singular there to matter.
+    [[nodiscard]] std::optional<PieceEnd> singular_end(Integrand& f, const PieceEnd& end,
+                                                       const PieceEnd& outermost, int direction,
+                                                       const Ball& length, bool by_angle) const {
+        f.centre(end.written, end.at, direction, end.angle, Centre::rooted);
+        if (f.power() > 1) {
+            return end;
+        }
+        if (by_angle || !certainly_less(abs(end.at - outermost.at) * 10, length)) {
+            return std::nullopt;
+        }
+        f.centre(outermost.written, outermost.at, direction, outermost.angle, Centre::rooted);
+        return f.power() > 1 ? std::optional(outermost) : std::nullopt;
+    }
+
+    [[nodiscard]] Box by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to,
+                              bool by_angle) const {
+        const Ball start = position(from, by_angle);
+        const Ball stop = position(to, by_angle);
+        const Ball length = abs(stop - start);
+        const auto right = singular_end(f, to, highest_, -1, length, by_angle);
+        const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
+        const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
+        Box sum(around_.bits);
+        const auto add = [&](const PieceEnd& end, const Ball& near) {
+            const Ball& at = position(end, by_angle);
+            sum = sum + from_centre(f, distance(at, near), distance(at, middle));
+        };
+        if (left) {
+            add(*left, start);
+        }
+        if (right) {
+            f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
+            add(*right, stop);
+        }
+        if (!left && !right) {
+            f.centre(from.written, from.at, 1, from.angle, Centre::regular);
+            sum = from_centre(f, Ball(0, around_.bits), length);
+        }
+        return sum;
+    }
+
+    /// Zero from a place to itself, however wide the ball.
+    [[nodiscard]] Ball distance(const Ball& x, const Ball& y) const {
+        return arb_equal(x.data(), y.data()) != 0 ? Ball(0, around_.bits) : abs(y - x);
+    }
+
+    [[nodiscard]] Box over_pole(Integrand& f, const PieceEnd& from, const Ball& pole,
+                                const PieceEnd& to) const {
+        f.centre(*pole_, pole, 1, {}, Centre::pole);
+        Ball r(min(pole - from.at, to.at - pole).midpoint(), around_.bits);
+        for (int k = 0; k < 16; ++k) {
+            r /= 2;
+            const Ball across = r * Ball::from_interval(Real(-1), Real(1), around_.bits);
+            const Integrand::Leading without = f.leading(Box(across, across));
+            if (without.power != -1 || !without.factor.is_finite()) {
+                continue;
+            }
+            const Ball zero(0, around_.bits);
+            const Box top(zero, r);
+            Box sum = line_integral(f, Box(-r), top, digits_) +
+                      line_integral(f, top, Box(r), digits_) +
+                      f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
+            const formula::Expr unnamed =
+                formula::Expr::symbol("a place inside"); // as no text has it
+            const PieceEnd before{unnamed, pole - r};
+            const PieceEnd behind{unnamed, pole + r};
+            sum = sum + by_ends(f, from, before, false);
+            return sum + by_ends(f, behind, to, false);
+        }
+        throw Error("the pole of a principal value is not shown to be a simple one");
+    }
+
+    /// Above the contact, from its left end to its right one. Nothing where the integrand has no
+    /// such form.
+    [[nodiscard]] std::optional<Box> over_the_contact() {
+        formula::Expr over = f_;
+        if (pole_) {
+            const formula::Expr behind = formula::Expr::symbol(variable_) - *pole_;
+            if (f_.kind() != formula::Expr::Kind::div || !(f_.arg(1) == behind)) {
+                return std::nullopt;
+            }
+            over = f_.arg(0);
+        }
+        if (degree_in_pressure(over, variable_) != 1 ||
+            !around_.contact->pressure_above(formula::Expr::symbol(variable_))) {
+            return std::nullopt;
+        }
+        if (!surely_zero(highest_.written - formula::Expr::symbol("a"), around_.symmetric) ||
+            !surely_zero(lowest_.written + formula::Expr::symbol("b"), around_.symmetric)) {
+            return std::nullopt;
+        }
+        const long bits = around_.bits;
+        Integrand f(f_, variable_, meaning((lowest_.at + highest_.at) / 2, true), bits);
+        const Ball half((highest_.at - lowest_.at).midpoint(), bits);
+        const Box top(Ball((lowest_.at + highest_.at).midpoint(), bits) / 2, half / 2);
+        Box sum(bits);
+        if (pole_) {
+            const Ball pole = number(*pole_);
+            f.centre(*pole_, pole, 1, {}, Centre::pole);
+            const Integrand::Leading without = f.leading(Box(bits));
+            if (without.power != -1) {
+                return std::nullopt;
+            }
+            sum = without.factor * Box(Ball(0, bits), Ball::pi(bits));
+        }
+        const auto from_end = [&](const PieceEnd& end, int direction) {
+            f.centre(end.written, end.at, direction, {}, Centre::rooted);
+            if (f.power() != 2) {
+                throw Error("a pressure without a root at the edge");
+            }
+            Box v = direction > 0 ? top - end.at : end.at - top;
+            acb_sqrt(v.get(), v.get(), bits);
+            return line_integral(f, Box(bits), v, digits_);
+        };
+        sum = sum + from_end(lowest_, 1);
+        sum = sum + from_end(highest_, -1);
+        return Box(sum.real());
+    }
+
+    formula::Expr f_;
+    std::string variable_;
+    const IntegralSurroundings& around_;
+    unsigned digits_;
+    std::unordered_map<formula::Expr, Ball, formula::ExprHash> numbers_;
+    formula::Expr lo_;
+    formula::Expr hi_;
+    std::optional<formula::Expr> pole_;
+    PieceEnd lowest_;
+    PieceEnd highest_;
+};
+
+} // namespace
+
+Ball enclosed_integral(const formula::Expr& node, const IntegralSurroundings& around,
+                       unsigned digits) {
+    return EnclosedIntegral(node, around, digits).value();
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
+#include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_shear.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <iterator>
+#include <vector>
+
+namespace edgeproof::audit {
+namespace {
+
+constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
+
+/// k of "P3" for the stem "P".
+std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
+    std::size_t k = 0;
+    if (!name.starts_with(stem) || name.size() == stem.size()) {
+        return std::nullopt;
+    }
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + stem.size(), end, k);
+    return error == std::errc() && stop == end && k < most_terms ? std::optional(k) : std::nullopt;
+}
+
+/// In which ContactFormulas are written.
+constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
+
+bool holds_function(const formula::Expr& e) {
+    return (e.kind() == formula::Expr::Kind::call && e.builtin() == formula::Builtin::none) ||
+           std::any_of(e.args().begin(), e.args().end(), holds_function);
+}
+
+} // namespace
+
+struct EnclosedSample::State {
+    State(const Sample& of, long at_bits, unsigned aim)
+        : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()),
+          contact(profile, of.scene.parameter("Es"),
+                  contact::Load::right_edge(of.scene.parameter("a")), at_bits) {
+        for (const auto& [name, value] : of.scene.parameters) {
+            names.emplace(name, ball_of(value, bits));
+        }
+        for (const auto& [name, value] : of.variables) {
+            names.insert_or_assign(name, ball_of(value, bits));
+        }
+        if (of.fraction) {
+            u.emplace(ball_of(*of.fraction, bits) * length());
+        }
+    }
+
+    [[nodiscard]] Ball length() const { return contact.a() + contact.b(); }
+    [[nodiscard]] Ball x() const {
+        return sample.edge == contact::Edge::right ? contact.a() - *u : *u - contact.b();
+    }
+    [[nodiscard]] contact::BallShearLoad load() const {
+        const auto Q = names.find("Q");
+        const auto tension = names.find("sig0");
+        if (Q == names.end() || tension == names.end()) {
+            throw Error("a scene without shear");
+        }
+        return {Q->second, tension->second};
+    }
+
+    [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
+    [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
+    [[nodiscard]] Ball symbol(std::string_view name) const;
+    [[nodiscard]] Ball call(const formula::Expr& node, std::span<const Ball> args) const;
+
+    template <class Scope>
+    [[nodiscard]] Ball binder(const formula::Expr& node, const Scope& scope) const {
+        if (node.kind() == formula::Expr::Kind::sum) {
+            return evaluate_sum<Ball>(node, scope);
+        }
+        return integral(node, [&](std::string_view name) { return Ball(scope.symbol(name)); });
+    }
+    [[nodiscard]] Ball integral(const formula::Expr& node,
+                                const std::function<Ball(std::string_view)>& symbol_of) const;
+
+    /// A constant of the scene as it stands in a formula, if that is what e is.
+    [[nodiscard]] std::optional<formula::Exact> constant(formula::Expr e) const {
+        for (const auto& [name, value] : sample.variables) {
+            e = substitute(e, name, value.expr());
+        }
+        for (const auto& [name, value] : sample.scene.parameters) {
+            e = substitute(e, name, value.expr());
+        }
+        if (!free_symbols(e).empty()) {
+            return std::nullopt;
+        }
+        return formula::Exact(e);
+    }
+    /// The distance from an edge of the place that an argument names.
+    [[nodiscard]] Ball distance(contact::Edge edge, const formula::Expr& written,
+                                const Ball& at) const {
+        if (u && edge == sample.edge && written == formula::Expr::symbol("x")) {
+            return *u;
+        }
+        return edge == contact::Edge::right ? contact.a() - at : at + contact.b();
+    }
+    [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
+        if (u && written == formula::Expr::symbol("x")) {
+            return contact.pressure(sample.edge, *u);
+        }
+        const contact::Edge edge =
+            certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
+        return contact.pressure(edge, distance(edge, written, at));
+    }
+    /// g'(x), where the ball of x lies in one piece.
+    [[nodiscard]] Ball slope(const Ball& at) const {
+        std::size_t piece = 0;
+        for (const formula::Exact& knot : profile.knots()) {
+            const Ball k = ball_of(knot, bits);
+            if (overlaps(k, at)) {
+                throw BudgetError("a place that cannot be told from a knot");
+            }
+            piece += certainly_less(k, at) ? 1 : 0;
+        }
+        struct AtX {
+            const State* state;
+            const Ball& at;
+            [[nodiscard]] Ball number(const Rational& q) const { return state->number(q); }
+            [[nodiscard]] Ball pi() const { return state->pi(); }
+            [[nodiscard]] Ball symbol(std::string_view name) const {
+                return name == "x" ? at : state->symbol(name);
+            }
+        };
+        return formula::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
+    }
+    /// Of the family of contacts that share the profile.
+    [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
+                                                       const formula::Expr& written,
+                                                       const Ball& at) const {
+        if (const auto edge = constant(written); edge && edge->sign() > 0) {
+            return {profile, sample.scene.parameter("Es"), contact::Load::right_edge(*edge), bits};
+        }
+        if (!certainly_positive(at)) {
+            throw Error(function + " of what may not be positive");
+        }
+        return contact.with_right_edge(at);
+    }
+    [[nodiscard]] Ball local(contact::Edge edge, const formula::Expr& node,
+                             std::span<const Ball> args) const {
+        const Rational* n = node.arg(0).rational();
+        if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
+            throw Error(node.name() + " of a number of terms that is not written out");
+        }
+        const Ball at = distance(edge, node.arg(1), args[1]);
+        const std::vector<Ball> c = contact.expansion(edge, n->convert_to<std::size_t>());
+        Ball sum(0, bits);
+        for (std::size_t k = c.size(); k-- > 0;) {
+            sum = sum * at + c[k];
+        }
+        return sum * sqrt(at);
+    }
+
+    Sample sample;
+    long bits;
+    unsigned integral_digits;
+    contact::Profile profile;
+    contact::BallContact contact;
+    std::optional<Ball> u;
+    std::map<std::string, Ball, std::less<>> names;
+};
+
+Ball EnclosedSample::State::symbol(std::string_view name) const {
+    if (const auto it = names.find(name); it != names.end()) {
+        return it->second;
+    }
+    if (name == "u" || name == "x") {
+        if (!u) {
+            throw Error("no place is given");
+        }
+        return name == "u" ? *u : x();
+    }
+    if (name == "b") {
+        return contact.b();
+    }
+    if (name == "L") {
+        return length();
+    }
+    if (name == "P") {
+        return contact.force();
+    }
+    if (name == "M") {
+        return contact.moment();
+    }
+    if (const auto k = order_behind(name, "P")) {
+        return contact.force_derivatives(*k + 1).back();
+    }
+    if (const auto k = order_behind(name, "b")) {
+        return contact.left_edge_derivatives(*k + 1).back();
+    }
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        const std::string side = edge == contact::Edge::right ? "right_" : "left_";
+        if (const auto k = order_behind(name, side + "c")) {
+            return contact.expansion(edge, *k + 1).back();
+        }
+        if (const auto k = order_behind(name, side + "s")) {
+            return full_stick_expansion(length(), load(), edge, *k + 1).back();
+        }
+    }
+    throw Error("'" + std::string(name) + "' has no enclosure");
+}
+
+Ball EnclosedSample::State::call(const formula::Expr& node, std::span<const Ball> args) const {
+    const std::string& name = node.name();
+    if (name == "p") {
+        return pressure(node.arg(0), args[0]);
+    }
+    if (name == "q") {
+        const contact::Edge edge = u ? sample.edge : contact::Edge::right;
+        return full_stick_traction(length(), load(), edge, distance(edge, node.arg(0), args[0]));
+    }
+    if (name == "g1") {
+        return slope(args[0]);
+    }
+    if (name == "right_local") {
+        return local(contact::Edge::right, node, args);
+    }
+    if (name == "left_local") {
+        return local(contact::Edge::left, node, args);
+    }
+    if (name == "Pof" || name == "P1of" || name == "bof") {
+        const contact::BallContact other = with_right_edge(name, node.arg(0), args[0]);
+        return name == "Pof"    ? other.force()
+               : name == "P1of" ? other.force_derivatives(2).back()
+                                : other.b();
+    }
+    if (name == "binv" && certainly_positive(args[0])) {
+        return contact.mirrored().with_right_edge(args[0]).b();
+    }
+    throw Error("'" + name + "' has no enclosure");
+}
+
+namespace {
+
+/// A State with other names, of no type that grows with every integral inside another.
+template <class State> struct Renamed {
+    const State& state;
+    const std::function<Ball(std::string_view)>& symbol_of;
+    [[nodiscard]] Ball number(const Rational& q) const { return state.number(q); }
+    [[nodiscard]] Ball pi() const { return state.pi(); }
+    [[nodiscard]] Ball symbol(std::string_view name) const { return symbol_of(name); }
+    [[nodiscard]] Ball call(const formula::Expr& node, std::span<const Ball> args) const {
+        return state.call(node, args);
+    }
+    template <class Scope>
+    [[nodiscard]] Ball binder(const formula::Expr& node, const Scope& scope) const {
+        return state.binder(node, scope);
+    }
+};
+
+} // namespace
+
+Ball EnclosedSample::State::integral(const formula::Expr& node,
+                                     const std::function<Ball(std::string_view)>& symbol_of) const {
+    const bool renamed =
+        std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
+                    [&](const char* name) {
+                        return sample.variables.contains(name) || node.arg(1).name() == name;
+                    }) ||
+        sample.scene.parameters.contains("b");
+    std::optional<ContactFormulas> formulas;
+    if (!renamed && holds_function(node)) {
+        formulas.emplace(profile, contact, ball_of(sample.scene.parameter("Es"), bits));
+    }
+    const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
+        if (formulas) {
+            const auto it = formulas->constants().find(name);
+            if (it != formulas->constants().end()) {
+                return it->second;
+            }
+        }
+        return symbol_of(name);
+    };
+    const Renamed<State> scope{*this, with_formulas};
+    IntegralSurroundings around;
+    around.value = [&](const formula::Expr& e) { return formula::evaluate<Ball>(e, scope); };
+    around.rational = [&](const formula::Expr& e) -> std::optional<Rational> {
+        const auto exact = constant(e);
+        return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
+    };
+    around.contact = formulas ? &*formulas : nullptr;
+    around.symmetric = profile.symmetric() && !renamed;
+    around.bits = bits;
+    return enclosed_integral(node, around, integral_digits);
+}
+
+EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
+    : state_(std::make_unique<State>(sample, bits, integral_digits)) {}
+EnclosedSample::~EnclosedSample() = default;
+EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
+
+Ball EnclosedSample::evaluate(const formula::Expr& e) const {
+    return formula::evaluate<Ball>(e, *state_);
+}
+
+void EnclosedSample::set(const std::string& name, const Ball& value) {
+    state_->names.insert_or_assign(name, value);
+}
+
+Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits) {
+    Enclosed best;
+    const long needed = formula::bits_for(digits);
+    for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
+        try {
+            const Ball ball = EnclosedSample(sample, bits).evaluate(e);
+            if (!ball.is_finite()) {
+                best.problem = "the balls do not exclude a point where it is undefined";
+                continue;
+            }
+            best.ball = ball;
+            if (ball.relative_accuracy_bits() >= needed) {
+                break;
+            }
+        } catch (const BudgetError& error) {
+            best.problem = error.what();
+        } catch (const Error& error) {
+            best.problem = error.what();
+            break;
+        }
+    }
+    return best;
+}
+
+std::string ball_text(const Ball& ball, unsigned digits) {
+    if (!ball.is_exact() && contains_zero(ball)) {
+        return "0 +- " + bound_text(abs(ball).upper());
+    }
+    // The first digit that the radius leaves in doubt, and the next; more would only look exact.
+    const long known =
+        std::min(ball.relative_accuracy_bits(), formula::bits_for(digits)) * 301 / 1000 + 2;
+    const std::string middle = to_decimal(
+        ball.midpoint(), static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
+    // What rounding the middle for the text moves it by counts, too.
+    const Ball off = abs(ball - Ball(parse_decimal(middle), ball.bits()));
+    return middle + " +- " + bound_text(off.upper());
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/integrand_parts.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+namespace {
+
+using Kind = formula::Expr::Kind;
+
+void collect_cuts_of(const formula::Expr& e, const std::string& variable,
+                     const ContactFormulas& contact, std::vector<IntegrandCut>& cuts) {
+    if (e.is_binder() || !holds_symbol(e, variable)) {
+        return;
+    }
+    const bool size = is_size_of_slope(e);
+    const formula::Expr& f = size ? e.arg(0) : e;
+    const bool of_contacts = f.name() == "P1of" || f.name() == "bof";
+    std::vector<formula::Expr> knots;
+    if (f.kind() == Kind::call && f.name() == "g1") {
+        knots = contact.slope_knots(size);
+    } else if (f.kind() == Kind::call && of_contacts) {
+        knots = contact.contact_knots();
+    } else if (f.kind() == Kind::call && f.name() == "p") {
+        knots = contact.pressure_knots();
+    }
+    for (const formula::Expr& knot : knots) {
+        const auto line = contact::as_linear(f.arg(0), variable);
+        if (f.arg(0) == formula::Expr::symbol(variable)) {
+            cuts.push_back({knot, of_contacts});
+        } else if (line) {
+            cuts.push_back({(knot - line->at_origin) / line->rate, of_contacts});
+        }
+    }
+    for (const formula::Expr& part : (size ? f : e).args()) {
+        collect_cuts_of(part, variable, contact, cuts);
+    }
+}
+
+} // namespace
+
+bool holds_symbol(const formula::Expr& e, const std::string& name) {
+    if (e.kind() == Kind::symbol) {
+        return e.name() == name;
+    }
+    return e.is_binder()
+               ? free_symbols(e).contains(name)
+               : std::any_of(e.args().begin(), e.args().end(),
+                             [&](const formula::Expr& part) { return holds_symbol(part, name); });
+}
+
+bool is_size_of_slope(const formula::Expr& e) {
+    return e.builtin() == formula::Builtin::abs && e.arg(0).kind() == Kind::call &&
+           e.arg(0).name() == "g1";
+}
+
+bool holds_pressure(const formula::Expr& e, const std::string& variable) {
+    return (e.kind() == Kind::call && e.name() == "p" && holds_symbol(e, variable)) ||
+           std::any_of(e.args().begin(), e.args().end(),
+                       [&](const formula::Expr& part) { return holds_pressure(part, variable); });
+}
+
+std::optional<int> degree_in_pressure(const formula::Expr& e, const std::string& variable) {
+    if (!holds_symbol(e, variable) || e.kind() == Kind::symbol) {
+        return 0;
+    }
+    if (e.kind() == Kind::call && e.name() == "p") {
+        return e.arg(0) == formula::Expr::symbol(variable) ? std::optional(1) : std::nullopt;
+    }
+    const bool quotient = e.kind() == Kind::div;
+    const bool product = e.kind() == Kind::mul || quotient;
+    if (!product && e.kind() != Kind::add && e.kind() != Kind::sub && e.kind() != Kind::neg) {
+        return std::nullopt;
+    }
+    if (quotient && holds_symbol(e.arg(1), variable)) {
+        return std::nullopt;
+    }
+    int degree = 0;
+    for (const formula::Expr& part : e.args()) {
+        const auto of_part = degree_in_pressure(part, variable);
+        if (!of_part) {
+            return std::nullopt;
+        }
+        degree = product ? degree + *of_part : std::max(degree, *of_part);
+    }
+    return degree;
+}
+
+std::optional<formula::Expr> contact_argument(const formula::Expr& e, const std::string& variable) {
+    if (e.kind() == Kind::call && (e.name() == "P1of" || e.name() == "bof") &&
+        holds_symbol(e, variable)) {
+        return e.arg(0);
+    }
+    for (const formula::Expr& part : e.args()) {
+        if (auto found = contact_argument(part, variable)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<IntegrandCut> integrand_cuts(const formula::Expr& f, const std::string& variable,
+                                         const ContactFormulas& contact) {
+    std::vector<IntegrandCut> cuts;
+    collect_cuts_of(f, variable, contact, cuts);
+    return cuts;
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
+#include "edgeproof/formula/expr.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What an integrand is made of, as it is written.
+namespace edgeproof::audit {
+
+[[nodiscard]] bool holds_symbol(const formula::Expr& e, const std::string& name);
+
+/// |g1(x)|, whose formula depends on the piece as that of g1 does.
+[[nodiscard]] bool is_size_of_slope(const formula::Expr& e);
+
+/// Whether p of something with the variable in it occurs.
+[[nodiscard]] bool holds_pressure(const formula::Expr& e, const std::string& variable);
+
+/// Degree of e in p(variable) if e is made of that, the variable and constants, a quotient only by
+/// what the variable is not in.
+[[nodiscard]] std::optional<int> degree_in_pressure(const formula::Expr& e,
+                                                    const std::string& variable);
+
+/// The argument of the first P1of or bof with the variable in it.
+[[nodiscard]] std::optional<formula::Expr> contact_argument(const formula::Expr& e,
+                                                            const std::string& variable);
+
+/// A value of the variable at which a function of the contact changes its formula.
+struct IntegrandCut {
+    formula::Expr at;
+    bool of_contacts; ///< of P1of and bof, whose argument is a contact's right edge
+};
+/// In no order, inside the interval or not.
+[[nodiscard]] std::vector<IntegrandCut>
+integrand_cuts(const formula::Expr& f, const std::string& variable, const ContactFormulas& contact);
+
+} // namespace edgeproof::audit

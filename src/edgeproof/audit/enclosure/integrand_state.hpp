@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/enclosure/integrand_program.hpp"
+
+#include <vector>
+
+namespace edgeproof::audit {
+
+/// v^k w, and, where it is asked for, w = end + v^n slope of what has k = 0.
+struct ValuedBox {
+    explicit ValuedBox(long bits) : w(bits), end(bits), slope(bits) {}
+    long k = 0;
+    Box w;
+    Box end;
+    Box slope;
+};
+
+/// The steps of an integrand with their values at one v after another.
+class Integrand::Program {
+public:
+    Program(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
+    [[nodiscard]] bool vanishes() const { return steps_.vanish(); }
+    void centre(const formula::Expr& written, const Ball& at, int direction, const Ball& angle,
+                Centre kind);
+    [[nodiscard]] long power() const { return power_; }
+    void at(acb_ptr out, const Box& v, bool analytic);
+    [[nodiscard]] Leading leading(const Box& v);
+
+private:
+    [[nodiscard]] const std::vector<IntegrandStep>& all() const { return steps_.all(); }
+    void run(const Box& v, bool analytic);
+    void multiply_by_power(Box& y, long k) const;
+    /// w with v^k put in.
+    [[nodiscard]] Box plain(const ValuedBox& x) const {
+        Box y = x.w;
+        multiply_by_power(y, x.k);
+        return y;
+    }
+    /// The variable, and the contact of the path, at a point of it.
+    void place(const Box& at);
+    /// From values at the point and at the centre, and from what the derivative is between them:
+    /// the one is narrow where the box is, the other where it is near the centre.
+    void find_slope(ValuedBox& x, const Box& derivative) const;
+    /// With v = 0, step by step: what contains zero there, and is zero.
+    void find_zeros();
+    /// The least n that makes all powers of v whole.
+    void choose_power(Centre kind);
+    /// Marks what the divided differences of zeros are made of.
+    void mark_slopes();
+
+    void take(std::size_t i);
+    void take_sum(std::size_t i, bool minus);
+    void take_product(std::size_t i);
+    void take_quotient(std::size_t i);
+    void take_power(std::size_t i);
+    void take_root(std::size_t i);
+    void take_function(std::size_t i);
+
+    std::string variable_;
+    IntegrandMeaning meaning_;
+    long bits_;
+    IntegrandSteps steps_;
+    std::vector<ValuedBox> valued_;
+    std::vector<bool> zero_;   ///< proved to vanish at the centre
+    std::vector<bool> sloped_; ///< whose divided differences are wanted
+    bool wants_slopes_ = false;
+    formula::Expr written_;
+    Box start_;
+    int direction_ = 1; ///< of the angle, where there is a path
+    long power_ = 1;
+    Ball offset_;
+    Ball rate_;
+    Box v_{bits_};
+    Box vn_{bits_};
+    bool analytic_ = false;
+    ValuedBox variable_now_{bits_};
+    ValuedBox edge_now_{bits_};
+    Box force_rate_{bits_};
+    Box by_angle_{bits_};
+};
+
+} // namespace edgeproof::audit

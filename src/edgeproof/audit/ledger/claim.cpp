@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/claim.hpp"
+
+#include "edgeproof/audit/ledger/scope.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+namespace edgeproof::audit {
+namespace {
+
+bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// "right.c1" is the name right_c1 (a dot between names can be nothing else; columns stay).
+std::string undotted(std::string_view text) {
+    std::string plain(text);
+    bool in_name = false;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        if (plain[i] == '.' && in_name && i + 1 < plain.size() && is_name_start(plain[i + 1])) {
+            plain[i] = '_';
+        }
+        in_name = in_name ? is_name(plain[i]) : is_name_start(plain[i]);
+        // A number such as 2e5 is no name: skip it whole.
+        if (!in_name && std::isdigit(static_cast<unsigned char>(plain[i])) != 0) {
+            while (i + 1 < plain.size() && (is_name(plain[i + 1]) || plain[i + 1] == '.')) {
+                ++i;
+            }
+        }
+    }
+    return plain;
+}
+
+formula::Expr with_parts(const formula::Expr& e, std::vector<formula::Expr> parts) {
+    return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
+}
+
+/// One round: every defined name replaced by its body.
+formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, bool& changed) {
+    std::vector<formula::Expr> parts;
+    parts.reserve(e.args().size());
+    for (const formula::Expr& part : e.args()) {
+        parts.push_back(expand_once(part, vocabulary, changed));
+    }
+    if (e.kind() == formula::Expr::Kind::symbol || e.kind() == formula::Expr::Kind::call) {
+        for (const auto& d : vocabulary.definitions) {
+            if (d.name == e.name() &&
+                d.argument.has_value() == (e.kind() == formula::Expr::Kind::call)) {
+                changed = true;
+                return d.argument ? substitute(d.body, *d.argument, parts.at(0)) : d.body;
+            }
+        }
+    }
+    return with_parts(e, std::move(parts));
+}
+
+struct Operator {
+    std::string_view sign;
+    Relation::Op op;
+};
+constexpr std::array operators{
+    Operator{"<=", Relation::Op::less_equal}, Operator{">=", Relation::Op::greater_equal},
+    Operator{"<", Relation::Op::less}, Operator{">", Relation::Op::greater},
+    Operator{"=", Relation::Op::equal}};
+
+} // namespace
+
+formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary) {
+    return parse(undotted(text), vocabulary.symbols);
+}
+
+Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
+    Condition condition;
+    constexpr std::string_view conjunction = " and ";
+    while (true) {
+        const std::size_t end = text.find(conjunction);
+        std::string_view part = text.substr(0, end);
+        std::vector<formula::Expr> sides;
+        std::vector<Relation::Op> ops;
+        std::size_t from = 0;
+        for (std::size_t i = 0; i < part.size();) {
+            const auto* found =
+                std::find_if(operators.begin(), operators.end(),
+                             [&](const Operator& o) { return part.substr(i).starts_with(o.sign); });
+            if (found == operators.end()) {
+                ++i;
+                continue;
+            }
+            sides.push_back(parse_formula(part.substr(from, i - from), vocabulary));
+            ops.push_back(found->op);
+            i += found->sign.size();
+            from = i;
+        }
+        if (ops.empty()) {
+            throw formula::FormulaError("'" + std::string(part) + "' compares nothing",
+                                        "write a condition such as x > 0 and x < a", 0);
+        }
+        sides.push_back(parse_formula(part.substr(from), vocabulary));
+        for (std::size_t k = 0; k < ops.size(); ++k) {
+            condition.push_back({sides[k], ops[k], sides[k + 1]});
+        }
+        if (end == std::string_view::npos) {
+            return condition;
+        }
+        text.remove_prefix(end + conjunction.size());
+    }
+}
+
+formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocabulary) {
+    formula::Expr result = e;
+    for (int round = 0; round < 20; ++round) {
+        bool changed = false;
+        result = expand_once(result, vocabulary, changed);
+        if (!changed) {
+            return result;
+        }
+    }
+    throw InputError("the definitions refer to each other in a circle",
+                     "define each name by names that do not need it");
+}
+
+const Field* Claim::find(std::string_view key) const {
+    const auto it = fields.find(key);
+    return it == fields.end() ? nullptr : &it->second;
+}
+
+void Claim::reject(std::string_view key, const std::string& problem,
+                   const std::string& instead) const {
+    const Field* field = find(key);
+    throw InputError(problem, instead).at(file, field != nullptr ? field->line : line);
+}
+
+const std::string& Claim::text(std::string_view key) const {
+    const Field* field = find(key);
+    if (field == nullptr) {
+        reject(key, "claim " + id + " has no " + std::string(key),
+               "add " + std::string(key) + " = \"...\"");
+    }
+    if (const auto* value = std::get_if<std::string>(&field->value)) {
+        return *value;
+    }
+    reject(key, std::string(key) + " of claim " + id + " is no text",
+           "write " + std::string(key) + " = \"...\"");
+}
+
+std::string Claim::text_or(std::string_view key, std::string_view otherwise) const {
+    return has(key) ? text(key) : std::string(otherwise);
+}
+
+long Claim::integer(std::string_view key) const {
+    const std::string& value = text(key);
+    long n = 0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), n);
+    if (error != std::errc{} || end != value.data() + value.size()) {
+        reject(key, std::string(key) + " = " + value + " is no integer",
+               "write " + std::string(key) + " = 1, for instance");
+    }
+    return n;
+}
+
+long Claim::integer_or(std::string_view key, long otherwise) const {
+    return has(key) ? integer(key) : otherwise;
+}
+
+const Field::List& Claim::list(std::string_view key) const {
+    const Field* field = find(key);
+    const auto* value = field == nullptr ? nullptr : std::get_if<Field::List>(&field->value);
+    if (value == nullptr) {
+        reject(key, "claim " + id + " has no list " + std::string(key),
+               "write " + std::string(key) + " = [\"...\", \"...\"]");
+    }
+    return *value;
+}
+
+const Field::Table& Claim::table(std::string_view key) const {
+    const Field* field = find(key);
+    const auto* value = field == nullptr ? nullptr : std::get_if<Field::Table>(&field->value);
+    if (value == nullptr) {
+        reject(key, "claim " + id + " has no table " + std::string(key),
+               "write " + std::string(key) + " = { name = \"...\" }");
+    }
+    return *value;
+}
+
+formula::Expr Claim::written(std::string_view key) const {
+    const std::string& value = text(key);
+    try {
+        return parse_formula(value, vocabulary);
+    } catch (const formula::FormulaError& error) {
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
+    }
+}
+
+formula::Expr Claim::formula(std::string_view key) const {
+    const formula::Expr e = written(key);
+    try {
+        return expand_definitions(e, vocabulary);
+    } catch (const InputError& error) {
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
+    }
+}
+
+Condition Claim::condition(std::string_view key) const {
+    const std::string& value = text(key);
+    try {
+        Condition c = parse_condition(value, vocabulary);
+        for (Relation& r : c) {
+            r.lhs = expand_definitions(r.lhs, vocabulary);
+            r.rhs = expand_definitions(r.rhs, vocabulary);
+        }
+        return c;
+    } catch (const InputError& error) {
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
+    }
+}
+
+} // namespace edgeproof::audit

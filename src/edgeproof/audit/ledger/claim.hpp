@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/parse.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace edgeproof::audit {
+
+/// A field of a ledger: text, a list of texts, or a table of lists; and the line it stands on.
+/// Integers are their text; floats of more than 15 significant digits must be quoted.
+struct Field {
+    using List = std::vector<std::string>;
+    using Table = std::vector<std::pair<std::string, List>>;
+    std::variant<std::string, List, Table> value;
+    std::size_t line = 0;
+};
+using Fields = std::map<std::string, Field, std::less<>>;
+
+/// What a formula of a claim may name, and what stands for the names that the ledger defines.
+struct Vocabulary {
+    formula::Symbols symbols;
+    /// Bodies for names defined by the ledger or the claim: `name` or `name(argument)`.
+    struct Definition {
+        std::string name;
+        std::optional<std::string> argument;
+        formula::Expr body;
+    };
+    std::vector<Definition> definitions;
+};
+
+/// "lhs < rhs", with <, <=, >, >= or =.
+struct Relation {
+    enum class Op { less, less_equal, greater, greater_equal, equal };
+    formula::Expr lhs;
+    Op op = Op::less;
+    formula::Expr rhs;
+};
+/// Whether the relation holds between two values.
+template <class Number>
+[[nodiscard]] bool compare(Relation::Op op, const Number& lhs, const Number& rhs) {
+    switch (op) {
+    case Relation::Op::less:
+        return lhs < rhs;
+    case Relation::Op::less_equal:
+        return lhs <= rhs;
+    case Relation::Op::greater:
+        return lhs > rhs;
+    case Relation::Op::greater_equal:
+        return lhs >= rhs;
+    case Relation::Op::equal:
+        break;
+    }
+    return lhs == rhs;
+}
+
+/// All of them must hold: "0 < x and x < a". "0 < x < a" is two.
+using Condition = std::vector<Relation>;
+
+/// One printed claim: a row's part, as the ledger has it.
+struct Claim {
+    /// Another way to take the words: it overrides fields of the claim.
+    struct Reading {
+        std::string text;
+        Fields fields;
+        std::size_t line = 0;
+    };
+
+    std::string id;
+    std::string kind;
+    std::string printed;                       ///< TeX, letter for letter
+    std::pair<std::size_t, std::size_t> lines; ///< of the source
+    std::string file;                          ///< the ledger
+    std::size_t line = 0;                      ///< in the ledger
+    Fields fields;                             ///< all keys but id, lines, printed, kind
+    std::vector<Reading> readings;
+    /// Names in `says` that the source does not define.
+    std::vector<std::string> undefined;
+    std::string reading; ///< the text of the reading taken; empty: the claim's own
+    /// Shared by all readings that define nothing of their own.
+    Vocabulary vocabulary;
+
+    [[nodiscard]] bool has(std::string_view key) const { return fields.contains(key); }
+    /// nullptr if there is none.
+    [[nodiscard]] const Field* find(std::string_view key) const;
+    /// The readers below throw InputError naming the line, if the field is missing or not of the
+    /// kind asked for.
+    [[nodiscard]] const std::string& text(std::string_view key) const;
+    [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
+    [[nodiscard]] long integer(std::string_view key) const;
+    [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
+    [[nodiscard]] const Field::List& list(std::string_view key) const;
+    [[nodiscard]] const Field::Table& table(std::string_view key) const;
+    /// A formula with all definitions put in: only names that a EvaluatedScene knows are left.
+    [[nodiscard]] formula::Expr formula(std::string_view key) const;
+    /// The formula as it is written, definitions not put in.
+    [[nodiscard]] formula::Expr written(std::string_view key) const;
+    [[nodiscard]] Condition condition(std::string_view key) const;
+    /// `problem; instead` at the line of a field (or of the claim, if it has no such field).
+    [[noreturn]] void reject(std::string_view key, const std::string& problem,
+                             const std::string& instead) const;
+};
+
+/// Parses text in a vocabulary, dotted names ("right.c1") being one name with an underscore.
+/// Throws FormulaError.
+[[nodiscard]] formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
+[[nodiscard]] Condition parse_condition(std::string_view text, const Vocabulary& vocabulary);
+/// The expression with all definitions put in. Throws InputError for definitions in a circle.
+[[nodiscard]] formula::Expr expand_definitions(const formula::Expr& e,
+                                               const Vocabulary& vocabulary);
+
+} // namespace edgeproof::audit

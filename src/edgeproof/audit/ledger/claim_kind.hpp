@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::audit {
+
+class AuditContext;
+struct Claim;
+struct Outcome;
+
+/// A key that claims of a kind have beside the common ones.
+struct KeySpec {
+    enum class Type {
+        text,      ///< any text
+        formula,   ///< parsed and its names checked when the ledger is read
+        condition, ///< "x > 0 and x < a", checked likewise
+        number,    ///< an exact constant: "1 %" is not one, "1/100" is
+        integer,
+        list,     ///< of texts
+        formulas, ///< a list of formulas
+        table,    ///< name = text or list of texts
+        choice,   ///< one of `choices`
+    };
+    std::string_view name;
+    Type type = Type::text;
+    bool required = false;
+    std::vector<std::string_view> choices = {};
+};
+
+/// A kind of claim: one file in checks/.
+struct CheckKind {
+    std::string_view name;
+    std::vector<KeySpec> keys;
+    std::function<Outcome(const Claim&, const AuditContext&)> check;
+};
+
+/// All kinds, in the order of checks/kinds.cpp.
+[[nodiscard]] const std::vector<CheckKind>& check_kinds();
+/// nullptr if there is none of that name.
+[[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
+/// Keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
+/// points, remark, decimals.
+[[nodiscard]] const std::vector<KeySpec>& common_keys();
+
+} // namespace edgeproof::audit

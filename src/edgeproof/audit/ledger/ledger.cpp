@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/ledger.hpp"
+
+#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/ledger_family.hpp"
+#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/audit/ledger/outcome.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/file_kind.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof::audit {
+namespace {
+
+using Keys = std::vector<std::string_view>;
+
+constexpr long most_lines = 1'000'000'000;
+
+Field read_field(const io::TomlSection& section, std::string_view key) {
+    Field field;
+    field.line = section.line(key);
+    if (section.is_list(key)) {
+        field.value = section.written_list(key);
+    } else if (section.is_table(key)) {
+        const io::TomlSection table = section.section(key);
+        Field::Table entries;
+        for (const std::string& name : table.keys()) {
+            entries.emplace_back(name, table.written_list(name));
+        }
+        field.value = std::move(entries);
+    } else {
+        field.value = section.written(key);
+    }
+    return field;
+}
+
+class LedgerReader {
+public:
+    LedgerReader(std::string_view text, const std::string& file, ClaimErrors errors)
+        : top_(io::TomlSection::parse(text, file)), file_(file), errors_(errors) {}
+
+    Ledger read() {
+        ledger_.file = file_;
+        expect_file_kind(top_, scene::FileKind::ledger);
+        top_.allow({"ledger", "define", "family", "claim"});
+        const io::TomlSection head = top_.section("ledger");
+        head.allow({"name", "source"});
+        ledger_.name = head.written("name");
+        ledger_.source = head.written_or("source", "");
+        for (const io::TomlSection& family : top_.sections("family")) {
+            io::at_place(file_, family.line(), [&] {
+                ledger_.families.push_back(read_family(family, file_, ledger_.families));
+            });
+        }
+        for (const Family& family : ledger_.families) {
+            try_drawing(family, file_, ledger_.families);
+        }
+        if (top_.has("define")) {
+            ledger_.definitions = read_definitions(ledger_, top_.section("define"));
+        }
+        std::set<std::string> ids;
+        for (const io::TomlSection& claim : top_.sections("claim")) {
+            try {
+                io::at_place(file_, claim.line(), [&] {
+                    Claim read = read_claim(claim);
+                    if (!ids.insert(read.id).second) {
+                        claim.reject("id", "the id " + read.id + " stands twice",
+                                     "give each claim an id of its own");
+                    }
+                    ledger_.claims.push_back(std::move(read));
+                });
+            } catch (const InputError& error) {
+                if (errors_ == ClaimErrors::thrown) {
+                    throw;
+                }
+                ledger_.errors.push_back({id_of(claim), error});
+            }
+        }
+        return std::move(ledger_);
+    }
+
+private:
+    static std::string id_of(const io::TomlSection& table) {
+        try {
+            return table.written_or("id", "");
+        } catch (const InputError&) {
+            return "";
+        }
+    }
+
+    [[nodiscard]] Claim read_claim(const io::TomlSection& table) const {
+        Claim claim;
+        claim.file = file_;
+        claim.line = table.line();
+        claim.id = table.written("id");
+        claim.kind = table.written("kind");
+        const CheckKind* kind = find_check_kind(claim.kind);
+        if (kind == nullptr) {
+            Keys known;
+            for (const CheckKind& k : check_kinds()) {
+                known.push_back(k.name);
+            }
+            table.reject("kind", "unknown kind '" + claim.kind + "'", one_of(claim.kind, known));
+        }
+        Keys own{"id", "kind", "lines", "printed", "undefined", "reading"};
+        Keys shared;
+        for (const auto& keys : {common_keys(), kind->keys}) {
+            for (const KeySpec& key : keys) {
+                shared.push_back(key.name);
+            }
+        }
+        own.insert(own.end(), shared.begin(), shared.end());
+        table.allow(own);
+        claim.printed = table.written_or("printed", "");
+        if (table.has("lines")) {
+            const std::vector<std::size_t> lines = table.counts("lines", 0, most_lines);
+            if (lines.size() != 2) {
+                table.reject("lines", "lines of claim " + claim.id + " are not two numbers",
+                             "write lines = [FIRST, LAST]");
+            }
+            claim.lines = {lines[0], lines[1]};
+        }
+        if (table.has("undefined")) {
+            claim.undefined = table.written_list("undefined");
+        }
+        for (const std::string_view key : shared) {
+            if (table.has(key)) {
+                claim.fields.emplace(std::string(key), read_field(table, key));
+            }
+        }
+        for (const io::TomlSection& part : table.sections_or_none("reading")) {
+            Keys allowed{"text"};
+            allowed.insert(allowed.end(), shared.begin(), shared.end());
+            part.allow(allowed);
+            Claim::Reading reading;
+            reading.text = part.written("text");
+            reading.line = part.line();
+            for (const std::string_view key : shared) {
+                if (part.has(key)) {
+                    reading.fields.emplace(std::string(key), read_field(part, key));
+                }
+            }
+            claim.readings.push_back(std::move(reading));
+        }
+        claim.vocabulary = vocabulary_of(ledger_, claim);
+        // With readings, the claim itself need not be complete.
+        if (claim.readings.empty()) {
+            check_fields(claim, *kind, true);
+        } else {
+            check_fields(claim, *kind, false);
+            for (const Claim::Reading& reading : claim.readings) {
+                check_fields(under_reading(ledger_, claim, reading), *kind, true);
+            }
+        }
+        return claim;
+    }
+
+    void check_fields(const Claim& claim, const CheckKind& kind, bool complete) const {
+        for (const auto& keys : {common_keys(), kind.keys}) {
+            for (const KeySpec& key : keys) {
+                if (!claim.has(key.name)) {
+                    if (key.required && complete) {
+                        claim.reject(key.name,
+                                     "claim " + claim.id + " of kind " + claim.kind + " has no " +
+                                         std::string(key.name),
+                                     "add " + std::string(key.name) + " = \"...\"");
+                    }
+                    continue;
+                }
+                check_field(claim, key);
+            }
+        }
+    }
+
+    void check_field(const Claim& claim, const KeySpec& key) const {
+        using Type = KeySpec::Type;
+        switch (key.type) {
+        case Type::text:
+            static_cast<void>(claim.text(key.name));
+            break;
+        case Type::formula:
+            static_cast<void>(claim.formula(key.name));
+            break;
+        case Type::condition:
+            static_cast<void>(claim.condition(key.name));
+            break;
+        case Type::integer:
+            static_cast<void>(claim.integer(key.name));
+            break;
+        case Type::number:
+            try {
+                static_cast<void>(formula::Exact::parse(claim.text(key.name)));
+            } catch (const formula::FormulaError& error) {
+                claim.reject(key.name, error.problem(), error.instead());
+            }
+            break;
+        case Type::list:
+            static_cast<void>(claim.list(key.name));
+            break;
+        case Type::formulas:
+            for (const std::string& text : claim.list(key.name)) {
+                try {
+                    static_cast<void>(parse_formula(text, claim.vocabulary));
+                } catch (const formula::FormulaError& error) {
+                    claim.reject(key.name, error.problem(), error.instead());
+                }
+            }
+            break;
+        case Type::table:
+            static_cast<void>(claim.table(key.name));
+            break;
+        case Type::choice: {
+            const std::string& text = claim.text(key.name);
+            if (std::find(key.choices.begin(), key.choices.end(), text) == key.choices.end()) {
+                claim.reject(key.name, std::string(key.name) + " = \"" + text + "\" is not known",
+                             one_of(text, Keys(key.choices.begin(), key.choices.end())));
+            }
+            break;
+        }
+        }
+    }
+
+    io::TomlSection top_;
+    std::string file_;
+    ClaimErrors errors_;
+    Ledger ledger_;
+};
+
+} // namespace
+
+const Family& Ledger::family(std::string_view wanted) const {
+    for (const Family& f : families) {
+        if (f.name == wanted) {
+            return f;
+        }
+    }
+    throw Error("the ledger has no family '" + std::string(wanted) + "'");
+}
+
+Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors errors) {
+    return LedgerReader(text, file, errors).read();
+}
+
+Ledger read_ledger(const std::filesystem::path& file, ClaimErrors errors) {
+    return parse_ledger(io::read_text(file, "ledger (TOML)", io::most_toml_bytes), file.string(),
+                        errors);
+}
+
+Claim under_reading(const Ledger& ledger, const Claim& claim, const Claim::Reading& reading) {
+    Claim taken = claim;
+    taken.readings.clear();
+    taken.reading = reading.text;
+    for (const auto& [key, field] : reading.fields) {
+        taken.fields.insert_or_assign(key, field);
+    }
+    taken.vocabulary = vocabulary_of(ledger, taken);
+    return taken;
+}
+
+} // namespace edgeproof::audit

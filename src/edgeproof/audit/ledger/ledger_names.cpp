@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/ledger_names.hpp"
+
+#include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace edgeproof::audit {
+namespace {
+
+/// Parameter names of a family; for a union those that all its members have.
+std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) {
+    std::set<std::string> names;
+    if (family.union_of.empty()) {
+        for (const auto& [name, values] : family.parameters) {
+            names.insert(name);
+        }
+        return names;
+    }
+    for (std::size_t i = 0; i < family.union_of.size(); ++i) {
+        const std::set<std::string> of = parameters_of(ledger, ledger.family(family.union_of[i]));
+        if (i == 0) {
+            names = of;
+        }
+        std::erase_if(names, [&](const std::string& n) { return !of.contains(n); });
+    }
+    return names;
+}
+
+formula::Symbols scene_names() {
+    formula::Symbols symbols;
+    for (const std::string& name : scene_symbols()) {
+        symbols.add(name);
+    }
+    for (const auto& [name, arity] : scene_functions()) {
+        symbols.add_function(name, arity);
+    }
+    return symbols;
+}
+
+/// "F(s)" is a function of one argument, "gam" a name.
+std::pair<std::string, std::optional<std::string>> signature(const std::string& key) {
+    const std::size_t open = key.find('(');
+    if (open == std::string::npos || key.back() != ')') {
+        return {key, std::nullopt};
+    }
+    return {key.substr(0, open), key.substr(open + 1, key.size() - open - 2)};
+}
+
+void add_name(formula::Symbols& symbols, const std::string& key) {
+    const auto [name, argument] = signature(key);
+    if (argument) {
+        symbols.add_function(name, 1);
+    } else if (!symbols.has(name)) {
+        symbols.add(name);
+    }
+}
+
+Vocabulary::Definition definition(const std::string& key, const std::string& text,
+                                  formula::Symbols symbols, const std::string& file,
+                                  std::size_t line) {
+    const auto [name, argument] = signature(key);
+    try {
+        if (argument && !symbols.has(*argument)) {
+            symbols.add(*argument);
+        }
+        return {name, argument, parse_formula(text, {symbols, {}})};
+    } catch (const InputError& error) {
+        throw error.at(file, line);
+    }
+}
+
+/// A claim's own definition comes before the ledger's of the same name.
+void put_own_first(Vocabulary& v, const Ledger& ledger, const Claim& claim) {
+    std::vector<Vocabulary::Definition> own;
+    for (const auto& [key, values] : claim.table("with")) {
+        if (values.size() != 1) {
+            claim.reject("with", key + " has " + std::to_string(values.size()) + " bodies",
+                         "write with = { " + key + " = \"...\" }");
+        }
+        own.push_back(
+            definition(key, values.front(), v.symbols, ledger.file, claim.find("with")->line));
+    }
+    own.insert(own.end(), v.definitions.begin(), v.definitions.end());
+    v.definitions = std::move(own);
+}
+
+} // namespace
+
+std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
+                                                     const io::TomlSection& table) {
+    formula::Symbols symbols = scene_names();
+    for (const Family& family : ledger.families) {
+        for (const std::string& name : parameters_of(ledger, family)) {
+            add_name(symbols, name);
+        }
+    }
+    for (const std::string& key : table.keys()) {
+        try {
+            add_name(symbols, key);
+        } catch (const InputError& error) {
+            throw error.at(ledger.file, table.line(key));
+        }
+    }
+    std::vector<Vocabulary::Definition> all;
+    for (const std::string& key : table.keys()) {
+        all.push_back(definition(key, table.written(key), symbols, ledger.file, table.line(key)));
+    }
+    return all;
+}
+
+Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
+    Vocabulary v;
+    v.symbols = scene_names();
+    v.definitions = ledger.definitions;
+    if (claim.has("over")) {
+        const std::string& over = claim.text("over");
+        const auto it = std::find_if(ledger.families.begin(), ledger.families.end(),
+                                     [&](const Family& f) { return f.name == over; });
+        if (it == ledger.families.end()) {
+            claim.reject("over", "there is no family '" + over + "'",
+                         "name a family of this ledger");
+        }
+        for (const std::string& name : parameters_of(ledger, *it)) {
+            add_name(v.symbols, name);
+        }
+    }
+    const auto add = [&](std::string_view key, const std::string& name) {
+        try {
+            add_name(v.symbols, name);
+        } catch (const InputError& error) {
+            claim.reject(key, error.problem(), error.instead());
+        }
+    };
+    if (claim.has("vary")) {
+        for (const auto& [name, values] : claim.table("vary")) {
+            add("vary", name);
+        }
+    }
+    for (const std::string& name : claim.undefined) {
+        add("undefined", name);
+    }
+    for (const auto& d : v.definitions) {
+        add("", d.argument ? d.name + "(" + *d.argument + ")" : d.name);
+    }
+    if (claim.has("with")) {
+        for (const auto& [key, values] : claim.table("with")) {
+            add("with", key);
+        }
+        put_own_first(v, ledger, claim);
+    }
+    return v;
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/sample/audit_context.hpp"
+
+#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace edgeproof::audit {
+
+std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (first > 1 && first < n) {
+        std::vector<bool> chosen(n, false);
+        for (std::size_t k = 0; k < first; ++k) {
+            chosen[k * (n - 1) / (first - 1)] = true;
+        }
+        std::stable_partition(order.begin(), order.end(),
+                              [&](std::size_t i) { return bool{chosen[i]}; });
+    }
+    return order;
+}
+
+std::string Sample::text() const {
+    std::string text = scene.text();
+    if (fraction) {
+        text += ", u = " + fraction->text() + " of the length from the " +
+                (edge == contact::Edge::right ? "right" : "left") + " edge";
+    }
+    for (const auto& [name, value] : variables) {
+        text += ", " + name + " = " + value.text();
+    }
+    return text;
+}
+
+std::shared_ptr<void> AuditContext::take(const std::string& key) const {
+    const std::lock_guard lock(lent_mutex_);
+    std::vector<std::shared_ptr<void>>& idle = at_home_[key];
+    if (idle.empty()) {
+        return nullptr;
+    }
+    std::shared_ptr<void> object = std::move(idle.back());
+    idle.pop_back();
+    return object;
+}
+
+void AuditContext::give_back(const std::string& key, std::shared_ptr<void> object) const {
+    const std::lock_guard lock(lent_mutex_);
+    at_home_[key].push_back(std::move(object));
+}
+
+std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
+    return draw_scenes(ledger_.family(claim.text("over")), ledger_.families);
+}
+
+std::vector<Sample> AuditContext::samples(const Claim& claim) const {
+    const contact::Edge edge =
+        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    std::vector<Sample> samples;
+    std::size_t i = 0;
+    for (const SceneSpec& scene : scenes(claim)) {
+        const Family& family = ledger_.family(scene.family);
+        const auto points = static_cast<std::size_t>(
+            std::max(1L, claim.integer_or("points", static_cast<long>(family.points))));
+        for (std::size_t k = 0; k < points; ++k, ++i) {
+            Sample sample{scene, std::nullopt, edge, {}};
+            if (!family.u.empty()) {
+                sample.fraction =
+                    family.u[stratified_index(family.name + "/u", family.u.size(), i)];
+            }
+            if (claim.has("vary")) {
+                for (const auto& [name, values] : claim.table("vary")) {
+                    formula::Symbols names;
+                    for (const auto& [parameter, value] : scene.parameters) {
+                        names.add(parameter);
+                    }
+                    try {
+                        formula::Expr e =
+                            parse(values[stratified_index(claim.id + '/' + name, values.size(), i)],
+                                  names);
+                        for (const auto& [parameter, value] : scene.parameters) {
+                            e = substitute(e, parameter, value.expr());
+                        }
+                        sample.variables.emplace(name, formula::Exact(e));
+                    } catch (const InputError& error) {
+                        claim.reject("vary", error.problem(), error.instead());
+                    }
+                }
+            }
+            samples.push_back(std::move(sample));
+        }
+    }
+    return samples;
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof::audit {
+
+Real EvaluatedSceneEnvironment::symbol(std::string_view name) const {
+    if (const auto it = variables_.find(name); it != variables_.end()) {
+        return at_working_precision(it->second);
+    }
+    const auto& parameters = state_.here().parameters;
+    if (const auto it = parameters.find(name); it != parameters.end()) {
+        return it->second;
+    }
+    if (name == "u" || name == "x") {
+        if (place_ == nullptr) {
+            throw Error("'" + std::string(name) + "' has no value: no place is given");
+        }
+        return at_working_precision(name == "u" ? place_->u : place_->x);
+    }
+    if (const auto value = state_.derived_symbol(name)) {
+        return *value;
+    }
+    throw Error("'" + std::string(name) + "' has no value in a scene of family " +
+                state_.spec.family);
+}
+
+std::vector<Real> EvaluatedSceneEnvironment::places(const Real& lo, const Real& hi) const {
+    const contact::Extent<Real>& extent = state_.top().extent;
+    std::vector<Real> all{Real(0), lo, hi, extent.a, extent.b};
+    if (place_ != nullptr) {
+        all.push_back(place_->x);
+    }
+    std::vector<Real> outside;
+    for (const Real& p : all) {
+        for (const Real& q : {p, Real(-p)}) {
+            if (q < std::min(lo, hi) || q > std::max(lo, hi)) {
+                outside.push_back(q);
+            }
+        }
+    }
+    return outside;
+}
+
+void EvaluatedSceneEnvironment::add_preimage(const std::function<Real(const Real&)>& argument,
+                                             const Real& critical, const Real& lo, const Real& hi,
+                                             std::vector<Real>& cuts) {
+    const Real length = hi - lo;
+    const Real at_lo = argument(Real(lo + length / 3)) - critical;
+    const Real at_hi = argument(Real(lo + length / 2)) - critical;
+    if (at_lo == at_hi) {
+        return;
+    }
+    // Linear arguments (all that the formulas of a contact have, as a rule): exactly.
+    const Real slope = (at_hi - at_lo) / (length / 6);
+    const Real third = argument(Real(lo + length * 2 / 3)) - critical;
+    const Real predicted = at_hi + slope * (length / 6);
+    const Real scale = abs(at_lo) + abs(at_hi) + abs(third);
+    if (abs(third - predicted) < scale * pow(Real(10), -static_cast<int>(working_digits() / 2))) {
+        cuts.push_back(Real(lo + length / 3 - at_lo / slope));
+        return;
+    }
+    // Any other: where it changes sign between the ends, by halving.
+    Real x = lo + length * pow(Real(10), -20);
+    Real y = hi - length * pow(Real(10), -20);
+    const bool rising = argument(y) > critical;
+    if ((argument(x) > critical) == rising) {
+        return;
+    }
+    for (unsigned k = 0; k < 4 * working_digits(); ++k) {
+        const Real middle = (x + y) / 2;
+        ((argument(middle) > critical) == rising ? y : x) = middle;
+    }
+    cuts.push_back(y);
+}
+
+void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::string& variable,
+                                             const Real& lo, const Real& hi, const At& at,
+                                             std::vector<Real>& cuts) const {
+    if (f.is_binder()) {
+        return; // the variable of an inner integral hides or rules what is inside
+    }
+    for (const formula::Expr& part : f.args()) {
+        collect_cuts(part, variable, lo, hi, at, cuts);
+    }
+    const auto add = [&](const formula::Expr& argument, const std::vector<Real>& criticals) {
+        if (!free_symbols(argument).contains(variable)) {
+            return;
+        }
+        try {
+            for (const Real& critical : criticals) {
+                add_preimage([&](const Real& s) { return at(argument, s); }, critical, lo, hi,
+                             cuts);
+            }
+        } catch (const DomainError&) {
+            // Undefined between the ends: the integrand itself will say so.
+            return;
+        }
+    };
+    if (f.kind() == formula::Expr::Kind::call && f.builtin() == formula::Builtin::none) {
+        const bool local = f.name() == "right_local" || f.name() == "left_local";
+        if (!local) {
+            add(f.arg(0), state_.critical_arguments(f.name()));
+        }
+    } else if (f.builtin() == formula::Builtin::abs || f.builtin() == formula::Builtin::sgn ||
+               f.builtin() == formula::Builtin::step) {
+        add(f.arg(0), {Real(0)});
+    } else if ((f.builtin() == formula::Builtin::max || f.builtin() == formula::Builtin::min) &&
+               f.args().size() == 2) {
+        add(f.arg(0) - f.arg(1), {Real(0)});
+    }
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/audit/sample/naive_integral.hpp"
+#include "edgeproof/contact/law/contact_law.hpp"
+#include "edgeproof/contact/law/shear.hpp"
+
+#include <array>
+
+namespace edgeproof::audit {
+
+/// The family of contacts that the one of a EvaluatedScene belongs to, and the parameters, at one
+/// precision.
+struct EvaluatedSceneLevel {
+    EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile);
+
+    contact::ContactLaw<Real> law;
+    std::map<std::string, Real, std::less<>> parameters;
+    contact::Extent<Real> extent;
+    std::optional<contact::Extent<Real>> last_extent;     ///< of the contact with right edge at .a
+    std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
+    std::optional<std::pair<Real, Real>> last_force_rate; ///< s and P'(s)
+
+    /// The contact of the family whose right edge is at s.
+    const contact::Extent<Real>& extent_at(const Real& s);
+    /// P'(s).
+    Real force_rate_at(const Real& s);
+    /// b^{-1}(y).
+    Real right_edge_of(const Real& y);
+};
+
+/// What a EvaluatedScene holds: the exact contact, and the family of contacts that it belongs to.
+struct EvaluatedSceneState {
+    EvaluatedSceneState(SceneSpec scene, unsigned digits_wanted, Effort effort);
+
+    SceneSpec spec;
+    unsigned digits;
+    /// Enough for naive integrals; plain formulas get the same.
+    NaivePrecision precision;
+    contact::Profile profile;
+    contact::NormalContact contact;
+    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ... as they are asked for
+    std::array<std::vector<Real>, 2> expansions;      ///< right, left
+    std::map<unsigned, EvaluatedSceneLevel> levels;   ///< by digits
+
+    /// At the working precision: far from their ends integrands need few digits, and everything
+    /// that they are made of has to have as few, for that to be cheap.
+    EvaluatedSceneLevel& here();
+    /// At the precision at which plain formulas are worked.
+    [[nodiscard]] const EvaluatedSceneLevel& top() const {
+        return levels.at(precision.integrand());
+    }
+    const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
+    /// A name that is no parameter, place or variable; nullopt if unknown.
+    std::optional<Real> derived_symbol(std::string_view name);
+    Real call(const std::string& name, std::span<const Real> args, const Place* place);
+    /// Values of the argument of a function at which it is not analytic.
+    std::vector<Real> critical_arguments(const std::string& function);
+    [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
+    [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
+    [[nodiscard]] Place place_of_x(const Real& x) const;
+};
+
+} // namespace edgeproof::audit

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/symbolic/ginac_bridge.hpp"
+#include "edgeproof/audit/symbolic/ginac_roots.hpp"
+#include "edgeproof/formula/quotient.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::audit::ginac {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+std::vector<ex> force_derivatives() {
+    std::vector<ex> all;
+    for (int k = 1; k <= 9; ++k) {
+        all.push_back(symbol("P" + std::to_string(k)));
+    }
+    return all;
+}
+
+formula::Expr product_of(const std::vector<formula::Expr>& factors) {
+    formula::Expr p = factors.front();
+    for (std::size_t i = 1; i < factors.size(); ++i) {
+        p = p * factors[i];
+    }
+    return p;
+}
+
+/// A product with its factors apart, in an order that does not depend on GiNaC's.
+class Factored {
+public:
+    bool minus = false;
+    Rational number{1};
+
+    void multiply(const formula::Expr& base, const Rational& exponent) {
+        for (auto& [known, k] : factors_) {
+            if (known == base) {
+                k += exponent;
+                return;
+            }
+        }
+        factors_.emplace_back(base, exponent);
+    }
+    void divide_by(const Factored& o) {
+        minus = minus != o.minus;
+        number /= o.number;
+        for (const auto& [base, k] : o.factors_) {
+            multiply(base, -k);
+        }
+    }
+    [[nodiscard]] bool is_one() const { return factors_.empty() && number == 1; }
+    /// Without the sign.
+    [[nodiscard]] formula::Expr magnitude() const {
+        std::vector<formula::Expr> over = side(true);
+        std::vector<formula::Expr> under = side(false);
+        const Rational top(numerator(number));
+        const Rational bottom(denominator(number));
+        if (top != 1 || over.empty()) {
+            over.insert(over.begin(), formula::Expr::number(top));
+        }
+        if (bottom != 1) {
+            under.insert(under.begin(), formula::Expr::number(bottom));
+        }
+        return under.empty() ? product_of(over) : product_of(over) / product_of(under);
+    }
+
+private:
+    [[nodiscard]] std::vector<formula::Expr> side(bool over) const {
+        std::vector<formula::Expr> all;
+        for (const auto& [base, exponent] : factors_) {
+            const Rational k = over ? exponent : Rational(-exponent);
+            if (k > 0) {
+                all.push_back(k == 1                ? base
+                              : k == Rational(1, 2) ? formula::Expr::call("sqrt", {base})
+                                                    : pow(base, formula::quotient_of(k)));
+            }
+        }
+        std::sort(all.begin(), all.end(), [](const formula::Expr& x, const formula::Expr& y) {
+            const std::string s = to_text(x);
+            const std::string t = to_text(y);
+            return s.size() != t.size() ? s.size() < t.size() : s < t;
+        });
+        return all;
+    }
+    std::vector<std::pair<formula::Expr, Rational>> factors_;
+};
+
+Factored factored(const ex& polynomial, const Roots& roots, bool collect);
+
+/// A term of a sum: whether it is taken away, and its magnitude.
+using Term = std::pair<bool, formula::Expr>;
+
+/// The sum over P1, P2, ... of factored coefficients.
+std::vector<Term> collected(const ex& sum, const Roots& roots) {
+    std::vector<Term> terms;
+    ex rest = sum.expand();
+    for (const ex& P : force_derivatives()) {
+        const ex c = rest.coeff(P, 1);
+        if (c.is_zero()) {
+            continue;
+        }
+        rest = (rest - c * P).expand();
+        const Factored f = factored(c, roots, false);
+        const formula::Expr name = to_expr(P);
+        terms.emplace_back(f.minus, f.is_one() ? name : f.magnitude() * name);
+    }
+    if (!rest.is_zero()) {
+        const Factored f = factored(rest, roots, false);
+        terms.emplace_back(f.minus, f.magnitude());
+    }
+    return terms;
+}
+
+formula::Expr sum_of(const std::vector<Term>& terms, bool turned) {
+    formula::Expr e = terms[0].first != turned ? -terms[0].second : terms[0].second;
+    for (std::size_t i = 1; i < terms.size(); ++i) {
+        e = terms[i].first != turned ? e - terms[i].second : e + terms[i].second;
+    }
+    return e;
+}
+
+/// The text of a sum, and whether it is that of its negative: the shorter of the two, so that the
+/// choice is the same on every run.
+std::pair<formula::Expr, bool> sum_text(const ex& sum, const Roots& roots, bool collect) {
+    const std::vector<ex> derivatives = force_derivatives();
+    const bool linear = collect && std::any_of(derivatives.begin(), derivatives.end(),
+                                               [&](const ex& P) { return sum.degree(P) == 1; });
+    const std::vector<Term> terms = linear ? collected(sum, roots) : std::vector<Term>{};
+    const formula::Expr e = linear ? sum_of(terms, false) : to_expr(roots.restored(sum));
+    const formula::Expr turned =
+        linear ? sum_of(terms, true) : to_expr(roots.restored((-sum).expand()));
+    const std::string s = to_text(e);
+    const std::string t = to_text(turned);
+    if (t.size() < s.size() || (t.size() == s.size() && t < s)) {
+        return {turned, true};
+    }
+    return {e, false};
+}
+
+Rational rational_of(const ex& number) {
+    const formula::Expr n = to_expr(number);
+    if (n.rational() == nullptr) {
+        throw Error("a symbolic result holds a number that is not rational");
+    }
+    return *n.rational();
+}
+
+Factored factored(const ex& polynomial, const Roots& roots, bool collect) {
+    Factored result;
+    const auto take_number = [&](const ex& n, long k) {
+        Rational q = rational_of(n);
+        if (q < 0) {
+            q = -q;
+            result.minus = result.minus != (k % 2 != 0);
+        }
+        for (long j = 0; j < k; ++j) {
+            result.number *= q;
+        }
+    };
+    const auto take = [&](const ex& factor) {
+        ex base = factor;
+        numeric k(1);
+        if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1))) {
+            base = factor.op(0);
+            k = GiNaC::ex_to<numeric>(factor.op(1));
+        }
+        if (is_a<numeric>(base)) {
+            take_number(base, k.to_long());
+            return;
+        }
+        const Rational exponent = rational_of(k);
+        if (is_a<GiNaC::add>(base)) {
+            const ex content = base.integer_content();
+            take_number(content, k.to_long());
+            const auto [text, turned] = sum_text((base / content).expand(), roots, collect);
+            result.minus = result.minus != (turned && !k.is_even());
+            result.multiply(text, exponent);
+            return;
+        }
+        const ex meaning = roots.root_meaning(base);
+        if (is_a<GiNaC::power>(meaning)) {
+            // The root of a sum counts as a power of the sum, written as it is elsewhere.
+            const ex inside = roots.restored(meaning.op(0));
+            result.multiply(is_a<GiNaC::add>(inside) ? sum_text(inside, roots, collect).first
+                                                     : to_expr(inside),
+                            exponent * rational_of(meaning.op(1)));
+            return;
+        }
+        const ex restored = roots.restored(base);
+        if (is_a<GiNaC::power>(restored) && is_a<numeric>(restored.op(1))) {
+            result.multiply(to_expr(restored.op(0)), exponent * rational_of(restored.op(1)));
+        } else {
+            result.multiply(to_expr(restored), exponent);
+        }
+    };
+    const ex whole = GiNaC::factor(polynomial.expand());
+    if (is_a<GiNaC::mul>(whole)) {
+        for (const ex& factor : whole) {
+            take(factor);
+        }
+    } else {
+        take(whole);
+    }
+    return result;
+}
+
+} // namespace
+
+formula::Expr tidy(const ex& e) {
+    Roots roots;
+    const ex fraction = roots.fraction(e);
+    const ex over = fraction.numer();
+    if (over.is_zero()) {
+        return formula::Expr::number(0);
+    }
+    Factored result = factored(over, roots, true);
+    result.divide_by(factored(fraction.denom(), roots, false));
+    const formula::Expr magnitude = result.magnitude();
+    return result.minus ? -magnitude : magnitude;
+}
+
+} // namespace edgeproof::audit::ginac

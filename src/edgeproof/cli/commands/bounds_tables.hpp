@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/report/tables/table.hpp"
+#include "edgeproof/validation/validation.hpp"
+
+#include <string>
+#include <vector>
+
+/// What `edgeproof bounds` prints.
+namespace edgeproof::cli {
+
+[[nodiscard]] report::Table case_table(const std::vector<validation::HardCase>& cases,
+                                       const std::vector<validation::CaseOutcome>& outcomes,
+                                       unsigned digits);
+[[nodiscard]] report::Table family_table(const std::vector<validation::HardCase>& cases,
+                                         const std::vector<validation::CaseOutcome>& outcomes,
+                                         unsigned digits);
+[[nodiscard]] report::Table count_table(const validation::CountOptions& options,
+                                        const validation::CountResult& result);
+[[nodiscard]] report::Table honesty_table(const std::vector<validation::HonestyRow>& rows,
+                                          unsigned digits);
+/// All that it takes to see a finding again.
+[[nodiscard]] std::string finding_text(const validation::CountFinding& finding);
+
+/// Title, notes, and columns aligned: text to the left, numbers to the right.
+[[nodiscard]] std::string aligned_text(const report::Table& table);
+
+} // namespace edgeproof::cli

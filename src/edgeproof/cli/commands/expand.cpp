@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct ExpandOptions : SceneOptions {
+    std::string terms;
+};
+
+constexpr std::size_t usual_terms = 3;
+
+/// k + half of `half_powers`, as a quotient.
+std::string power_text(std::size_t k, int half_powers) {
+    return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
+}
+
+int expand(const ExpandOptions& o) {
+    scene::Scene scene = asked_scene(o);
+    scene.ask.edges = asked_edges(o);
+    const std::size_t terms = !o.terms.empty()          ? whole_number("--terms", o.terms, 1, 400)
+                              : scene.ask.terms.empty() ? usual_terms
+                                                        : scene.ask.most_terms();
+    scene.ask.terms = {terms};
+    const bool contact = scene.ask.wants(scene::Quantity::contact);
+    scene.ask.quantities = {scene::Quantity::coefficients};
+    if (contact) {
+        scene.ask.quantities.insert(scene::Quantity::contact);
+    }
+    const scene::SceneResult result = done(scene);
+    report::Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
+                   "bound",
+                   "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};
+    if (scene.shear && scene.shear->path == contact::LoadingPath::normal_first) {
+        table.notes.emplace_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
+    } else if (scene.shear) {
+        table.notes.emplace_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
+    }
+    table.notes.push_back(bound_note(result.plan));
+    const ValueColumns value(scene);
+    table.columns = {{"edge", report::Column::Kind::text},
+                     {"coefficient", report::Column::Kind::text},
+                     {"k", report::Column::Kind::count},
+                     {"power", report::Column::Kind::text}};
+    std::vector<report::Column> columns;
+    value.add(columns, "value", "route");
+    columns[1].name = "bound";
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    for (const scene::EdgeValues& edge : result.coefficients) {
+        const auto rows = [&](const char* name, const std::vector<scene::BoundedValue>& list,
+                              int half_powers) {
+            for (std::size_t k = 0; k < list.size(); ++k) {
+                std::vector<std::string> row{scene::edge_name(edge.edge), name + std::to_string(k),
+                                             std::to_string(k), power_text(k, half_powers)};
+                value.add(row, list[k], true);
+                table.rows.push_back(std::move(row));
+            }
+        };
+        rows("c_", edge.c, 1);
+        rows("s_", edge.s, edge.s_half_powers);
+    }
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_expand(CLI::App& app, int& code) {
+    CLI::App* sub =
+        app.add_subcommand("expand", "coefficients of the expansion at the edges, with bounds");
+    auto o = std::make_shared<ExpandOptions>();
+    add_scene_options(*sub, *o);
+    add_edge_option(*sub, *o);
+    sub->add_option("--terms", o->terms, "how many (default: the scene's, else 3)");
+    sub->callback([o, &code] { code = expand(*o); });
+}
+
+} // namespace edgeproof::cli

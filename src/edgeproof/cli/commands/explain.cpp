@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace edgeproof::cli {
+namespace {
+
+struct ExplainOptions : SceneOptions {
+    bool run = false;
+};
+
+std::string profile_text(const scene::Scene& scene) {
+    if (scene.punch) {
+        const contact::TiltedPunch& punch = *scene.punch;
+        return punch.kind == contact::Profile::Kind::tilted_wedge
+                   ? "tilted-wedge, phi = " + punch.phi.text() + ", alpha to be found"
+                   : "tilted-flat-and-rounded, t = " + punch.t.text() + ", R = " + punch.R.text() +
+                         ", alpha to be found";
+    }
+    std::string text = scene.profile->kind_name();
+    for (const auto& [name, value] : scene.profile->parameters()) {
+        text += fmt::format(", {} = {}", name, value.text());
+    }
+    return text;
+}
+
+std::string asked_text(const scene::Scene& scene) {
+    std::string text;
+    for (const scene::Quantity q : scene.ask.quantities) {
+        text += (text.empty() ? "" : ", ") + quantity_name(q);
+    }
+    text += scene.ask.edges.size() == 2 ? "; both edges"
+                                        : "; the " + scene::edge_name(scene.ask.edges[0]) + " edge";
+    if (!scene.ask.u.empty()) {
+        text += fmt::format("; u at {} point{}", scene.ask.u.size(),
+                            scene.ask.u.size() == 1 ? "" : "s");
+    }
+    for (std::size_t i = 0; i < scene.ask.terms.size(); ++i) {
+        text += (i == 0 ? "; n = " : ", ") + std::to_string(scene.ask.terms[i]);
+    }
+    return text;
+}
+
+std::string planned_text(const scene::Effect& effect, const contact::Counts& counts) {
+    return effect.on && effect.counter != nullptr ? std::to_string(counts.*effect.counter)
+           : effect.on                            ? ""
+                                                  : "0";
+}
+
+std::string narrow_text(const scene::Plan& plan) {
+    return plan.narrow_bits < plan.bits
+               ? fmt::format(" ({} for the contact and pressures)", plan.narrow_bits)
+               : "";
+}
+
+/// What was done, a value at a time.
+class Tally {
+public:
+    explicit Tally(const scene::SceneResult& result) {
+        const scene::ContactValues& contact = result.contact;
+        add(contact.a);
+        add(contact.b);
+        for (const auto* v : {&contact.alpha, &contact.force, &contact.moment}) {
+            add(*v);
+        }
+        for (const scene::PointRow& point : result.points) {
+            add(point.values.x);
+            add(point.values.p);
+            add(point.values.q);
+            for (const auto* list : {&point.values.p_local, &point.values.q_local}) {
+                for (const scene::Approximation& a : *list) {
+                    add(a.local);
+                    add(a.relative_error);
+                }
+            }
+        }
+        for (const scene::EdgeValues& edge : result.coefficients) {
+            for (const auto* list : {&edge.c, &edge.s}) {
+                for (const scene::BoundedValue& v : *list) {
+                    add(v);
+                }
+            }
+        }
+        for (const scene::ExtentValues& e : result.extents) {
+            if (e.leaves) {
+                add(e.first_exit);
+            }
+            add(e.measure);
+        }
+    }
+    [[nodiscard]] bool all_proved() const { return estimated_.empty(); }
+    [[nodiscard]] std::string text() const {
+        const std::string proved = list("proved", proved_);
+        const std::string estimated = list("estimated", estimated_);
+        return proved + (proved.empty() || estimated.empty() ? "" : "; ") + estimated;
+    }
+
+private:
+    using Routes = std::map<std::string, std::size_t>;
+    void add(const scene::BoundedValue& v) { ++(v.proved ? proved_ : estimated_)[v.route]; }
+    void add(const std::optional<scene::BoundedValue>& v) {
+        if (v) {
+            add(*v);
+        }
+    }
+    /// "proved: 6 values (4 by series, 2 by given)".
+    static std::string list(const char* kind, const Routes& routes) {
+        std::size_t all = 0;
+        std::string each;
+        for (const auto& [route, count] : routes) {
+            all += count;
+            each += fmt::format("{}{} {}", each.empty() ? "" : "; ", count, route);
+        }
+        return all == 0 ? ""
+                        : fmt::format("{}: {} value{} ({})", kind, all, all == 1 ? "" : "s", each);
+    }
+
+    Routes proved_;
+    Routes estimated_;
+};
+
+int explain(const ExplainOptions& o) {
+    const scene::Scene scene = asked_scene(o);
+    const scene::Plan plan =
+        io::at_place(scene.file, scene.load_line, [&] { return make_plan(scene); });
+    report::Table table;
+    table.title = scene.title.empty() ? scene.file : scene.title;
+    const bool force = scene.load.kind == contact::Load::Kind::force;
+    std::string load = (force ? "P = " : "a = ") + scene.load.value.text();
+    if (scene.moment) {
+        load += ", M = " + scene.moment->text();
+    }
+    table.facts = {{"scene", scene.file},
+                   {"profile", profile_text(scene)},
+                   {"load", load + ", contact_modulus = " + scene.contact_modulus.text()},
+                   {"asked", asked_text(scene)},
+                   {"route", route_name(plan.route)},
+                   {"bounds", (plan.proved ? "proved: " : "estimated: ") + plan.proved_why},
+                   {"precision",
+                    plan.proved ? fmt::format("balls of {} bits at first{}, more where {} digits "
+                                              "are not settled by them",
+                                              plan.bits, narrow_text(plan), plan.digits.count)
+                                : fmt::format("{} digits at first for {}, more where edges, knots "
+                                              "and points lie close",
+                                              plan.working_digits, plan.digits.count)},
+                   {"quadratures", std::to_string(plan.counts.quadratures)}};
+    table.columns = {{"effect", report::Column::Kind::text},
+                     {"on", report::Column::Kind::text},
+                     {"planned", report::Column::Kind::count}};
+    contact::Work work;
+    bool as_planned = true;
+    if (o.run) {
+        const scene::SceneResult result = done(scene);
+        const Tally tally(result);
+        work = result.work;
+        as_planned = work.counts == plan.counts && (tally.all_proved() || !plan.proved);
+        for (report::Fact& fact : table.facts) {
+            if (fact.key == "bounds") {
+                fact.value = tally.text();
+            }
+        }
+        table.columns.push_back({"done", report::Column::Kind::count});
+        table.facts.push_back({"raised", fmt::format("{} time{} to a higher precision", work.raised,
+                                                     work.raised == 1 ? "" : "s")});
+        table.facts.push_back(
+            {"evaluations", std::to_string(work.evaluations) + " of integrands of pressures"});
+        table.facts.push_back({"done as planned", as_planned ? "yes" : "no"});
+    }
+    table.columns.push_back({"why", report::Column::Kind::text});
+    for (const scene::Effect& effect : plan.effects) {
+        std::vector<std::string> row{effect.name, effect.on ? "on" : "off",
+                                     planned_text(effect, plan.counts)};
+        if (o.run) {
+            row.push_back(effect.counter == nullptr ? row.back()
+                                                    : std::to_string(work.counts.*effect.counter));
+        }
+        row.push_back(effect.why);
+        table.rows.push_back(std::move(row));
+    }
+    emit(table, o);
+    return as_planned ? 0 : 1;
+}
+
+} // namespace
+
+void add_explain(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "explain", "what a scene calls for: the effects that are on and off, and why");
+    auto o = std::make_shared<ExplainOptions>();
+    o->format = "md";
+    add_scene_options(*sub, *o);
+    sub->add_flag("--run", o->run, "do it, and show what was done beside what was planned");
+    sub->callback([o, &code] { code = explain(*o); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::Plan& plan) {
+    const ValueColumns value(scene);
+    std::vector<report::Column> columns{{"edge", report::Column::Kind::text}, {"u"}, {"x"}};
+    const auto approximations = [&](const std::string& prefix) {
+        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
+            columns.push_back({prefix + "local_" + std::to_string(n)});
+            columns.push_back({prefix + "rel_" + std::to_string(n)});
+        }
+    };
+    value.add(columns, "p", "route");
+    approximations("");
+    if (plan.shear) {
+        value.add(columns, "q", "q_route");
+        approximations("q_");
+    }
+    return columns;
+}
+
+/// The value that a route column stands behind, with the names of what else its columns hold that
+/// is not proved although the value is.
+scene::BoundedValue marked(const scene::BoundedValue& value, const std::string& prefix,
+                           const scene::BoundedValue& x,
+                           const std::vector<scene::Approximation>& approximations) {
+    std::string estimates = x.proved ? "" : "x";
+    const auto add = [&](const char* name, const scene::Approximation& a,
+                         const scene::BoundedValue& v) {
+        if (!v.proved) {
+            estimates += (estimates.empty() ? "" : ", ") + prefix + name + std::to_string(a.n);
+        }
+    };
+    for (const scene::Approximation& a : approximations) {
+        add("local_", a, a.local);
+        add("rel_", a, a.relative_error);
+    }
+    scene::BoundedValue all = value;
+    if (value.proved && !estimates.empty()) {
+        all.route += " (estimate: " + estimates + ")";
+    }
+    return all;
+}
+
+std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& plan,
+                                const scene::PointRow& point) {
+    const ValueColumns value(scene);
+    const scene::Digits& digits = scene.ask.digits;
+    std::vector<std::string> row{scene::edge_name(point.edge), point.u.text(),
+                                 printed(point.values.x, digits).text};
+    const auto approximations = [&](const std::vector<scene::Approximation>& list) {
+        for (const scene::Approximation& a : list) {
+            row.push_back(printed(a.local, digits).text);
+            row.push_back(printed(a.relative_error, plan.error_digits()).text);
+        }
+    };
+    value.add(row, marked(*point.values.p, "", point.values.x, point.values.p_local), true);
+    approximations(point.values.p_local);
+    if (plan.shear) {
+        value.add(row, marked(*point.values.q, "q_", point.values.x, point.values.q_local), true);
+        approximations(point.values.q_local);
+    }
+    return row;
+}
+
+int pressure(const SceneOptions& o) {
+    scene::Scene scene = asked_scene(o);
+    const bool contact = scene.ask.wants(scene::Quantity::contact);
+    const bool shear = scene.ask.wants(scene::Quantity::shear);
+    scene.ask.quantities = {scene::Quantity::pressure};
+    if (shear) {
+        scene.ask.quantities.insert(scene::Quantity::shear);
+    }
+    if (contact) {
+        scene.ask.quantities.insert(scene::Quantity::contact);
+    }
+    const scene::SceneResult result = done(scene);
+    report::Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
+                   "contact modulus; |p - exact| <= p_bound"};
+    if (result.plan.terms > 0) {
+        table.notes.emplace_back(
+            "local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
+    }
+    if (result.plan.shear) {
+        table.notes.emplace_back(
+            "q: shear traction under full stick, positive towards +x on the body "
+            "that Q acts on; the q columns are as those of p");
+    }
+    table.notes.push_back(bound_note(result.plan));
+    table.columns = columns_of(scene, result.plan);
+    for (const scene::PointRow& point : result.points) {
+        table.rows.push_back(row_of(scene, result.plan, point));
+    }
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_pressure(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand("pressure", "pressures of a scene, each with a bound");
+    auto o = std::make_shared<SceneOptions>();
+    add_scene_options(*sub, *o);
+    sub->callback([o, &code] { code = pressure(*o); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/commands/table_in_parts.hpp"
+#include "edgeproof/cli/launched.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/parallel/distributed_work.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/report/tables/reference_table.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr std::size_t most_said = 20;
+
+struct TableOptions {
+    std::string recipe;
+    std::string out;
+    std::string format = "csv";
+    std::string threads;
+    std::string every;
+    bool check = false;
+};
+
+conformance::ReferenceOptions
+reference_options(const TableOptions& o, const conformance::Recipe& recipe, Progress& progress) {
+    conformance::ReferenceOptions options;
+    options.digits = recipe.digits;
+    options.threads = threads_of(o.threads);
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    return options;
+}
+
+/// The table that stands beside the recipe.
+std::filesystem::path table_of(const TableOptions& o) {
+    return o.out.empty() ? std::filesystem::path(o.recipe).replace_extension(".csv")
+                         : std::filesystem::path(o.out);
+}
+
+int check(const TableOptions& o, conformance::Recipe& recipe, const std::string& version) {
+    const std::filesystem::path file = table_of(o);
+    const io::Csv old = io::parse_csv(io::read_text(file, "table (CSV)"), file.string());
+    const std::size_t every =
+        o.every.empty() ? 1 : whole_number("--every", o.every, 1, 1'000'000'000);
+    const conformance::Questions all = recipe.questions;
+    if (every > 1) {
+        recipe.questions.list.clear();
+        for (std::size_t i = 0; i < all.list.size(); i += every) {
+            recipe.questions.list.push_back(all.list[i]);
+        }
+    }
+    Progress progress("values");
+    const auto values = references(recipe.questions, reference_options(o, recipe, progress));
+    const report::Table made = report::reference_table(recipe, values, version);
+    const auto said = table_differences(old, made, every > 1);
+    for (std::size_t i = 0; i < said.size() && i < most_said; ++i) {
+        std::fprintf(stderr, "%s\n", said[i].c_str());
+    }
+    if (said.size() > most_said) {
+        std::fprintf(stderr, "and %zu more\n", said.size() - most_said);
+    }
+    if (said.empty()) {
+        std::printf("%s: %zu of %zu rows made anew, every digit the same\n", file.c_str(),
+                    made.rows.size(), old.rows.size());
+    }
+    return said.empty() ? 0 : 1;
+}
+
+int to_file(const TableOptions& o, const std::string& version) {
+    const auto processes = launched_together();
+    const bool leads = processes == nullptr || processes->number() == 0;
+    std::optional<conformance::RecipeGrid> recipe;
+    std::optional<TableInParts> table;
+    unsigned threads = 0;
+    try {
+        threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
+        recipe = conformance::RecipeGrid::read(o.recipe);
+        table.emplace(*recipe, o.out, *report::table_format(o.format), version);
+        if (leads) {
+            io::check_output(o.out);
+            table->open();
+        }
+    } catch (const Error& error) {
+        if (leads && processes != nullptr) {
+            dismiss(*processes);
+        }
+        if (leads) {
+            throw;
+        }
+        follow_failed(*processes, error.what()); // the first tells it
+        return 0;
+    }
+    if (leads) {
+        table->make(threads, processes.get());
+    } else {
+        table->help(threads, *processes);
+        check_interruption(); // its exit status tells, too
+    }
+    return 0;
+}
+
+int table(const TableOptions& o, const std::string& version) {
+    SceneOptions output;
+    output.format = o.format;
+    output.out = o.out;
+    if (!report::table_format(o.format)) {
+        throw InputError("--format " + o.format + " is no format", "write csv, json, md or tex");
+    }
+    if (!o.every.empty() && !o.check) {
+        throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
+    }
+    if (launched_count() > 1 && (o.check || o.out.empty() || o.out == "-")) {
+        throw InputError("several processes share the making of a file, and nothing else",
+                         "add --out FILE, or start one process");
+    }
+    if (!o.out.empty() && !o.check) {
+        if (o.out != "-" && !io::OutputTarget::of(o.out).special) {
+            return to_file(o, version);
+        }
+        io::check_output(o.out); // nothing is kept beside a device
+    }
+    conformance::Recipe recipe = conformance::read_recipe(o.recipe);
+    if (o.check) {
+        return check(o, recipe, version);
+    }
+    std::vector<conformance::Reference> values;
+    {
+        Progress progress("values");
+        values = references(recipe.questions, reference_options(o, recipe, progress));
+    }
+    emit(report::reference_table(recipe, values, version), output);
+    return 0;
+}
+
+} // namespace
+
+void add_table(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand("table", "a table of reference values from a recipe");
+    auto o = std::make_shared<TableOptions>();
+    sub->add_option("recipe", o->recipe, "the recipe (TOML)")->required();
+    sub->add_option("--out", o->out,
+                    "write to this file, whole or not at all; what is done of a long table is "
+                    "kept beside it (.part), and the same command goes on from there");
+    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
+    sub->add_option("--threads", o->threads,
+                    "threads (default: one a processor; one each of several processes that "
+                    "mpirun or srun started)");
+    sub->add_flag("--check", o->check,
+                  "make the table anew and compare it with --out (default: the .csv beside the "
+                  "recipe); exit 1 where a digit differs");
+    sub->add_option("--every", o->every, "with --check: every Nth row only");
+    sub->callback([o, &code, &app] { code = table(*o, app.version()); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/commands/table_in_parts.hpp"
+
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/conformance/questions/reference.hpp"
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/process_cleanup.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/parallel/distributed_work.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/report/tables/reference_table.hpp"
+
+#include <fmt/format.h>
+
+#include <sys/stat.h>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace edgeproof::cli {
+namespace {
+
+/// This very program: another may compute otherwise under the same version.
+std::string program_mark(const std::string& version) {
+    struct stat self {};
+    if (::stat("/proc/self/exe", &self) != 0) {
+        return version;
+    }
+    return fmt::format("{} {} {}.{}", version, self.st_size, self.st_mtim.tv_sec,
+                       self.st_mtim.tv_nsec);
+}
+
+/// A piece's rows, as the part file has them.
+parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
+                            const std::function<void()>& one) {
+    return [&recipe, one, rows = report::ReferenceRows(recipe)](std::size_t p) {
+        const conformance::RecipeGrid::Piece piece = recipe.piece(p);
+        const auto values = references_in_turn(piece.questions, recipe.digits(), one);
+        std::vector<io::CheckpointFile::Entry> entries;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            entries.push_back({piece.rows[k], !values[k].value.proved,
+                               report::csv_line(rows.row(piece.questions, k, values[k]))});
+        }
+        return io::CheckpointFile::body(entries);
+    };
+}
+
+/// Rows in their order out of a part file that has all pieces: a few are open at a time, since a
+/// contact's coefficients and pressures, which take turns among the rows, are in different ones.
+void each_row(const conformance::RecipeGrid& recipe, const io::CheckpointFile& part,
+              const std::function<void(const std::string&)>& take) {
+    struct Open {
+        std::vector<io::CheckpointFile::Entry> entries;
+        std::size_t at = 0;
+    };
+    std::map<std::size_t, Open> open;
+    for (std::size_t row = 0; row < recipe.rows(); ++row) {
+        const std::size_t p = recipe.piece_of(row);
+        auto found = open.find(p);
+        if (found == open.end()) {
+            found = open.emplace(p, Open{part.piece(p), 0}).first;
+        }
+        Open& o = found->second;
+        if (o.entries[o.at].index != row) {
+            throw Error(fmt::format("{} does not hold row {} where it should; delete it",
+                                    part.path().string(), row));
+        }
+        take(o.entries[o.at].text);
+        if (++o.at == o.entries.size()) {
+            open.erase(found);
+        }
+    }
+}
+
+void write(const report::Table& head, const conformance::RecipeGrid& recipe,
+           const io::CheckpointFile& part, report::TableFormat format,
+           const std::filesystem::path& file) {
+    if (format == report::TableFormat::csv) {
+        io::AtomicFile whole(file);
+        whole.write(write_table(head, format));
+        each_row(recipe, part, [&](const std::string& line) { whole.write(line); });
+        whole.commit();
+        return;
+    }
+    report::Table table = head;
+    each_row(recipe, part, [&](const std::string& line) {
+        table.rows.push_back(io::parse_csv(line, file.string()).header.cells);
+    });
+    io::write_whole(file, write_table(table, format));
+}
+
+} // namespace
+
+TableInParts::TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
+                           report::TableFormat format, std::string version)
+    : recipe_(recipe), file_(std::move(file)), format_(format), version_(std::move(version)) {}
+
+std::string TableInParts::sign() const {
+    return fmt::format("{} {:016x}", version_, recipe_.fingerprint());
+}
+
+void TableInParts::help(unsigned threads, parallel::Processes& processes) const {
+    follow_work(processes, sign(), threads, rows_of(recipe_, [] {}));
+}
+
+void TableInParts::open() {
+    part_.emplace(file_.string() + ".part",
+                  io::fnv1a(program_mark(version_), recipe_.fingerprint()), recipe_.pieces());
+}
+
+void TableInParts::make(unsigned threads, parallel::Processes* processes) {
+    const std::size_t total = recipe_.rows();
+    io::CheckpointFile& part = *part_;
+    bool cannot_keep = false;
+    const io::KeptNote note("what is done is kept in " + part.path().string() +
+                            "; the same command goes on from there");
+    try {
+        Progress progress("rows");
+        const auto open =
+            [&, p = std::size_t{0},
+             asking = std::make_shared<std::mutex>()]() mutable -> std::optional<std::size_t> {
+            const std::lock_guard lock(*asking);
+            while (p < recipe_.pieces() && part.has(p)) {
+                ++p;
+            }
+            return p < recipe_.pieces() ? std::optional(p++) : std::nullopt;
+        };
+        std::atomic<std::size_t> done{part.entries()};
+        progress(done, total);
+        const auto keep = [&](std::size_t p, const std::string& body) {
+            const std::size_t before = part.entries();
+            cannot_keep = true;
+            part.add(p, body);
+            cannot_keep = false;
+            if (processes != nullptr) { // else counted one by one
+                progress(done += part.entries() - before, total);
+            }
+        };
+        const auto one = [&] {
+            if (processes == nullptr) {
+                progress(++done, total);
+            }
+        };
+        const parallel::MakePiece rows = rows_of(recipe_, one);
+        if (processes == nullptr) {
+            parallel::work_alone(open, threads, rows, keep);
+        } else {
+            lead_work(*processes, sign(), open, threads, rows, keep);
+        }
+    } catch (const Interrupted&) {
+        throw Interrupted(
+            fmt::format("interrupted: {} of {} rows are kept in {}; the same command goes "
+                        "on from there",
+                        part.entries(), total, part.path().string()));
+    } catch (const parallel::ProcessFailure&) {
+        throw;
+    } catch (const Error&) {
+        if (!cannot_keep) {
+            part.remove(); // the recipe must be mended, and is another one then
+        }
+        throw;
+    }
+    const report::Table head = report::ReferenceRows(recipe_).table(
+        version_, total, part.marked(), [&](const auto& take) { each_row(recipe_, part, take); });
+    write(head, recipe_, part, format_, file_);
+    part.remove();
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/run.hpp"
+#include "edgeproof/cli/claim_errors.hpp"
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/io/scratch.hpp"
+#include "edgeproof/io/staged_folder.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace edgeproof::cli {
+namespace {
+
+struct VerifyOptions {
+    std::string ledger;
+    long long digits = 50;
+    std::string out;
+    std::string only = "*";
+    int threads = 0;
+    bool record = false;
+    bool strict = false;
+};
+
+constexpr long long most_digits_of_a_formula = 10000;
+
+/// Exit status of --strict: some claim does not hold.
+bool some_claim_fails(const audit::AuditResult& result) {
+    return std::any_of(result.claims.begin(), result.claims.end(),
+                       [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); });
+}
+
+void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
+                 io::StagedFolder& staged, int threads) {
+    try {
+        const std::filesystem::path& out = staged.path();
+        io::write_whole(out / "verdicts.json", report::verdicts_json(result));
+        io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
+        io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
+        io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
+        report::write_html_report(result, ledger, out, threads);
+    } catch (const InputError& error) {
+        throw staged.told(error);
+    }
+    staged.commit();
+}
+
+int verify(const VerifyOptions& o) {
+    if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
+        throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
+                         "give a number of digits from 10 to " +
+                             std::to_string(most_digits_of_a_formula));
+    }
+    if (o.record && o.only != "*") {
+        throw InputError("--record with --only would forget the other claims",
+                         "record all of them");
+    }
+    const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
+    if (ledger.claims.empty() && !ledger.errors.empty()) {
+        return report_claim_errors(ledger.errors);
+    }
+    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after
+    if (!o.out.empty()) {
+        staged.emplace(o.out);
+        const io::Scratch usable; // the figures need one
+    }
+    audit::AuditOptions options;
+    options.digits = static_cast<unsigned>(o.digits);
+    options.threads = o.threads;
+    options.only = o.only;
+    options.errors = audit::ClaimErrors::kept;
+    audit::AuditResult result;
+    {
+        Progress progress("claims");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        result = run_audit(ledger, options);
+    }
+    if (staged) {
+        write_files(result, ledger, *staged, o.threads);
+    }
+    std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
+               stdout);
+
+    if (!result.errors.empty()) {
+        std::printf("%zu of %zu claims could not be judged\n", result.errors.size(),
+                    result.errors.size() + result.claims.size());
+        return report_claim_errors(result.errors); // nothing is recorded, or held against what is
+    }
+    const int failing = o.strict && some_claim_fails(result) ? 1 : 0;
+    const std::filesystem::path golden = report::golden_file(o.ledger);
+    if (o.record) {
+        io::write_whole(golden, report::golden_text(result));
+        std::printf("recorded in %s\n", golden.string().c_str());
+        return failing;
+    }
+    if (!std::filesystem::exists(golden)) {
+        return failing;
+    }
+    const std::vector<std::string> differences = report::golden_differences(result, golden, o.only);
+    for (const std::string& line : differences) {
+        std::printf("differs from %s: %s\n", golden.filename().string().c_str(), line.c_str());
+    }
+    if (differences.empty()) {
+        std::printf("as recorded in %s\n", golden.filename().string().c_str());
+    }
+    return differences.empty() ? failing : 1;
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, int& code) {
+    CLI::App* sub =
+        app.add_subcommand("verify", "hold a ledger of printed claims to the mechanics");
+    auto o = std::make_shared<VerifyOptions>();
+    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
+    sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
+    sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md, .tex and report.html");
+    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
+    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
+        ->check(CLI::Range(0, 1024));
+    sub->add_flag("--record", o->record, "write the golden verdicts beside the ledger");
+    sub->add_flag("--strict", o->strict,
+                  "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
+                  "and definition");
+    sub->callback([o, &code] { code = verify(*o); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/answers/answers.hpp"
+
+#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+constexpr std::size_t longest_shown = 40;
+
+/// Reads rows into questions; equal parameters make one contact.
+class Echo {
+public:
+    Echo(const io::Csv& csv, Questions& questions) : csv_(csv), to_(questions) {
+        for (const std::string_view key : parameter_keys()) {
+            // P, M and alpha are parameters here; as quantities they stand in their own column.
+            if (const auto at = csv.column(key)) {
+                keys_.emplace_back(std::string(key), *at);
+            }
+        }
+        quantity_ = csv.column("quantity");
+        edge_ = csv.column("edge");
+        u_ = csv.column("u");
+        tolerance_ = csv.column("tolerance");
+    }
+    [[nodiscard]] bool possible() const { return quantity_ && !keys_.empty(); }
+
+    [[nodiscard]] Question read(const io::Csv::Row& row, const std::string& id) {
+        Question q;
+        q.id = id;
+        q.line = row.line;
+        const auto wanted = wanted_named(row.cells[*quantity_]);
+        if (!wanted) {
+            reject(row, "unknown quantity '" + row.cells[*quantity_] + "'",
+                   "keep the question's cells as they are and add the value");
+        }
+        q.wanted = *wanted;
+        q.contact = contact_of(row);
+        check_askable(to_.contacts[q.contact], q.wanted, csv_.file, row.line);
+        if (q.wanted.at_edge()) {
+            const std::string edge = edge_ ? row.cells[*edge_] : "";
+            if (edge != "right" && edge != "left") {
+                reject(row, "there is no edge '" + edge + "'", "write right or left");
+            }
+            q.edge = edge == "right" ? contact::Edge::right : contact::Edge::left;
+        }
+        if (q.wanted.at_point()) {
+            q.u = point_of(row);
+        }
+        if (q.wanted.of_terms()) {
+            try {
+                q.tolerance = scene::parse_tolerance(tolerance_ ? row.cells[*tolerance_] : "");
+            } catch (const InputError& error) {
+                reject(row, error.problem(), "repeat the tolerance of the question");
+            }
+        }
+        return q;
+    }
+
+private:
+    [[noreturn]] void reject(const io::Csv::Row& row, const std::string& problem,
+                             const std::string& instead) const {
+        throw InputError(problem, instead).at(csv_.file, row.line);
+    }
+    [[nodiscard]] std::size_t contact_of(const io::Csv::Row& row) {
+        std::string all;
+        std::vector<Parameter> parameters;
+        for (const auto& [key, at] : keys_) {
+            all += row.cells[at] + "\n";
+            if (!row.cells[at].empty()) {
+                parameters.push_back({key, row.cells[at], row.line});
+            }
+        }
+        const auto [found, is_new] = known_.emplace(all, to_.contacts.size());
+        if (is_new) {
+            to_.contacts.push_back(make_asked_contact(std::move(parameters), csv_.file, row.line));
+        }
+        return found->second;
+    }
+    [[nodiscard]] formula::Exact point_of(const io::Csv::Row& row) const {
+        const std::string text = u_ ? row.cells[*u_] : "";
+        try {
+            // A point outside the contact is a row without a reference, no reason to stop.
+            formula::Exact u = formula::Exact::parse(text);
+            return u;
+        } catch (const Error& error) {
+            reject(row, "u = '" + text + "' is no number", "repeat the u of the question");
+        }
+    }
+
+    const io::Csv& csv_;
+    Questions& to_;
+    std::vector<std::pair<std::string, std::size_t>> keys_;
+    std::optional<std::size_t> quantity_;
+    std::optional<std::size_t> edge_;
+    std::optional<std::size_t> u_;
+    std::optional<std::size_t> tolerance_;
+    std::map<std::string, std::size_t> known_;
+};
+
+std::string place(const io::Csv& csv, std::size_t line) {
+    return csv.file + ":" + std::to_string(line) + ": ";
+}
+
+/// The columns that every file of answers has.
+struct Columns {
+    std::size_t id;
+    std::size_t value;
+};
+Columns columns_of(const io::Csv& csv) {
+    const auto id = csv.column("id");
+    const auto value = csv.column("value");
+    if (!id || !value) {
+        throw InputError(std::string("there is no column ") + (id ? "value" : "id"),
+                         "answer the questions of `edgeproof points` and add a column value; "
+                         "commas, semicolons or tabs separate columns")
+            .at(csv.file, csv.header.line);
+    }
+    std::set<std::string_view> names;
+    for (const std::string& name : csv.header.cells) {
+        if (!name.empty() && !names.insert(name).second) {
+            throw InputError("two columns are called " + name.substr(0, longest_shown),
+                             "give each column a name of its own")
+                .at(csv.file, csv.header.line);
+        }
+    }
+    return {*id, *value};
+}
+
+/// The answers with points for decimal commas where commas do not separate: a spreadsheet of such a
+/// country writes all numbers so. Ids and texts stay as they are.
+io::Csv with_decimal_points(io::Csv csv) {
+    const auto id = csv.column("id");
+    if (csv.separator == ',') {
+        return csv;
+    }
+    for (io::Csv::Row& row : csv.rows) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if (i != id) {
+                row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
+            }
+        }
+    }
+    return csv;
+}
+
+/// A row that can be read, of as many cells as the header has, or a fault.
+bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>& faults) {
+    const std::size_t needed = csv.header.cells.size();
+    if (row.fault.empty() && row.cells.size() == needed) {
+        return true;
+    }
+    const std::string begins = row.cells.front().substr(0, longest_shown);
+    const bool commas = csv.separator == ',' && row.cells.size() > needed;
+    faults.push_back(place(csv, row.line) + "garbage: " +
+                     (!row.fault.empty() ? row.fault
+                                         : std::to_string(row.cells.size()) + " cells, not " +
+                                               std::to_string(needed)) +
+                     ": \"" + begins + "\"" +
+                     (row.fault.empty() && commas ? " (decimal commas? write points, or separate "
+                                                    "by semicolons)"
+                                                  : ""));
+    return false;
+}
+
+/// Whether a repeated number is the one that was asked, but for its rounding, in single precision
+/// at worst.
+bool same_number(const formula::Exact& echoed, const formula::Exact& asked) {
+    constexpr double rounding = 1e-6;
+    if (echoed.text() == asked.text()) {
+        return true;
+    }
+    return abs(Real(echoed.to<Real>() / asked.to<Real>() - 1)) <= rounding;
+}
+
+bool same_parameter(const Parameter& echoed, const Parameter& asked) {
+    if (echoed.text == asked.text || is_word_key(asked.key)) {
+        return echoed.text == asked.text;
+    }
+    const auto items = [&](const Parameter& p) {
+        return is_list_key(p.key) ? list_items(p.text) : std::vector<std::string>{p.text};
+    };
+    const auto ours = items(asked);
+    const auto theirs = items(echoed);
+    return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                      [](const std::string& x, const std::string& y) {
+                          return x == y ||
+                                 same_number(formula::Exact::parse(x), formula::Exact::parse(y));
+                      });
+}
+
+bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
+    return std::is_permutation(echoed.parameters.begin(), echoed.parameters.end(),
+                               asked.parameters.begin(), asked.parameters.end(),
+                               [](const Parameter& x, const Parameter& y) {
+                                   return x.key == y.key && same_parameter(x, y);
+                               });
+}
+
+bool same_question(const Question& echoed, const Question& asked) {
+    return echoed.wanted == asked.wanted && echoed.edge == asked.edge &&
+           (!asked.u || same_number(*echoed.u, *asked.u)) &&
+           (!asked.tolerance || same_number(*echoed.tolerance, *asked.tolerance));
+}
+
+} // namespace
+
+Answer read_answer(std::string_view given) {
+    Answer answer;
+    answer.text = std::string(given);
+    WrittenNumber number = written_number(given);
+    switch (number.kind) {
+    case WrittenNumber::Kind::number:
+        answer.state = Answer::State::number;
+        answer.value = std::move(number.value);
+        break;
+    case WrittenNumber::Kind::nan:
+        answer.state = Answer::State::nan;
+        break;
+    case WrittenNumber::Kind::infinite:
+        answer.state = Answer::State::infinite;
+        break;
+    case WrittenNumber::Kind::other:
+        answer.state = given.empty() ? Answer::State::missing : Answer::State::garbage;
+        break;
+    }
+    return answer;
+}
+
+Answers echoed_answers(const io::Csv& given) {
+    const io::Csv csv = with_decimal_points(given);
+    const Columns columns = columns_of(csv);
+    Answers answers;
+    answers.questions.file = csv.file;
+    Echo echo(csv, answers.questions);
+    if (!echo.possible()) {
+        throw InputError("the answers do not say what they answer",
+                         "keep the columns of `edgeproof points`, or give --recipe RECIPE.toml")
+            .at(csv.file, csv.header.line);
+    }
+    std::map<std::string, std::size_t> lines;
+    for (const io::Csv::Row& row : csv.rows) {
+        if (!whole(csv, row, answers.faults)) {
+            continue;
+        }
+        const std::string& id = row.cells[columns.id];
+        const auto [first, is_new] = lines.emplace(id, row.line);
+        if (!is_new) {
+            answers.faults.push_back(place(csv, row.line) + id +
+                                     " is answered twice, first in line " +
+                                     std::to_string(first->second));
+            continue;
+        }
+        answers.questions.list.push_back(echo.read(row, id));
+        answers.given.push_back(read_answer(row.cells[columns.value]));
+        answers.given.back().line = row.line;
+    }
+    constexpr std::string_view note_begins = "questions: ";
+    for (const std::string& note : csv.notes) {
+        std::size_t asked = 0;
+        const char* const end = note.data() + note.size();
+        if (note.starts_with(note_begins) &&
+            std::from_chars(note.data() + note_begins.size(), end, asked).ec == std::errc{} &&
+            asked > lines.size()) {
+            answers.faults.push_back(place(csv, csv.header.line) + std::to_string(asked) +
+                                     " questions were asked and " + std::to_string(lines.size()) +
+                                     " are answered (--recipe says which are missing)");
+        }
+    }
+    return answers;
+}
+
+Answers answers_to(const Questions& asked, const io::Csv& given) {
+    const io::Csv csv = with_decimal_points(given);
+    const Columns columns = columns_of(csv);
+    Answers answers;
+    answers.questions = asked;
+    answers.given.resize(asked.list.size());
+    answers.questions.file = csv.file;
+    Echo echo(csv, answers.questions);
+    std::map<std::string_view, std::size_t> index;
+    for (std::size_t i = 0; i < asked.list.size(); ++i) {
+        index.emplace(asked.list[i].id, i);
+    }
+    std::map<std::pair<std::size_t, std::size_t>, bool> same_contacts;
+    std::size_t next = 0;
+    for (const io::Csv::Row& row : csv.rows) {
+        if (!whole(csv, row, answers.faults)) {
+            continue;
+        }
+        const std::string& id = row.cells[columns.id];
+        const auto found = index.find(id);
+        if (found == index.end()) {
+            answers.faults.push_back(place(csv, row.line) + "'" + id.substr(0, longest_shown) +
+                                     "' was not asked");
+            continue;
+        }
+        const std::size_t i = found->second;
+        Answer& answer = answers.given[i];
+        if (answer.line != 0) {
+            answers.faults.push_back(place(csv, row.line) + id +
+                                     " is answered twice, first in line " +
+                                     std::to_string(answer.line));
+            continue;
+        }
+        answers.out_of_order += i < next ? 1 : 0; // its id says what it answers
+        next = std::max(next, i + 1);
+        answer = read_answer(row.cells[columns.value]);
+        answer.line = row.line;
+        if (echo.possible()) {
+            const Question& echoed = answers.questions.list[i] = echo.read(row, id);
+            if (!same_question(echoed, asked.list[i])) {
+                answers.faults.push_back(place(csv, row.line) + id +
+                                         " repeats another quantity, edge, u or tolerance than was "
+                                         "asked");
+            }
+            const auto [known, is_new] =
+                same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
+            if (is_new) {
+                known->second = same_contact(answers.questions.contacts[echoed.contact],
+                                             asked.contacts[asked.list[i].contact]);
+            }
+            if (!known->second) {
+                answers.faults.push_back(place(csv, row.line) + id +
+                                         " repeats another contact than was asked");
+            }
+        }
+    }
+    return answers;
+}
+
+} // namespace edgeproof::conformance

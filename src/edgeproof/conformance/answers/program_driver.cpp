@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/answers/program_driver.hpp"
+
+#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+constexpr std::size_t hopeless_questions = 3;
+// What a run may write, and what is kept of it: generous to long answers, and bounded.
+constexpr std::size_t bytes_of_a_run = 1'000'000;
+constexpr std::size_t bytes_an_answer = 128'000;
+constexpr std::size_t most_bytes = 200'000'000;
+constexpr std::size_t rows_of_a_run = 1000;
+const std::string program_name = "the program";
+
+using Batch = std::vector<std::size_t>;
+
+io::Csv rows_of(const std::string& output, Lines lines, const std::string& name,
+                std::size_t most_rows) {
+    if (lines == Lines::json) {
+        return parse_json_lines(output, name, most_rows);
+    }
+    io::Csv csv = io::parse_csv(output, name, {true, most_rows});
+    const auto id = csv.column("id");
+    const auto value = csv.column("value");
+    if (id && value) {
+        const std::size_t cells = csv.header.cells.size();
+        csv.header.cells = {"id", "value"};
+        for (io::Csv::Row& row : csv.rows) {
+            // A row that is not whole must not look as if it were.
+            row.cells = row.cells.size() == cells ? std::vector{row.cells[*id], row.cells[*value]}
+                                                  : std::vector{row.cells.front()};
+        }
+    }
+    return csv;
+}
+
+class ProgramDriver {
+public:
+    ProgramDriver(const Questions& asked, const ProgramDriverOptions& options)
+        : asked_(asked), options_(options) {
+        answers_.questions = asked;
+        answers_.questions.file = program_name;
+        answers_.given.resize(asked.list.size());
+        for (std::size_t at = 0; at < asked.list.size(); at += options.batch) {
+            Batch batch(std::min(options.batch, asked.list.size() - at));
+            std::iota(batch.begin(), batch.end(), at);
+            open_.push_back(std::move(batch));
+        }
+        several_ = open_.size() > 1;
+    }
+
+    Answers run() {
+        while (!open_.empty() && !given_up()) {
+            const Batch batch = std::move(open_.front());
+            open_.pop_front();
+            ask(batch);
+            if (options_.progress) {
+                std::size_t left = 0;
+                for (const Batch& b : open_) {
+                    left += b.size();
+                }
+                options_.progress(asked_.list.size() - left, asked_.list.size());
+            }
+        }
+        return std::move(answers_);
+    }
+
+private:
+    bool given_up() {
+        const bool hopeless = !answered_ && ended_by_ >= hopeless_questions;
+        if (!hopeless && runs_ < options_.runs) {
+            return false;
+        }
+        std::size_t left = 0;
+        for (const Batch& batch : open_) {
+            left += batch.size();
+        }
+        answers_.faults.push_back(program_name + " is given up after " + std::to_string(runs_) +
+                                  (hopeless ? " runs that answered nothing, the last of which "
+                                            : " runs (--runs), the last bad one of which ") +
+                                  (last_ending_.empty() ? "ended well" : last_ending_) + "; " +
+                                  std::to_string(left) + " questions are not asked again");
+        return true;
+    }
+
+    void ask(const Batch& batch) {
+        Questions part;
+        part.file = asked_.file;
+        part.contacts = asked_.contacts;
+        for (const std::size_t i : batch) {
+            part.list.push_back(asked_.list[i]);
+        }
+        const std::string text =
+            options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
+        ++runs_;
+        io::ProgramRun run = run_program(call_for(batch.size(), text));
+        const std::string name =
+            several_ || runs_ > 1 ? program_name + ", run " + std::to_string(runs_) : program_name;
+        const std::string ending = run.ending();
+        if (!ending.empty()) {
+            // It may have ended within a number: what is left of that is another number.
+            run.output.resize(run.output.rfind('\n') + 1); // npos + 1 is 0
+        }
+        Answers answers;
+        answers.given.resize(batch.size());
+        try {
+            const std::size_t most_rows = rows_of_a_run + 2 * batch.size();
+            const io::Csv rows = rows_of(run.output, options_.lines, name, most_rows);
+            answers = answers_to(part, rows);
+            if (rows.cut) {
+                answers.faults.push_back(name + ": more than " + std::to_string(most_rows) +
+                                         " rows to " + std::to_string(batch.size()) +
+                                         " questions; the rest is not read");
+            }
+        } catch (const InputError& error) {
+            if (ending.empty()) {
+                answers.faults.emplace_back(error.what());
+            }
+        }
+        Batch left;
+        for (std::size_t k = 0; k < batch.size(); ++k) {
+            if (answers.given[k].line == 0) {
+                left.push_back(batch[k]);
+            } else {
+                answers_.given[batch[k]] = answers.given[k];
+            }
+        }
+        answers_.out_of_order += answers.out_of_order;
+        std::move(answers.faults.begin(), answers.faults.end(),
+                  std::back_inserter(answers_.faults));
+        const bool some = left.size() < batch.size();
+        answered_ = answered_ || some;
+        keeps_back_ = keeps_back_ || (some && batch.size() == 1 && suspect_ == batch.front());
+        if (ending.empty()) {
+            return; // what is left is missing
+        }
+        last_ending_ = ending;
+        if (left.empty()) {
+            answers_.faults.push_back(program_name + " " + ending + ", all answered");
+        } else if (batch.size() == 1) {
+            ++ended_by_;
+            Answer& answer = answers_.given[left.front()];
+            answer.state = Answer::State::died;
+            answer.text = ending;
+        } else {
+            divide(left, some);
+        }
+    }
+
+    io::ProgramCall call_for(std::size_t questions, const std::string& text) const {
+        io::ProgramCall call = io::shell_call(options_.command);
+        call.input = text;
+        call.seconds = options_.seconds;
+        call.most_output = std::min(bytes_of_a_run + bytes_an_answer * questions, most_bytes);
+        call.said = options_.said;
+        return call;
+    }
+
+    /// What a run that ended badly has not answered is asked again, in smaller batches.
+    void divide(const Batch& left, bool some) {
+        if (!answered_ && ended_by_ == 0 && left.size() > hopeless_questions) {
+            // Does it answer anything at all? The first, the last and the middle one tell.
+            const std::size_t middle = left.size() / 2;
+            halve(Batch(left.begin() + 1, left.begin() + static_cast<long>(middle)),
+                  Batch(left.begin() + static_cast<long>(middle) + 1, left.end() - 1));
+            for (const std::size_t i : {left[middle], left.back(), left.front()}) {
+                open_.push_front({i});
+            }
+            return;
+        }
+        // One that writes as it goes was ended by the first without an answer. One that keeps its
+        // answers back tells nothing: from when that is seen on, halves.
+        const bool as_it_goes = some && !keeps_back_;
+        const std::size_t first = as_it_goes ? 1 : (left.size() + 1) / 2;
+        const auto middle = left.begin() + static_cast<long>(first);
+        suspect_ = as_it_goes ? std::optional(left.front()) : std::nullopt;
+        halve(Batch(left.begin(), middle), Batch(middle, left.end()));
+    }
+    void halve(Batch first, Batch second) {
+        for (Batch* half : {&second, &first}) {
+            if (!half->empty()) {
+                open_.push_front(std::move(*half));
+            }
+        }
+    }
+
+    const Questions& asked_;
+    const ProgramDriverOptions& options_;
+    Answers answers_;
+    std::deque<Batch> open_;
+    bool several_ = false;
+    bool answered_ = false;
+    std::size_t runs_ = 0;
+    std::size_t ended_by_ = 0; ///< questions that ended it, asked alone
+    std::optional<std::size_t> suspect_;
+    bool keeps_back_ = false;
+    std::string last_ending_;
+};
+
+} // namespace
+
+Answers interview(const Questions& asked, const ProgramDriverOptions& options) {
+    return ProgramDriver(asked, options).run();
+}
+
+} // namespace edgeproof::conformance

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/corruption.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <random>
+#include <set>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+constexpr std::size_t digits_of_a_double = 15;
+constexpr std::size_t most_attempts = 1000;
+
+// They stand for quotes that a cell must not have, until it is written.
+const std::string quote_begins = "\x01";
+const std::string quote_ends = "\x02";
+
+std::string with_text_behind_quotes(std::string text) {
+    for (const auto& [mark, written] :
+         {std::pair{quote_begins, "\""}, std::pair{quote_ends, "\"999"}}) {
+        const std::size_t at = text.find(mark);
+        if (at != std::string::npos) {
+            text.replace(at, mark.size(), written);
+        }
+    }
+    return text;
+}
+
+class Spoiler {
+public:
+    Spoiler(const io::Csv& right, std::uint64_t seed) : right_(right), random_(seed) {
+        const auto id = right.column("id");
+        const auto value = right.column("value");
+        if (!id || !value || right.rows.size() < 3) {
+            throw InputError("too few answers to spoil", "give a recipe with more of them");
+        }
+        id_ = *id;
+        value_ = *value;
+        quantity_ = right.column("quantity");
+        edge_ = right.column("edge");
+        u_ = right.column("u");
+    }
+
+    /// Tries until something is really wrong.
+    Corruption spoil(std::size_t kind) {
+        const auto& [name, change] = kinds()[kind % kinds().size()];
+        for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+            io::Csv csv = right_;
+            const std::string what = with_text_behind_quotes(change(*this, csv));
+            std::string text = with_text_behind_quotes(csv_text(csv));
+            if (!what.empty() && cut_ > 0) {
+                text.resize(std::exchange(cut_, 0));
+            }
+            if (!what.empty()) {
+                return {name, what, text};
+            }
+        }
+        return {};
+    }
+
+    using Change = std::function<std::string(Spoiler&, io::Csv&)>;
+    static const std::vector<std::pair<std::string, Change>>& kinds();
+
+private:
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+    std::size_t row(const io::Csv& csv) { return below(csv.rows.size()); }
+    static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+    /// Every digit of it.
+    static std::string text(double x) { return exact_text(Rational(x)); }
+    [[nodiscard]] std::string& value(io::Csv& csv, std::size_t r) const {
+        return csv.rows[r].cells[value_];
+    }
+    [[nodiscard]] std::string told(const io::Csv& csv, std::size_t r) const {
+        return right_.rows[r].cells[id_] + ": " + right_.rows[r].cells[value_] + " to " +
+               csv.rows[r].cells[value_];
+    }
+    /// A row with a value that is not zero, put through f; nothing where f changes nothing.
+    std::string one(io::Csv& csv, const std::function<std::string(const std::string&)>& f) {
+        const std::size_t r = row(csv);
+        std::string& v = value(csv, r);
+        const std::string was = v;
+        if (number(v) == 0) {
+            return {};
+        }
+        v = f(v);
+        return v == was ? std::string{} : told(csv, r);
+    }
+    std::string all(io::Csv& csv, const std::function<double(double)>& f) {
+        bool any = false;
+        for (std::size_t r = 0; r < csv.rows.size(); ++r) {
+            const double x = number(value(csv, r));
+            any = any || f(x) != x;
+            value(csv, r) = text(f(x));
+        }
+        return any ? "every value" : "";
+    }
+    /// Places of the digits that count.
+    static std::vector<std::size_t> digits(const std::string& v) {
+        std::vector<std::size_t> places;
+        for (std::size_t i = 0; i < v.size() && v[i] != 'e'; ++i) {
+            const bool digit = v[i] >= '0' && v[i] <= '9';
+            if (digit && (v[i] != '0' || !places.empty()) && places.size() < digits_of_a_double) {
+                places.push_back(i);
+            }
+        }
+        return places;
+    }
+    std::string digit(io::Csv& csv) {
+        return one(csv, [&](std::string v) {
+            const auto places = digits(v);
+            char& c = v[places[below(places.size())]];
+            c = static_cast<char>('0' + (c - '0' + 1 + static_cast<int>(below(9))) % 10);
+            return v;
+        });
+    }
+    std::string transposed(io::Csv& csv) {
+        return one(csv, [&](std::string v) {
+            const auto places = digits(v);
+            const std::size_t k = below(places.size());
+            if (k + 1 < places.size()) {
+                std::swap(v[places[k]], v[places[k + 1]]);
+            }
+            return v;
+        });
+    }
+    std::string shifted(io::Csv& csv) {
+        const std::size_t from = row(csv);
+        bool any = false;
+        for (std::size_t r = csv.rows.size() - 1; r > from; --r) {
+            any = any || value(csv, r) != right_.rows[r - 1].cells[value_];
+            value(csv, r) = right_.rows[r - 1].cells[value_];
+        }
+        return any ? "from " + right_.rows[from].cells[id_] + " on" : "";
+    }
+    std::string exchanged(io::Csv& csv) {
+        const std::size_t r = row(csv);
+        const std::size_t other = row(csv);
+        std::swap(value(csv, r), value(csv, other));
+        return value(csv, r) == value(csv, other) ? "" : told(csv, r);
+    }
+    /// The values of the same question at the two edges.
+    std::string other_edge(io::Csv& csv) {
+        const std::size_t r = row(csv);
+        const std::string& id = right_.rows[r].cells[id_];
+        const std::size_t at = id.find(":left:");
+        if (at == std::string::npos) {
+            return {};
+        }
+        const std::string other = id.substr(0, at) + ":right:" + id.substr(at + 6);
+        for (std::size_t k = 0; k < csv.rows.size(); ++k) {
+            if (right_.rows[k].cells[id_] == other) {
+                std::swap(value(csv, r), value(csv, k));
+                return value(csv, r) == value(csv, k) ? "" : told(csv, r);
+            }
+        }
+        return {};
+    }
+    /// All values of one quantity times a factor.
+    std::string quantity(io::Csv& csv, double factor) {
+        const std::size_t chosen = row(csv);
+        if (!quantity_ || number(value(csv, chosen)) == 0) {
+            return {};
+        }
+        const std::string name = csv.rows[chosen].cells[*quantity_];
+        for (std::size_t r = 0; r < csv.rows.size(); ++r) {
+            if (csv.rows[r].cells[*quantity_] == name) {
+                value(csv, r) = text(number(value(csv, r)) * factor);
+            }
+        }
+        return name;
+    }
+    std::string echoed(io::Csv& csv) {
+        const std::size_t r = row(csv);
+        const std::size_t other = row(csv);
+        if (!u_ || csv.rows[r].cells[*u_].empty() || csv.rows[other].cells[*u_].empty() ||
+            csv.rows[r].cells[*u_] == csv.rows[other].cells[*u_]) {
+            return {};
+        }
+        csv.rows[r].cells[*u_] = csv.rows[other].cells[*u_];
+        return right_.rows[r].cells[id_];
+    }
+    std::string lost(io::Csv& csv) {
+        const std::size_t r = row(csv);
+        csv.rows.erase(csv.rows.begin() + static_cast<long>(r));
+        return right_.rows[r].cells[id_];
+    }
+    std::string twice(io::Csv& csv) {
+        const std::size_t r = row(csv);
+        const io::Csv::Row again = csv.rows[r];
+        csv.rows.insert(csv.rows.begin() + static_cast<long>(r), again);
+        return right_.rows[r].cells[id_];
+    }
+    /// Cut anywhere behind the header, but for the last line's end and its digits beyond the 15th.
+    std::string truncated(io::Csv& csv) {
+        const std::size_t size = csv_text(csv).size();
+        const std::size_t header = header_text(csv).size();
+        cut_ = header + below(size - header - 5);
+        return "after " + std::to_string(cut_) + " bytes";
+    }
+
+    static std::string header_text(const io::Csv& csv) {
+        io::Csv alone;
+        alone.header = csv.header;
+        return csv_text(alone);
+    }
+
+    const io::Csv& right_;
+    std::mt19937_64 random_;
+    std::size_t id_ = 0;
+    std::size_t value_ = 0;
+    std::optional<std::size_t> quantity_;
+    std::optional<std::size_t> edge_;
+    std::optional<std::size_t> u_;
+    std::size_t cut_ = 0;
+};
+
+const std::vector<std::pair<std::string, Spoiler::Change>>& Spoiler::kinds() {
+    using S = Spoiler&;
+    const auto one = [](auto f) {
+        return [f](S s, io::Csv& csv) {
+            return s.one(csv, [&](const std::string& v) { return std::string(f(v)); });
+        };
+    };
+    const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    static const std::vector<std::pair<std::string, Change>> all{
+        {"one digit of one value", [](S s, io::Csv& csv) { return s.digit(csv); }},
+        {"two digits of one value transposed", [](S s, io::Csv& csv) { return s.transposed(csv); }},
+        {"last bit of one value", one([](const std::string& v) {
+             return text(std::nextafter(number(v), std::numeric_limits<double>::infinity()));
+         })},
+        {"one sign lost",
+         one([](const std::string& v) { return v.front() == '-' ? v.substr(1) : "-" + v; })},
+        {"one power of ten", one([](const std::string& v) { return text(number(v) * 10); })},
+        {"values shifted by a row", [](S s, io::Csv& csv) { return s.shifted(csv); }},
+        {"two values exchanged", [](S s, io::Csv& csv) { return s.exchanged(csv); }},
+        {"left and right exchanged", [](S s, io::Csv& csv) { return s.other_edge(csv); }},
+        {"single precision in one value",
+         one([single](const std::string& v) { return text(single(number(v))); })},
+        {"single precision throughout", [single](S s, io::Csv& csv) { return s.all(csv, single); }},
+        {"all off by 1e-13",
+         [](S s, io::Csv& csv) { return s.all(csv, [](double x) { return x * (1 + 1e-13); }); }},
+        {"one quantity doubled", [](S s, io::Csv& csv) { return s.quantity(csv, 2); }},
+        {"one quantity off by 1e-14", [](S s, io::Csv& csv) { return s.quantity(csv, 1 + 1e-14); }},
+        {"one value cut to 10 digits",
+         one([](const std::string& v) { return fmt::format("{:.10g}", number(v)); })},
+        {"another u repeated", [](S s, io::Csv& csv) { return s.echoed(csv); }},
+        {"a row lost", [](S s, io::Csv& csv) { return s.lost(csv); }},
+        {"a row twice", [](S s, io::Csv& csv) { return s.twice(csv); }},
+        {"file cut off", [](S s, io::Csv& csv) { return s.truncated(csv); }},
+        {"nan", one([](const std::string&) { return "nan"; })},
+        {"inf", one([](const std::string&) { return "-inf"; })},
+        {"an empty value", one([](const std::string&) { return ""; })},
+        {"garbage", one([](const std::string& v) { return v + " MPa"; })},
+        {"two signs", one([](const std::string& v) { return "+-" + v; })},
+        {"a NUL byte", one([](const std::string& v) { return v + '\0'; })},
+        {"text behind a closing quote",
+         one([](const std::string& v) { return quote_begins + v + quote_ends; })},
+        {"a decimal comma", one([](std::string v) {
+             const std::size_t point = v.find('.');
+             return point == std::string::npos ? v : v.replace(point, 1, ",");
+         })},
+    };
+    return all;
+}
+
+std::string cell(const std::string& text) {
+    if (text.find_first_of("\",\n") == std::string::npos) {
+        return text;
+    }
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return out + "\"";
+}
+
+} // namespace
+
+std::string csv_text(const io::Csv& csv) {
+    std::string out;
+    const auto add = [&](const std::vector<std::string>& cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            out += (i == 0 ? "" : ",") + cell(cells[i]);
+        }
+        out += "\n";
+    };
+    add(csv.header.cells);
+    for (const io::Csv::Row& row : csv.rows) {
+        add(row.cells);
+    }
+    return out;
+}
+
+std::vector<Corruption> corruptions(const io::Csv& right, std::uint64_t seed, std::size_t count) {
+    Spoiler spoiler(right, seed);
+    std::vector<Corruption> list;
+    for (std::size_t kind = 0; list.size() < count; ++kind) {
+        Corruption spoilt = spoiler.spoil(kind);
+        if (!spoilt.kind.empty()) {
+            list.push_back(std::move(spoilt));
+        }
+    }
+    return list;
+}
+
+} // namespace edgeproof::conformance

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/unit_mistake.hpp"
+
+#include "edgeproof/conformance/causes/convention_rule.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+using convention_rule::digits_between;
+using convention_rule::enough;
+using convention_rule::least_digits;
+using convention_rule::least_rows;
+using convention_rule::most_digits;
+
+constexpr std::size_t most_rows_of_a_family = 60; // enough to tell which readings to hold to all
+constexpr unsigned reading_digits = 30;
+
+using Parameters = std::vector<Parameter>;
+
+std::string* find(Parameters& parameters, std::string_view key) {
+    for (Parameter& p : parameters) {
+        if (p.key == key) {
+            return &p.text;
+        }
+    }
+    return nullptr;
+}
+
+/// Puts each of the parameters that there are through `form`, where % stands for the text.
+bool replaced(Parameters& parameters, const std::vector<std::string_view>& keys,
+              const std::string& form) {
+    bool any = false;
+    for (const std::string_view key : keys) {
+        std::string* const text = find(parameters, key);
+        if (text != nullptr && formula::Exact::parse(*text).sign() != 0) {
+            std::string changed = form;
+            changed.replace(changed.find('%'), 1, "(" + *text + ")");
+            *text = changed;
+            any = true;
+        }
+    }
+    return any;
+}
+
+/// The moduli and Poisson's ratios, as one modulus.
+bool modulus(Parameters& parameters, const std::string& form) {
+    const std::string* const e1 = find(parameters, "E1");
+    const std::string* const nu1 = find(parameters, "nu1");
+    const std::string* const e2 = find(parameters, "E2");
+    if (e1 == nullptr || nu1 == nullptr || e2 == nullptr) {
+        return false;
+    }
+    std::string text;
+    for (const char c : form) {
+        text += c == '1'   ? "(" + *e1 + ")"
+                : c == '2' ? "(" + *e2 + ")"
+                : c == 'n' ? "(" + *nu1 + ")"
+                : c == 'I' ? "1"
+                           : std::string(1, c);
+    }
+    std::erase_if(parameters, [](const Parameter& p) {
+        return p.key == "E1" || p.key == "E2" || p.key == "nu1" || p.key == "nu2";
+    });
+    parameters.push_back({"contact_modulus", text, 0});
+    return true;
+}
+
+/// A way to read a question that is not ours.
+struct Reading {
+    const char* relation;
+    const char* hint;
+    /// Changes the question into what it was taken for; false: it would be the same.
+    std::function<bool(Parameters&, Question&)> change;
+};
+
+Reading of_parameters(const char* relation, const char* hint, std::vector<std::string_view> keys,
+                      std::string form) {
+    return {relation, hint, [keys = std::move(keys), form = std::move(form)](auto& p, auto&) {
+                return replaced(p, keys, form);
+            }};
+}
+
+const std::vector<Reading>& readings() {
+    static const std::vector<Reading> all{
+        of_parameters("ours with alpha and phi read in degrees",
+                      "angles are in radians; do not convert them", {"alpha", "phi"}, "%*pi/180"),
+        of_parameters("ours with alpha and phi converted to degrees",
+                      "angles are in radians; do not convert them", {"alpha", "phi"}, "%*180/pi"),
+        of_parameters("ours with a taken for the whole width",
+                      "a is the distance from the minimum of the profile to the right edge, the "
+                      "half-width of a symmetric contact",
+                      {"a"}, "%/2"),
+        of_parameters("ours with a doubled", "a is a half-width already", {"a"}, "%*2"),
+        of_parameters("ours with R taken for a diameter", "R is the radius of the arcs", {"R"},
+                      "%/2"),
+        of_parameters("ours with R doubled", "R is the radius of the arcs already", {"R"}, "%*2"),
+        of_parameters("ours with t taken for the whole flat", "the flat is 2 t wide", {"t"}, "%/2"),
+        of_parameters("ours with t doubled", "t is half the flat already", {"t"}, "%*2"),
+        of_parameters("ours with the contact modulus doubled",
+                      "contact_modulus is E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2",
+                      {"contact_modulus"}, "%*2"),
+        of_parameters("ours with the contact modulus halved",
+                      "contact_modulus is E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2",
+                      {"contact_modulus"}, "%/2"),
+        of_parameters("ours with Q and the bulk tension in the other direction",
+                      "Q is positive towards +x on the body that it acts on", {"Q", "bulk_tension"},
+                      "-%"),
+        of_parameters("ours with the bulk tension in the other direction",
+                      "bulk_tension is that of the other body less that of this one",
+                      {"bulk_tension"}, "-%"),
+        {"ours with C taken for the gap's constant, g = C x^(m + 1)",
+         "C is the slope's constant: g' = C x^m",
+         [](Parameters& p, Question&) {
+             const std::string* const m = find(p, "m");
+             return m != nullptr && formula::Exact::parse(*m).sign() != 0 &&
+                    replaced(p, {"C"}, "%*(1+(" + *m + "))");
+         }},
+        {"ours with u taken for x", "u runs inwards from the edge: x = a - u, or u - b",
+         [](Parameters& p, Question& q) {
+             const std::string* const a = find(p, "a");
+             if (!q.u || a == nullptr) {
+                 return false;
+             }
+             q.u = formula::Exact(formula::Exact::parse(*a).expr() - q.u->expr());
+             return q.u->sign() > 0;
+         }},
+        {"ours with E/(1 - nu^2) of one body for the contact modulus",
+         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies give way",
+         [](Parameters& p, Question&) { return modulus(p, "1/(I-n^I*n)"); }},
+        {"ours with Poisson's ratio left out",
+         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: plane strain",
+         [](Parameters& p, Question&) { return modulus(p, "1*2/(1+2)"); }},
+    };
+    return all;
+}
+
+/// Rows of one family, and what each is measured against.
+struct Rows {
+    std::size_t count = 0; ///< that the reading changes
+    std::size_t fit = 0;
+    double digits = most_digits;
+};
+
+class Search {
+public:
+    Search(const Answers& answers, const Agreements& agreements,
+           const std::vector<std::size_t>& failing, const ReferenceOptions& options)
+        : answers_(answers), agreements_(agreements), options_(options) {
+        std::map<std::string, std::size_t> taken;
+        for (const std::size_t i : failing) {
+            const std::string family = family_name(answers.questions.list[i].wanted);
+            failing_[family].push_back(i);
+            if (taken[family]++ < most_rows_of_a_family) {
+                sample_.push_back(i);
+            }
+        }
+    }
+
+    void look(const Reading& reading, std::vector<Convention>& found) {
+        say(
+            reading.relation, reading.hint,
+            [&](const std::vector<std::size_t>& which) { return held_to(reading, which); }, found);
+    }
+
+    /// The answer is ours over the length of the contact, or times it.
+    void look_at_lengths(std::vector<Convention>& found) {
+        for (const int power : {-1, 1}) {
+            say(
+                power < 0 ? "ours over a + b" : "ours times a + b",
+                power < 0 ? "a mean pressure for a force per unit length? P is the force"
+                          : "a force per unit length for a pressure? p and q are tractions",
+                [&](const std::vector<std::size_t>& which) {
+                    return held_to_lengths(power, which);
+                },
+                found);
+        }
+    }
+
+private:
+    /// The rows of each family that fit.
+    struct Held {
+        std::map<std::string, Rows> families;
+        std::vector<std::size_t> fitting;
+    };
+
+    Held held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
+        Questions otherwise;
+        otherwise.file = answers_.questions.file;
+        std::map<std::size_t, std::optional<std::size_t>> contacts;
+        std::vector<std::size_t> of;
+        for (const std::size_t i : which) {
+            Question q = answers_.questions.list[i];
+            Parameters parameters = answers_.questions.contacts[q.contact].parameters;
+            try {
+                if (explained_.contains(i) || !reading.change(parameters, q)) {
+                    continue;
+                }
+                const auto [known, is_new] = contacts.emplace(q.contact, std::nullopt);
+                if (is_new) {
+                    otherwise.contacts.push_back(
+                        make_asked_contact(std::move(parameters), otherwise.file, q.line));
+                    known->second = otherwise.contacts.size() - 1;
+                }
+                if (!known->second) {
+                    continue;
+                }
+                q.contact = *known->second;
+            } catch (const Error&) { // no such contact
+                continue;
+            }
+            otherwise.list.push_back(std::move(q));
+            of.push_back(i);
+        }
+        const auto values = references_where_any(otherwise, options_);
+        Held result;
+        for (std::size_t k = 0; k < of.size(); ++k) {
+            if (values[k] && !contains_zero(values[k]->value.value)) {
+                hold(of[k], values[k]->value.value.midpoint(), result);
+            }
+        }
+        return result;
+    }
+
+    Held held_to_lengths(int power, const std::vector<std::size_t>& which) const {
+        Questions sizes;
+        sizes.file = answers_.questions.file;
+        sizes.contacts = answers_.questions.contacts;
+        for (const std::size_t i : which) {
+            const Question& q = answers_.questions.list[i];
+            for (const auto kind : {Wanted::Kind::a, Wanted::Kind::b}) {
+                sizes.list.push_back({"", q.contact, {kind}, contact::Edge::right, {}, {}, q.line});
+            }
+        }
+        const auto values = references_where_any(sizes, options_);
+        Held result;
+        for (std::size_t k = 0; k < which.size(); ++k) {
+            const std::size_t i = which[k];
+            if (explained_.contains(i) || !values[2 * k] || !values[2 * k + 1]) {
+                continue;
+            }
+            const Real length =
+                values[2 * k]->value.value.midpoint() + values[2 * k + 1]->value.value.midpoint();
+            const Real ours = agreements_.references[i].value.value.midpoint();
+            hold(i, power < 0 ? Real(ours / length) : Real(ours * length), result);
+        }
+        return result;
+    }
+
+    void hold(std::size_t i, const Real& other, Held& held) const {
+        const Real ours = agreements_.references[i].value.value.midpoint();
+        if (other == 0 || digits_between(ours, other) >= least_digits) {
+            return; // the same, however it is read
+        }
+        const Real value = Ball(answers_.given[i].value, 256).midpoint();
+        Rows& rows = held.families[family_name(answers_.questions.list[i].wanted)];
+        ++rows.count;
+        const double digits = digits_between(value, other);
+        if (digits >= least_digits) {
+            ++rows.fit;
+            rows.digits = std::min(rows.digits, digits);
+            held.fitting.push_back(i);
+        }
+    }
+    /// What fits the sample of a family is held to every failing row of it, so that the counts are
+    /// true.
+    template <class HoldTo>
+    void say(const char* relation, const char* hint, const HoldTo& hold_to,
+             std::vector<Convention>& found) {
+        const Held of_the_sample = hold_to(sample_);
+        for (const auto& [family, sampled] : of_the_sample.families) {
+            if (!enough(sampled.fit, sampled.count)) {
+                continue;
+            }
+            const Held all = hold_to(failing_.at(family));
+            const auto rows = all.families.find(family);
+            if (rows == all.families.end() || !enough(rows->second.fit, rows->second.count)) {
+                continue;
+            }
+            found.push_back({family, relation, rows->second.digits, rows->second.fit,
+                             failing_.at(family).size(), hint});
+            explained_.insert(all.fitting.begin(), all.fitting.end());
+        }
+    }
+
+    const Answers& answers_;
+    const Agreements& agreements_;
+    ReferenceOptions options_;
+    std::vector<std::size_t> sample_;
+    std::map<std::string, std::vector<std::size_t>> failing_;
+    std::set<std::size_t> explained_;
+};
+
+} // namespace
+
+std::string family_name(const Wanted& wanted) {
+    const std::string name = wanted_name(wanted);
+    const std::size_t underscore = name.find('_');
+    return underscore == std::string::npos ? name : name.substr(0, underscore + 1) + "k";
+}
+
+std::vector<Convention> infer_unit_mistakes(const Answers& answers, const Agreements& agreements,
+                                            const std::vector<std::size_t>& failing,
+                                            ReferenceOptions options) {
+    std::vector<Convention> found;
+    if (failing.size() < least_rows) {
+        return found;
+    }
+    options.digits = {reading_digits, Rounding::nearest, false};
+    options.progress = {};
+    const PrecisionScope scope(reading_digits + 20);
+    Search search(answers, agreements, failing, options);
+    for (const Reading& reading : readings()) {
+        search.look(reading, found);
+    }
+    search.look_at_lengths(found);
+    return found;
+}
+
+} // namespace edgeproof::conformance

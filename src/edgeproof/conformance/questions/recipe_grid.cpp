@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/questions/recipe_grid.hpp"
+
+#include "edgeproof/conformance/questions/reference.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+constexpr std::size_t most_at_once = 1'000'000;
+constexpr std::size_t small_contacts = 16; ///< rows of contacts that share a piece
+constexpr std::size_t most_rows_of_a_grid = 10'000'000'000;
+
+/// Which value of each axis contact number `contact` has; the last axis runs fastest.
+std::vector<std::size_t> at_contact(const std::vector<GridAxis>& axes, std::size_t contact) {
+    std::vector<std::size_t> at(axes.size());
+    for (std::size_t i = axes.size(); i-- > 0;) {
+        at[i] = contact % axes[i].values.size();
+        contact /= axes[i].values.size();
+    }
+    return at;
+}
+
+std::string id_of(const GridScene& scene, const std::vector<std::size_t>& at) {
+    std::string id = scene.name;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const GridAxis& axis = scene.axes[i];
+        id += axis.grid ? ":" + axis.key + "=" + axis.values[at[i]] : "";
+    }
+    return id;
+}
+
+AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& at,
+                        const std::string& file) {
+    std::vector<Parameter> parameters;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const GridAxis& axis = scene.axes[i];
+        parameters.push_back({axis.key, axis.values[at[i]], axis.line});
+    }
+    return make_asked_contact(std::move(parameters), file, scene.line);
+}
+
+[[noreturn]] void asked_twice(const std::string& id, const std::string& file, std::size_t line) {
+    throw InputError("the question " + id + " is asked twice",
+                     "leave one out, or give the second scene another name")
+        .at(file, line);
+}
+
+} // namespace
+
+RecipeGrid RecipeGrid::read(const std::filesystem::path& file) {
+    return parse(io::read_text(file, "recipe (TOML)", io::most_toml_bytes), file.string());
+}
+
+RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
+    RecipeText read = parse_recipe_text(text, file);
+    RecipeGrid grid;
+    grid.file_ = file;
+    grid.title_ = std::move(read.title);
+    grid.digits_ = read.digits;
+    for (GridScene& scene : read.scenes) {
+        grid.add(std::move(scene));
+    }
+    return grid;
+}
+
+void RecipeGrid::add(GridScene scene) {
+    check_names(scene);
+    check_values(scene);
+    Part part;
+    part.first_row = rows_;
+    part.first_piece = pieces_;
+    part.contacts = 1;
+    const std::size_t each = scene.asked.size();
+    for (const GridAxis& axis : scene.axes) {
+        if (axis.values.size() > most_rows_of_a_grid / each / part.contacts) {
+            throw InputError("more than 10^10 questions", "split the recipe")
+                .at(file_, scene.asked.front().line);
+        }
+        part.contacts *= axis.values.size();
+    }
+    part.scene = std::move(scene);
+    Questions one;
+    one.list = part.scene.asked;
+    part.cut = pieces_of(one);
+    part.piece_of.resize(each);
+    for (std::size_t p = 0; p < part.cut.size(); ++p) {
+        for (const std::size_t i : part.cut[p]) {
+            part.piece_of[i] = p;
+        }
+    }
+    // Bookkeeping a piece is not to be what a table of small contacts is made of.
+    part.contacts_in_a_piece =
+        each > most_in_a_piece ? 0 : std::max<std::size_t>(1, small_contacts / each);
+    rows_ += part.contacts * each;
+    pieces_ += part.contacts_in_a_piece == 0 ? part.contacts * part.cut.size()
+                                             : (part.contacts - 1) / part.contacts_in_a_piece + 1;
+    parts_.push_back(std::move(part));
+}
+
+/// Ids are those of the scene, of its axes and of a contact's own questions, so that what must be
+/// distinct are the values of each, and the names.
+void RecipeGrid::check_names(const GridScene& scene) const {
+    for (const Part& part : parts_) {
+        if (scene.name.starts_with(part.scene.name + ":") ||
+            part.scene.name.starts_with(scene.name + ":")) {
+            throw InputError("the ids of " + scene.name + " may be those of " + part.scene.name,
+                             "give the second scene another name")
+                .at(file_, scene.line);
+        }
+    }
+    const std::vector<std::size_t> first(scene.axes.size(), 0);
+    std::set<std::string_view> seen;
+    for (const Question& q : scene.asked) {
+        if (!seen.insert(q.id).second) {
+            asked_twice(id_of(scene, first) + q.id, file_, q.line);
+        }
+    }
+    for (std::size_t i = scene.axes.size(); i-- > 0;) {
+        std::set<std::string_view> values;
+        for (std::size_t k = 0; k < scene.axes[i].values.size(); ++k) {
+            if (!values.insert(scene.axes[i].values[k]).second) {
+                std::vector<std::size_t> at = first;
+                at[i] = k;
+                asked_twice(id_of(scene, at) + scene.asked.front().id, file_,
+                            scene.asked.front().line);
+            }
+        }
+    }
+}
+
+void RecipeGrid::check_values(const GridScene& scene) const {
+    const std::vector<std::size_t> first(scene.axes.size(), 0);
+    const AskedContact contact = contact_of(scene, first, file_);
+    for (const Question& q : scene.asked) {
+        check_askable(contact, q.wanted, file_, scene.asked_line);
+    }
+    for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+        for (std::size_t k = 1; k < scene.axes[i].values.size(); ++k) {
+            std::vector<std::size_t> at = first;
+            at[i] = k;
+            (void)contact_of(scene, at, file_);
+        }
+    }
+}
+
+void RecipeGrid::ask(const Part& part, std::size_t contact, const std::vector<std::size_t>& which,
+                     Questions& to) const {
+    const auto at = at_contact(part.scene.axes, contact);
+    const std::string id = id_of(part.scene, at);
+    to.contacts.push_back(contact_of(part.scene, at, file_));
+    for (const std::size_t i : which) {
+        Question q = part.scene.asked[i];
+        q.id = id + q.id;
+        q.contact = to.contacts.size() - 1;
+        to.list.push_back(std::move(q));
+    }
+}
+
+RecipeGrid::Piece RecipeGrid::piece(std::size_t number) const {
+    const Part& part = *std::prev(
+        std::upper_bound(parts_.begin(), parts_.end(), number,
+                         [](std::size_t n, const Part& p) { return n < p.first_piece; }));
+    const std::size_t local = number - part.first_piece;
+    const std::size_t each = part.scene.asked.size();
+    Piece piece;
+    piece.questions.file = file_;
+    const auto take = [&](std::size_t contact, const std::vector<std::size_t>& which) {
+        ask(part, contact, which, piece.questions);
+        for (const std::size_t i : which) {
+            piece.rows.push_back(part.first_row + contact * each + i);
+        }
+    };
+    if (part.contacts_in_a_piece == 0) {
+        take(local / part.cut.size(), part.cut[local % part.cut.size()]);
+        return piece;
+    }
+    std::vector<std::size_t> all(each);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::size_t from = local * part.contacts_in_a_piece;
+    for (std::size_t c = from; c < std::min(from + part.contacts_in_a_piece, part.contacts); ++c) {
+        take(c, all);
+    }
+    return piece;
+}
+
+const RecipeGrid::Part& RecipeGrid::part_of_row(std::size_t row) const {
+    return *std::prev(
+        std::upper_bound(parts_.begin(), parts_.end(), row,
+                         [](std::size_t n, const Part& p) { return n < p.first_row; }));
+}
+
+std::size_t RecipeGrid::piece_of(std::size_t row) const {
+    const Part& part = part_of_row(row);
+    const std::size_t each = part.scene.asked.size();
+    const std::size_t contact = (row - part.first_row) / each;
+    return part.first_piece +
+           (part.contacts_in_a_piece == 0
+                ? contact * part.cut.size() + part.piece_of[(row - part.first_row) % each]
+                : contact / part.contacts_in_a_piece);
+}
+
+Questions RecipeGrid::questions() const {
+    if (rows_ > most_at_once) {
+        throw InputError("more than a million questions",
+                         "split the recipe, or make the table with --out FILE")
+            .at(file_, parts_.back().scene.asked.front().line);
+    }
+    Questions all;
+    all.file = file_;
+    for (const Part& part : parts_) {
+        std::vector<std::size_t> which(part.scene.asked.size());
+        std::iota(which.begin(), which.end(), std::size_t{0});
+        for (std::size_t c = 0; c < part.contacts; ++c) {
+            ask(part, c, which, all);
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> RecipeGrid::columns() const {
+    std::vector<std::string> keys;
+    for (const std::string_view key : parameter_keys()) {
+        const bool used = std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+            return std::any_of(part.scene.axes.begin(), part.scene.axes.end(),
+                               [&](const GridAxis& axis) { return axis.key == key; });
+        });
+        if (used) {
+            keys.emplace_back(key);
+        }
+    }
+    return keys;
+}
+
+bool RecipeGrid::has_tolerances() const {
+    return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
+        return std::any_of(part.scene.asked.begin(), part.scene.asked.end(),
+                           [](const Question& q) { return q.tolerance.has_value(); });
+    });
+}
+
+std::uint64_t RecipeGrid::fingerprint() const {
+    std::uint64_t hash = io::fnv1a("recipe\n");
+    const auto add = [&](const std::string& text) { hash = io::fnv1a(text + "\n", hash); };
+    add(title_);
+    add(std::to_string(digits_.count));
+    add(std::to_string(static_cast<int>(digits_.rounding)));
+    for (const Part& part : parts_) {
+        add(part.scene.name);
+        for (const GridAxis& axis : part.scene.axes) {
+            add((axis.grid ? "grid " : "fixed ") + axis.key);
+            for (const std::string& value : axis.values) {
+                add(value);
+            }
+        }
+        for (const Question& q : part.scene.asked) {
+            add(q.id + " " + wanted_name(q.wanted) + " " + scene::edge_name(q.edge));
+            add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
+        }
+    }
+    return hash;
+}
+
+} // namespace edgeproof::conformance

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/questions/question.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::conformance {
+
+/// A parameter of a recipe's scene and the values that it takes.
+struct GridAxis {
+    std::string key;
+    std::vector<std::string> values;
+    std::size_t line = 0;
+    bool grid = false; ///< part of the id
+};
+
+/// A scene of a recipe: every contact of its grid is asked the same.
+struct GridScene {
+    std::string name;
+    std::size_t line = 0;
+    std::vector<GridAxis> axes;
+    /// The questions of one contact; the ids without the contact's part.
+    std::vector<Question> asked;
+    std::size_t asked_line = 0; ///< of the quantities
+};
+
+/// A recipe whose grids are not expanded: what stands in a row is told by the row's number, so that
+/// nothing here grows with the number of rows but with what the recipe itself lists.
+///
+/// The rows are cut into pieces that are answered one by one: some questions of one contact, or
+/// several contacts with few questions each. They are cut alike however they are answered.
+class RecipeGrid {
+public:
+    /// Throws InputError with file and line as read_recipe() does. Every value of a grid is tried
+    /// once; combinations of them are not.
+    [[nodiscard]] static RecipeGrid read(const std::filesystem::path& file);
+    [[nodiscard]] static RecipeGrid parse(std::string_view text, const std::string& file);
+
+    [[nodiscard]] const std::string& file() const { return file_; }
+    [[nodiscard]] const std::string& title() const { return title_; }
+    [[nodiscard]] const scene::Digits& digits() const { return digits_; } ///< with binary64
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    [[nodiscard]] std::size_t pieces() const { return pieces_; }
+
+    struct Piece {
+        Questions questions;
+        std::vector<std::size_t> rows; ///< ascending
+    };
+    /// Throws InputError where a combination of parameters is no contact.
+    [[nodiscard]] Piece piece(std::size_t number) const;
+    [[nodiscard]] std::size_t piece_of(std::size_t row) const;
+    /// All of them. Throws InputError where there are more than a million.
+    [[nodiscard]] Questions questions() const;
+
+    /// As Questions has them.
+    [[nodiscard]] std::vector<std::string> columns() const;
+    [[nodiscard]] bool has_tolerances() const;
+    /// Tells what is asked, and how many digits of it, from anything else.
+    [[nodiscard]] std::uint64_t fingerprint() const;
+
+private:
+    struct Part {
+        GridScene scene;
+        std::size_t contacts = 0;
+        std::size_t first_row = 0;
+        std::size_t first_piece = 0;
+        std::size_t contacts_in_a_piece = 0;       ///< 0: a contact has several pieces
+        std::vector<std::vector<std::size_t>> cut; ///< of the questions of one contact
+        std::vector<std::size_t> piece_of;         ///< inverse to it
+    };
+    void add(GridScene scene);
+    void check_names(const GridScene& scene) const;
+    void check_values(const GridScene& scene) const;
+    [[nodiscard]] const Part& part_of_row(std::size_t row) const;
+    void ask(const Part& part, std::size_t contact, const std::vector<std::size_t>& which,
+             Questions& to) const;
+
+    std::string file_;
+    std::string title_;
+    scene::Digits digits_;
+    std::vector<Part> parts_;
+    std::size_t rows_ = 0;
+    std::size_t pieces_ = 0;
+};
+
+/// The scenes of a recipe, as its file lists them.
+struct RecipeText {
+    std::string title;
+    scene::Digits digits;
+    std::vector<GridScene> scenes;
+};
+[[nodiscard]] RecipeText parse_recipe_text(std::string_view text, const std::string& file);
+
+} // namespace edgeproof::conformance

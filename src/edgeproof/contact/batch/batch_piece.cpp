@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/batch/batch_piece.hpp"
+
+#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/gauss_legendre.hpp"
+#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+struct BallConstants {
+    long bits;
+    [[nodiscard]] Ball number(const Rational& q) const { return {q, bits}; }
+    [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
+    [[nodiscard]] static Ball symbol(std::string_view name) {
+        throw Error("the constant has a variable " + std::string(name));
+    }
+};
+
+Real middle_of(const Ball& x) {
+    if (!x.is_finite()) {
+        throw DomainError("g' has no finite value in the contact");
+    }
+    return at_working_precision(x.midpoint());
+}
+
+} // namespace
+
+CurvedSlope::CurvedSlope(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& corners,
+                         bool folded, long bits)
+    : slopes_(&slopes), piece_(piece), slope_(slopes.pieces()[piece].expression),
+      program_(slope_, {"x"}), constants_(constants_of<Ball>(program_, BallConstants{bits})),
+      corners_(corners), folded_(folded) {}
+
+Real CurvedSlope::quotient(const Real& v, const Real& s, const Real& delta) const {
+    return slopes_->quotient(piece_, v, s, delta);
+}
+
+Ball CurvedSlope::G(const Ball& s) const {
+    const std::array<Ball, 1> x{s.with_bits(corners_.bits())};
+    const Ball g = run<Ball>(program_, x, constants_) - corners_;
+    return folded_ ? x[0] * g : g;
+}
+
+BatchPiece::BatchPiece(const BatchCircle& circle, std::size_t index, Real a, Real b,
+                       std::unique_ptr<CurvedSlope> curve, bool odd)
+    : folded(circle.folded), flat(!curve && a == 0 && b == 0), at_left_edge(index == 0),
+      at_right_edge(index + 2 == circle.marks.size()), alpha(std::move(a)), beta(std::move(b)),
+      curved(std::move(curve)), lo(&circle.marks[index]), hi(&circle.marks[index + 1]),
+      circle_length_(circle.length) {
+    // About the middle of a folded contact G is even only if g' is odd there as an expression.
+    const bool even_left = at_left_edge && (!folded || odd || (!curved && alpha == 0));
+    doubled = at_right_edge || even_left;
+    // One number of each pair cancels; the other has its digits.
+    span = lo->right < hi->left ? Real(lo->right - hi->right) : Real(hi->left - lo->left);
+    width = folded ? Real(span / (hi->v + lo->v)) : span;
+    angle = angle_between(circle.length, *lo, *hi, span);
+    phi_hi = 2 * atan2(hi->root_right, hi->root_left);
+    sine_hi_ = 2 * hi->root_right * hi->root_left / circle.length;
+    cosine_hi_ = (hi->left - hi->right) / circle.length;
+    sine_lo_ = 2 * lo->root_right * lo->root_left / circle.length;
+    cosine_lo_ = (lo->right - lo->left) / circle.length;
+    if (curved) {
+        G_lo_ = curved->G(Ball(lo->v, 64));
+        G_hi_ = curved->G(Ball(hi->v, 64));
+    }
+    rise = rise_to_hi(lo->v, width);
+}
+
+void BatchPiece::measure(long S_exponent, long G_exponent) {
+    angle_double = static_cast<double>(angle);
+    phi_right = static_cast<double>(phi_hi);
+    span_units = in_units(span, S_exponent);
+    rise_units = in_units(rise, G_exponent);
+    alpha_units = in_units(Real(abs(alpha) * sqrt(circle_length_)), G_exponent);
+    beta_units = in_units(beta, G_exponent - S_exponent);
+    length_units_ = in_units(circle_length_, S_exponent);
+}
+
+double BatchPiece::largest_rise(const quadrature::BernsteinEllipse& ellipse) const {
+    if (reach) {
+        return 2 * std::exp(reach->ln_bound);
+    }
+    // |cos phi - cos phi_v| = 2 |sin((phi - phi_v)/2) sin((phi + phi_v)/2)|, and |sin z| is at most
+    // cosh Im z and sinh |z|.
+    const double y = ellipse.height();
+    const double across = 2 * ellipse.half + ellipse.excess() + y;
+    const double sum = std::min(across + 2 * (phi_right + angle_double),
+                                across + 2 * (std::numbers::pi - phi_right));
+    const double S = length_units_ * std::min(std::cosh(y / 2), std::sinh(across / 2)) *
+                     std::min(std::cosh(y / 2), std::sinh(sum / 2));
+    const double s = 2 * std::cosh(y / 4) * std::min(std::cosh(y / 4), std::sinh(across / 4));
+    return beta_units * S + (folded ? alpha_units * s : 0);
+}
+
+void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
+    constexpr long low = 64;
+    const Ball middle_angle(Real(phi_hi + angle / 2), low);
+    const Ball half(Real(circle_length_ / 2), low);
+    const Ball whole(circle_length_, low);
+    // The left end of the circle is s = -b, or s = 0 where it is folded.
+    const Ball left(Real(lo->v - lo->left), low);
+    const auto s_of = [&](acb_t s, const acb_t phi) {
+        if (folded) {
+            acb_mul_2exp_si(s, phi, -1);
+            acb_cos(s, s, low);
+            acb_mul_arb(s, s, sqrt(whole).data(), low);
+        } else {
+            acb_cos(s, phi, low);
+            acb_add_ui(s, s, 1, low);
+            acb_mul_arb(s, s, half.data(), low);
+            acb_add_arb(s, s, left.data(), low);
+        }
+    };
+    acb_poly_t taylor;
+    acb_poly_init(taylor);
+    acb_t s;
+    acb_init(s);
+    acb_t middle;
+    acb_init(middle);
+    const Ball corners = curved->corners();
+    const auto G = [&](acb_t out, const acb_t phi) {
+        s_of(s, phi);
+        complex_taylor(taylor, curved->slope(), s, 1, low);
+        acb_poly_get_coeff_acb(out, taylor, 0);
+        acb_sub_arb(out, out, corners.data(), low);
+        if (folded) {
+            acb_mul(out, out, s, low);
+        }
+    };
+    acb_t at;
+    acb_init(at);
+    acb_set_arb(at, middle_angle.data());
+    G(middle, at);
+    const double centre =
+        doubled ? (at_right_edge ? 0.0 : std::numbers::pi) : phi_right + angle_double / 2;
+    const double half_length = doubled ? angle_double : angle_double / 2;
+    // Not so far that the mirror image of a point of the piece gets inside.
+    double most = 1e9;
+    if (!at_right_edge) {
+        most = std::min(most, 0.9 * phi_right);
+    }
+    if (!at_left_edge) {
+        most = std::min(most, 0.9 * (std::numbers::pi - phi_right - angle_double));
+    }
+    if (has_complex_taylor(curved->slope()) && (doubled || !(at_left_edge || at_right_edge))) {
+        reach = quadrature::holomorphic_reach(
+            [&](acb_t out, const acb_t phi) {
+                G(out, phi);
+                acb_sub(out, out, middle, low);
+                acb_mul_2exp_si(out, out, -G_exponent);
+            },
+            centre, half_length, most, ln_tolerance);
+    }
+    acb_clear(at);
+    acb_clear(middle);
+    acb_clear(s);
+    acb_poly_clear(taylor);
+}
+
+Real BatchPiece::rise_from_lo(const Real& x, const Real& step) const {
+    if (curved) {
+        return curved_rise(lo->v, G_lo_, x, step);
+    }
+    return folded ? Real(step * (alpha + beta * (x + lo->v))) : Real(beta * step);
+}
+
+Real BatchPiece::rise_to_hi(const Real& x, const Real& step) const {
+    if (curved) {
+        return -curved_rise(hi->v, G_hi_, x, Real(-step));
+    }
+    return folded ? Real(step * (alpha + beta * (x + hi->v))) : Real(beta * step);
+}
+
+/// G(x) - G(v), x = v + step.
+Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
+                             const Real& step) const {
+    if (abs(step) * 1024 > width) {
+        return middle_of(curved->G(Ball(x, 64)) - G_v);
+    }
+    // Near the end of the piece by a divided difference, which has its digits. s g(s) - v g(v) is
+    // (s - v) (g(v) + s (g(s) - g(v))/(s - v)).
+    const Real q = curved->quotient(v, x, step);
+    if (!folded) {
+        return step * q;
+    }
+    return step * (v == 0 ? Real(x * q) : Real(middle_of(G_v) / v + x * q));
+}
+
+/// A node by its angles from both ends of the piece.
+void BatchPiece::add(BatchNodes& nodes, const Real& from_hi, const Real& from_lo,
+                     const Real& weight) const {
+    Real sine;
+    Real cosine;
+    // S_hi - S = 2 h sin(phi_hi + psi/2) sin(psi/2).
+    sine_and_cosine(sine, cosine, Real(from_hi / 2));
+    nodes.from_hi.push_back(circle_length_ * (sine_hi_ * cosine + cosine_hi_ * sine) * sine);
+    sine_and_cosine(sine, cosine, Real(from_lo / 2));
+    nodes.from_lo.push_back(circle_length_ * (sine_lo_ * cosine + cosine_lo_ * sine) * sine);
+    nodes.weight.push_back(weight);
+    const Real& near_lo = nodes.from_lo.back();
+    const Real& near_hi = nodes.from_hi.back();
+    const Real s = folded ? Real(sqrt(lo->left + near_lo)) : Real(lo->v + near_lo);
+    if (folded) {
+        nodes.s.push_back(s);
+    }
+    if (flat) {
+        return;
+    }
+    nodes.rise_lo.push_back(rise_from_lo(s, folded ? Real(near_lo / (s + lo->v)) : near_lo));
+    nodes.rise_hi.push_back(rise_to_hi(s, folded ? Real(near_hi / (s + hi->v)) : near_hi));
+    nodes.lift_lo.push_back(weight * nodes.rise_lo.back());
+    nodes.lift_hi.push_back(weight * nodes.rise_hi.back());
+}
+
+const BatchNodes& BatchPiece::gauss(std::size_t n) const {
+    const auto known = gauss_.find(n);
+    if (known != gauss_.end()) {
+        return known->second;
+    }
+    const long bits = mpfr_get_prec(angle.backend().data());
+    const auto rule = quadrature::gauss_legendre_rule(rule_size(n), bits);
+    BatchNodes& nodes = gauss_[n];
+    for (std::size_t k = 0; k < rule->x.size(); ++k) {
+        const Real& x = rule->x[k];
+        const Real& rest = rule->from_end[k];
+        if (doubled) {
+            // x runs from the edge of the contact inwards.
+            const Real near = angle * x;
+            const Real far = angle * rest;
+            const Real weight = angle * rule->weight[k];
+            at_right_edge ? add(nodes, near, far, weight) : add(nodes, far, near, weight);
+            continue;
+        }
+        const Real near = angle * rest / 2;
+        const Real far = angle * (1 + x) / 2;
+        const Real weight = angle * rule->weight[k] / 2;
+        add(nodes, near, far, weight);
+        if (x != 0) {
+            add(nodes, far, near, weight);
+        }
+    }
+    return nodes;
+}
+
+const BatchNodes& BatchPiece::level(int level) const {
+    const auto known = levels_.find(level);
+    if (known != levels_.end()) {
+        return known->second;
+    }
+    BatchNodes& nodes = levels_[level];
+    // The integrand is bounded in phi: what lies nearer to an end than roundoff has no weight.
+    const Real least = pow(Real(10), -static_cast<int>(working_digits()) - 2);
+    for (const auto& node : quadrature::tanh_sinh_nodes<Real>().level(level)) {
+        if (node.near < least) {
+            break;
+        }
+        const Real near = angle * node.near;
+        const Real far = angle * node.far;
+        const Real weight = angle * node.weight;
+        add(nodes, near, far, weight);
+        if (node.t != 0) {
+            add(nodes, far, near, weight);
+        }
+    }
+    return nodes;
+}
+
+} // namespace edgeproof::contact

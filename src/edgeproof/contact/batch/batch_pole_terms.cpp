@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/batch/batch_integral.hpp"
+
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/raw.hpp"
+#include "edgeproof/precision/error.hpp"
+
+/// What the fast routes have in closed form: poles that come near, and corners.
+namespace edgeproof::contact {
+namespace {
+
+Real log_one_plus(const Real& x) {
+    const long bits = mpfr_get_prec(raw(x)) + 8;
+    Real r;
+    const Ball l = log1p(Ball(x, bits));
+    arf_get_mpfr(raw(r), arb_midref(l.data()), MPFR_RNDN);
+    return r;
+}
+
+/// ln of the integral of dv/(w (x - v)) from a knot to the end, cleared of differences: near an
+/// edge its argument is near 1. `p`, `q` and their roots as in logarithmic_closed_form.
+Real green_excess(const Real& p, const Real& q, const Real& root, const Real& gap) {
+    return Real(2 * ((p < q ? p : q) + root) / gap);
+}
+
+} // namespace
+
+/// The integral of d phi/|S - S_x| over a piece that x is not in.
+Real BatchIntegral::pole_integral(const BatchPiece& piece, const Task& task) {
+    const CircleMark& near = task.above ? *piece.hi : *piece.lo;
+    const CircleMark& far = task.above ? *piece.lo : *piece.hi;
+    const bool far_is_end = task.above ? piece.at_left_edge : piece.at_right_edge;
+    if (at_.left == 0) {
+        // x in the middle of a folded contact: the left end of the circle.
+        return Real(2 / circle_.length *
+                    (near.root_right / near.root_left -
+                     (far_is_end ? Real(0) : Real(far.root_right / far.root_left))));
+    }
+    const Real root_right = sqrt(at_.right);
+    const Real root_left = sqrt(at_.left);
+    const auto logarithm = [&](const CircleMark& m, const Real& gap) {
+        return log_one_plus(green_excess(Real(m.right * at_.left), Real(at_.right * m.left),
+                                         Real(m.root_right * root_left * root_right * m.root_left),
+                                         Real(circle_.length * gap)));
+    };
+    Real l = logarithm(near, task.gap);
+    if (!far_is_end) {
+        l -= logarithm(far, Real(task.gap + piece.span));
+    }
+    return Real(l / (root_right * root_left));
+}
+
+/// The integral of d phi/(s + x) over a piece of a folded contact: of ds/(w (s + x)), twice.
+Real BatchIntegral::mirror_integral(const BatchPiece& piece) const {
+    const Real a = at_working_precision(extent_.a);
+    const Real length = 2 * a;
+    const Real to_right = a + at_.x; // from -x
+    const Real to_left = at_.right / to_right;
+    const auto logarithm = [&](const CircleMark& m) {
+        // Both distances from the edges of the unfolded contact.
+        const Real left = a + m.v;
+        const Real right = m.right / left;
+        const Real p = right * to_left;
+        const Real q = to_right * left;
+        return log_one_plus(
+            green_excess(p, q, Real(m.root_right * sqrt(at_.right)), Real(length * (m.v + at_.x))));
+    };
+    Real l = logarithm(*piece.lo);
+    if (!piece.at_right_edge) {
+        l -= logarithm(*piece.hi);
+    }
+    return Real(2 * l / sqrt(at_.right));
+}
+
+Real BatchIntegral::corners(const Point<Real>& at) {
+    Real sum(0);
+    const Real right = at_working_precision(at.right);
+    const Real left = at_working_precision(at.left);
+    const Real length = at_working_precision(extent_.length());
+    for (const Corner& corner : corners_) {
+        const auto excess = [&](const Real& v_right, const Real& v_left) {
+            const bool by_right = at.right < at.left;
+            const Real gap = at_working_precision(abs(circle_.marks[corner.mark].v == 0 ? at.x
+                                                      : by_right ? Real(v_right - at.right)
+                                                                 : Real(v_left - at.left)));
+            if (gap == 0) {
+                throw DomainError("the pressure is infinite at a corner of the profile");
+            }
+            const Real p = at_working_precision(v_right * left);
+            const Real q = at_working_precision(right * v_left);
+            return green_excess(p, q, Real(sqrt(p) * sqrt(q)), Real(length * gap));
+        };
+        Real e = excess(corner.right, corner.left);
+        if (corner.pair) {
+            const Real other = excess(corner.left, corner.right);
+            e = e + other + e * other;
+        }
+        sum += corner.jump * log_one_plus(e);
+    }
+    return sum;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/batch/batch_sums.hpp"
+#include "edgeproof/contact/batch/real_power.hpp"
+#include "edgeproof/quadrature/product_rule.hpp"
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// The pressure of a power law, P'(a)/pi times I_m(q), q = |x|/a (moore-hills.tex
+/// eqn:MossakovskiiPressure): I_m is the integral of s^m/sqrt(s^2 - q^2) over q < s < 1. No node
+/// that a point has to itself takes a power:
+///   m I_m = W + (m - 1) q^2 I_{m-2},  W = sqrt(1 - q^2),
+/// leads down to 0 <= n < 2, where away from the apex Euler's integral is
+///   I_n/W = 1 + (2b/3) mean of 1/(q^2/W^2 + 1 - t),  weight t^b (1 - t)^(n/2), b = (1 - n)/2,
+/// and near it q^n comes out with a constant of the contact (DLMF 15.8.4):
+///   I_n = C q^n + 1/n - (mean of q^2/(r (1 + r)))/(2 - n),  weight t^(-n/2), r = sqrt(1 - q^2 t).
+/// The rules have those weights in theirs. Exponents beyond some hundreds are left to
+///   I_m = integral of (q^2 + w^2)^((m-1)/2) over 0 < w < W.
+class BatchPowerLaw {
+public:
+    /// At the thread's working precision; `rate` is P'(a).
+    BatchPowerLaw(const formula::Exact& m, const Real& rate, const Real& a, unsigned digits,
+                  BatchPressure::Rule rule);
+    [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
+    /// Digits that cancel between the parts near the apex, for m near an even number.
+    [[nodiscard]] static unsigned lost_digits(const formula::Exact& m);
+
+private:
+    struct Share {
+        Real value;
+        double ln_error = -1e300; ///< absolute
+        std::size_t nodes = 0;
+        bool converged = true;
+    };
+    /// Nodes of a sum of weight/(from + gap), or of weight times a power of 1 - from y.
+    struct Nodes {
+        std::vector<Real> from;
+        std::vector<Real> weight;
+    };
+    struct Choice {
+        std::size_t n;
+        double rho;
+        double ln_M;
+    };
+    /// By I_n for the n that the recurrence ends at.
+    template <class Base> [[nodiscard]] Share lifted(const Base& base);
+    [[nodiscard]] Share edge_by_rule(const Choice& choice);
+    void close_edge(Share& share);
+    [[nodiscard]] Share edge_by_levels();
+    [[nodiscard]] Share apex_by_rule();
+    [[nodiscard]] Share powers_by_rule(double q);
+    [[nodiscard]] Share powers_by_levels();
+    [[nodiscard]] Share far_by_levels();
+    [[nodiscard]] Choice choose_edge(double q) const;
+    template <class AddLevel> [[nodiscard]] Share by_levels(const AddLevel& add_level);
+    void add_powers(Real& sum, const Nodes& nodes);
+    [[nodiscard]] const Nodes& power_nodes(std::size_t n);
+    [[nodiscard]] const Nodes& power_level(int level);
+    [[nodiscard]] const Nodes& edge_level(int level);
+
+    Real m_;
+    double m_double_;
+    Real scale_; ///< P'(a)/pi
+    Real inverse_a_;
+    double ln_tolerance_; ///< relative
+    BatchPressure::Rule rule_;
+    RealPower power_;     ///< to (m - 1)/2
+    unsigned long steps_; ///< m = n + 2 steps
+    Real n_;
+    Real b_;
+    double n_double_;
+    Real apex_factor_; ///< C
+
+    Real q_;
+    Real square_; ///< q^2
+    Real y_;      ///< 1 - q^2
+    Real root_;   ///< W
+    Real gap_;    ///< q^2/W^2
+    Real below_;
+    Real above_;
+    NodeSums sums_;
+
+    std::map<std::size_t, quadrature::ProductRule> edge_;
+    std::map<std::size_t, quadrature::ProductRule> apex_;
+    std::map<int, Nodes> edge_levels_;
+    std::map<std::size_t, Nodes> powers_;
+    std::map<int, Nodes> power_levels_;
+};
+
+} // namespace edgeproof::contact

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/real.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// The inner loops of the fast routes: sums over nodes in MPFR's own operations, without a number
+/// made or thrown away on the way. One object belongs to one thread and precision.
+class NodeSums {
+public:
+    /// sum += the sum of numerator/(from + gap).
+    void add_quotients(Real& sum, const std::vector<Real>& numerator, const std::vector<Real>& from,
+                       const Real& gap) {
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            mpfr_add(raw(below_), raw(from[k]), raw(gap), MPFR_RNDN);
+            mpfr_div(raw(above_), raw(numerator[k]), raw(below_), MPFR_RNDN);
+            mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
+        }
+    }
+    /// sum += the sum of (height weight + lift)/(from + gap).
+    void add_lifted(Real& sum, const Real& height, const std::vector<Real>& weight,
+                    const std::vector<Real>& lift, const std::vector<Real>& from, const Real& gap) {
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            mpfr_add(raw(below_), raw(from[k]), raw(gap), MPFR_RNDN);
+            mpfr_mul(raw(above_), raw(weight[k]), raw(height), MPFR_RNDN);
+            mpfr_add(raw(above_), raw(above_), raw(lift[k]), MPFR_RNDN);
+            mpfr_div(raw(above_), raw(above_), raw(below_), MPFR_RNDN);
+            mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
+        }
+    }
+    /// sum += the sum of weight (rise - height)/(from - gap); where a node lies so near that this
+    /// cancels, `instead(k)` gives the quotient.
+    template <class Instead>
+    void add_differences(Real& sum, const std::vector<Real>& weight, const std::vector<Real>& rise,
+                         const Real& height, const std::vector<Real>& from, const Real& gap,
+                         const Instead& instead) {
+        constexpr long near_bits = 16;
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            mpfr_sub(raw(below_), raw(from[k]), raw(gap), MPFR_RNDN);
+            if (mpfr_zero_p(raw(below_)) != 0 ||
+                mpfr_get_exp(raw(below_)) + near_bits < mpfr_get_exp(raw(from[k]))) {
+                sum += weight[k] * instead(k);
+                continue;
+            }
+            mpfr_sub(raw(above_), raw(rise[k]), raw(height), MPFR_RNDN);
+            mpfr_mul(raw(above_), raw(above_), raw(weight[k]), MPFR_RNDN);
+            mpfr_div(raw(above_), raw(above_), raw(below_), MPFR_RNDN);
+            mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
+        }
+    }
+
+    [[nodiscard]] static mpfr_ptr raw(Real& x) { return x.backend().data(); }
+    [[nodiscard]] static mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
+
+private:
+    Real above_;
+    Real below_;
+};
+
+} // namespace edgeproof::contact

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+
+#include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+/// From so many on, one disk is cheaper than an integral each, whose integrands cancel by the edge
+/// the more the higher the power.
+constexpr std::size_t least_terms_of_disk = 6;
+
+} // namespace
+
+bool IntegratedContact::handles(const Profile& profile) {
+    return std::all_of(profile.pieces().begin(), profile.pieces().end(),
+                       [](const SlopePiece& piece) { return has_complex_taylor(piece.slope); });
+}
+
+IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
+                                     const Load& load, long bits)
+    : profile_(profile), load_(load), bits_(bits),
+      modulus_(enclosed_constant(contact_modulus, bits)) {
+    for (const formula::Exact& knot : profile.knots()) {
+        knots_.push_back(enclosed_constant(knot, bits));
+    }
+    on_edge_.assign(knots_.size(), std::nullopt);
+    if (load.kind == Load::Kind::right_edge) {
+        a_ = enclosed_constant(load.value, bits);
+        find_knots_on_edges();
+    }
+    if (load.kind == Load::Kind::right_edge && profile.symmetric()) {
+        b_ = a_;
+    } else {
+        enclose_edges(contact_modulus);
+    }
+    check_reach(profile_, a_, b_);
+}
+
+void IntegratedContact::find_knots_on_edges() {
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const formula::Expr& a = load_.value.expr();
+        const formula::Expr& knot = profile_.knots()[i].expr();
+        if (overlaps(knots_[i], a_) && certainly_zero(a - knot)) {
+            on_edge_[i] = Edge::right;
+        } else if ((profile_.symmetric() || odd_) && overlaps(-knots_[i], a_) &&
+                   certainly_zero(a + knot)) {
+            on_edge_[i] = Edge::left;
+        }
+    }
+}
+
+std::optional<formula::Exact> IntegratedContact::known(Edge edge) const {
+    const bool known = load_.kind == Load::Kind::right_edge &&
+                       (edge == Edge::right || profile_.symmetric() || odd_);
+    return known ? std::optional(load_.value) : std::nullopt;
+}
+
+bool IntegratedContact::edge_may_be_on_knot() const {
+    for (const Ball& knot : knots_) {
+        if ((!known(Edge::right) && overlaps(knot, a_)) ||
+            (!known(Edge::left) && overlaps(-knot, b_))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
+    // From the right: theta = 0 at the right edge. A knot that may lie on an edge clamps onto it.
+    std::vector<quadrature::ThetaSpan> list;
+    Ball from(0, bits_);
+    for (std::size_t i = knots_.size() + 1; i-- > 0;) {
+        const auto here = i > 0 ? on_edge_[i - 1] : std::optional<Edge>(Edge::left);
+        const BallMark next = !here                 ? BallMark::at(a, b, knots_[i - 1])
+                              : here == Edge::right ? BallMark::right_end(a, b)
+                                                    : BallMark::left_end(a, b);
+        const bool beyond_right = i > 0 && next.outside && contains_zero(next.right);
+        if (beyond_right) {
+            continue;
+        }
+        list.push_back({i, from, next.h});
+        from = next.h;
+        if (next.outside) {
+            break;
+        }
+    }
+    return list;
+}
+
+Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
+    Ball sum(0, bits_);
+    for (const quadrature::ThetaSpan& span : spans(a, b)) {
+        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a - b) / 2, (a + b) / 2};
+        f.harmonic = harmonic;
+        sum += integrate(f, span.from, span.to, bits_);
+    }
+    return sum;
+}
+
+/// P = (E*/2) times the integral of g'(s) (s - c)/w(s) ds.
+Ball IntegratedContact::force_of(const Ball& a, const Ball& b) const {
+    return modulus_ * (a + b) / 4 * slope_integral(a, b, 1);
+}
+
+Ball IntegratedContact::moment() const {
+    if (profile_.symmetric()) {
+        return {0, bits_};
+    }
+    // (E*/4) times the integral of w (v - c + 2c) dg'(v), by parts.
+    const Ball d = (a_ + b_) / 2;
+    return modulus_ / 4 * d *
+           (d * slope_integral(a_, b_, 2) + (a_ - b_) * slope_integral(a_, b_, 1));
+}
+
+std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) const {
+    if (edge == Edge::left && !profile_.symmetric()) {
+        IntegratedContact mirror(*this);
+        mirror.profile_ = profile_.reflected();
+        mirror.knots_.clear();
+        for (const formula::Exact& knot : mirror.profile_.knots()) {
+            mirror.knots_.push_back(enclosed_constant(knot, bits_));
+        }
+        std::reverse(mirror.on_edge_.begin(), mirror.on_edge_.end());
+        for (auto& edge_of_knot : mirror.on_edge_) {
+            edge_of_knot = edge_of_knot ? std::optional(opposite(*edge_of_knot)) : std::nullopt;
+        }
+        std::swap(mirror.a_, mirror.b_);
+        mirror.disks_.clear();
+        mirror.over_theta_.reset();
+        return mirror.right_expansion(terms);
+    }
+    return right_expansion(terms);
+}
+
+Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball& x,
+                                    const std::vector<Ball>& taylor, bool from_right_edge) const {
+    const std::vector<Ball> head(taylor.begin(),
+                                 taylor.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    Ball sum(0, bits_);
+    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
+        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a_ - b_) / 2, (a_ + b_) / 2};
+        f.x = &x;
+        f.holds_x = span.piece == piece;
+        f.taylor = &head;
+        f.from_right_edge = from_right_edge;
+        sum += integrate(f, span.from, span.to, bits_);
+    }
+    return sum;
+}
+
+/// Those of I about the right edge, by a disk there; none where there is no such disk.
+std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
+                                                          std::size_t terms) const {
+    Ball gap = a_ + b_;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (inside(i)) {
+            gap = min(gap, abs(Ball(a_ - knots_[i])));
+        }
+    }
+    // A disk is driven to about half its working bits (disk_goal).
+    const PressureDisk disk(over_theta(), piece, a_, gap, terms, 2 * bits_ + 48);
+    std::vector<Ball> I;
+    if (disk.found()) {
+        const BallSeries at = disk.at(Ball(0, bits_), terms);
+        for (std::size_t k = 0; k < terms; ++k) {
+            I.push_back(at[k].with_bits(bits_));
+        }
+    }
+    return I;
+}
+
+std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
+    Ball unknown(0, bits_);
+    arb_indeterminate(unknown.data());
+    std::size_t last = 0; // the piece at the edge
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (certainly_less(knots_[i], a_)) {
+            ++last;
+        } else if (!certainly_less(a_, knots_[i]) && on_edge_[i] != Edge::right) {
+            return std::vector<Ball>(terms, unknown);
+        }
+    }
+    // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), and I = sum of I_k (-u)^k.
+    std::vector<Ball> I =
+        terms < least_terms_of_disk ? std::vector<Ball>{} : coefficients_by_disk(last, terms);
+    const std::vector<Ball> taylor = series_of_slope(last, a_, terms);
+    for (std::size_t k = I.size(); k < terms; ++k) {
+        I.push_back(coefficient(k, last, a_, taylor, true));
+    }
+    for (std::size_t k = 1; k < terms; k += 2) {
+        I[k] = -I[k];
+    }
+    const Ball D = a_ + b_;
+    std::vector<Ball> root{Ball(1, bits_)}; // of sqrt(1 - u/D)
+    for (std::size_t k = 1; k < terms; ++k) {
+        const long n = static_cast<long>(k);
+        root.push_back(root.back() * (2 * n - 3) / (2 * n) / D);
+    }
+    const Ball scale = modulus_ / (Ball::pi(bits_) * 2) * sqrt(D);
+    std::vector<Ball> c;
+    for (std::size_t n = 0; n < terms; ++n) {
+        Ball sum(0, bits_);
+        for (std::size_t k = 0; k <= n; ++k) {
+            sum += I[k] * root[n - k];
+        }
+        c.push_back(scale * sum);
+    }
+    return c;
+}
+
+std::vector<Ball> IntegratedContact::series_of_slope(std::size_t piece, const Ball& x,
+                                                     std::size_t terms) const {
+    return slope_series(profile_.pieces()[piece].slope, x, terms, bits_);
+}
+
+Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
+    const Ball from_edge = enclosed_constant(u, bits_);
+    const Ball other = a_ + b_ - from_edge;
+    if (certainly_negative(from_edge) || certainly_negative(other)) {
+        throw DomainError("a point lies outside the contact");
+    }
+    const Ball x = edge == Edge::right ? a_ - from_edge : from_edge - b_;
+    Ball unknown(0, bits_);
+    arb_indeterminate(unknown.data());
+    // The piece that x is on; on a knot where g' only bends, both that meet there have one value.
+    std::size_t piece = 0;
+    std::optional<std::size_t> on_knot;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (certainly_less(knots_[i], x)) {
+            piece = i + 1;
+        } else if (!certainly_less(x, knots_[i])) {
+            const bool given = known(edge).has_value();
+            const formula::Expr& a = load_.value.expr();
+            const formula::Expr exactly = edge == Edge::right ? a - u.expr() : u.expr() - a;
+            if (profile_.has_corner(i) || !given ||
+                !certainly_zero(exactly - profile_.knots()[i].expr())) {
+                return unknown;
+            }
+            on_knot = i;
+            piece = i;
+        }
+    }
+    const Ball slope = series_of_slope(piece, x, 1)[0];
+    Ball sum(0, bits_);
+    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
+        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a_ - b_) / 2, (a_ + b_) / 2};
+        // Of two pieces that meet at x, each by its own expression; their values there are equal.
+        const Ball here =
+            on_knot && span.piece == *on_knot + 1 ? series_of_slope(span.piece, x, 1)[0] : slope;
+        f.x = &x;
+        f.slope_at_x = &here;
+        f.holds_x = span.piece == piece || (on_knot && span.piece == *on_knot + 1);
+        sum += integrate(f, span.from, span.to, bits_);
+    }
+    return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * sum;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr std::size_t least_terms = 32; ///< of a disk
+constexpr long point_bits = 16;         ///< a ball that has lost no more counts as a point
+constexpr std::size_t most_disks = 4000;
+
+Ball not_finite(long bits) {
+    Ball x(0, bits);
+    arb_indeterminate(x.data());
+    return x;
+}
+
+BallSeries nowhere_series(std::size_t order, long bits) {
+    return BallSeries(std::vector<Ball>(order, not_finite(bits)));
+}
+
+Ball midpoint_of(const Ball& x) {
+    Ball m(x);
+    arb_get_mid_arb(m.data(), m.data());
+    return m;
+}
+
+bool is_point(const Ball& u) {
+    return u.is_exact() || u.relative_accuracy_bits() > u.bits() - point_bits;
+}
+
+} // namespace
+
+Ball IntegratedContact::place(Edge edge, const Ball& u) const {
+    return edge == Edge::right ? a_ - u : u - b_;
+}
+
+bool IntegratedContact::inside(std::size_t knot) const {
+    return !on_edge_[knot] && !certainly_less(a_, knots_[knot]) &&
+           !certainly_less(knots_[knot], -b_);
+}
+
+std::optional<std::size_t> IntegratedContact::piece_of(const Ball& x) const {
+    std::size_t piece = 0;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (!inside(i)) {
+            piece = certainly_less(a_, knots_[i]) || on_edge_[i] == Edge::right ? piece : i + 1;
+        } else if (certainly_less(knots_[i], x)) {
+            piece = i + 1;
+        } else if (!certainly_less(x, knots_[i])) {
+            return {};
+        } else {
+            break;
+        }
+    }
+    return piece;
+}
+
+const SlopeOverTheta& IntegratedContact::over_theta() const {
+    if (!over_theta_) {
+        SlopeOverTheta all;
+        for (const SlopePiece& piece : profile_.pieces()) {
+            all.slopes.push_back(piece.slope);
+        }
+        all.spans = spans(a_, b_);
+        all.centre = (a_ - b_) / 2;
+        all.half_length = (a_ + b_) / 2;
+        const Ball highest = series_of_slope(all.spans.front().piece, a_, 1)[0];
+        const Ball lowest = series_of_slope(all.spans.back().piece, -b_, 1)[0];
+        all.most_change = quadrature::Magnitude(Ball(highest - lowest));
+        over_theta_ = std::make_shared<const SlopeOverTheta>(std::move(all));
+    }
+    return *over_theta_;
+}
+
+const IntegratedContact::Disk* IntegratedContact::disk_at(Edge edge, const Ball& u,
+                                                          std::size_t terms) const {
+    auto& disks = disks_[edge];
+    const Ball x = place(edge, u);
+    const auto piece = piece_of(x);
+    if (!piece || disks.size() > most_disks) {
+        return nullptr;
+    }
+    Ball gap = a_ + b_;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (inside(i)) {
+            gap = min(gap, abs(Ball(x - knots_[i])));
+        }
+    }
+    disks.push_back(std::make_shared<const Disk>(
+        Disk{u, PressureDisk(over_theta(), *piece, x, gap, terms, bits_)}));
+    return disks.back().get();
+}
+
+const IntegratedContact::Disk* IntegratedContact::disk_at_edge(Edge edge) const {
+    const Ball none(0, bits_);
+    for (const auto& disk : disks_[edge]) {
+        if (disk->u.is_exact() && contains_zero(disk->u)) {
+            return disk.get();
+        }
+    }
+    return disk_at(edge, none, least_terms);
+}
+
+const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball& u,
+                                                           std::size_t order) const {
+    const std::size_t terms = std::max(least_terms, 2 * order + 8);
+    const Ball breadth(u.radius(), bits_);
+    const auto serves = [&](const Disk& d) {
+        const Ball z = u - d.u;
+        return d.disk.found() && d.disk.terms() >= terms &&
+               certainly_less(abs(z) * 2, d.disk.radius()) &&
+               (d.disk.good_to(z, disk_goal(bits_)) ||
+                certainly_less(d.disk.radius(), breadth * 64));
+    };
+    for (const auto& disk : disks_[edge]) {
+        if (serves(*disk)) {
+            return disk.get();
+        }
+    }
+    // A new one: about an edge where that is near, so that many intervals have one disk.
+    const Ball middle = midpoint_of(u);
+    const Ball length = a_ + b_;
+    Ball near = length;
+    const Ball x = place(edge, middle);
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (inside(i)) {
+            near = min(near, abs(Ball(x - knots_[i])));
+        }
+    }
+    if (!certainly_less(breadth * 3, near)) {
+        return nullptr;
+    }
+    for (const Ball& centre : {Ball(0, bits_), length, middle}) {
+        const bool tried = std::any_of(
+            disks_[edge].begin(), disks_[edge].end(), [&](const std::shared_ptr<const Disk>& d) {
+                return overlaps(d->u, centre) && d->disk.terms() >= terms;
+            });
+        if (tried || !certainly_less(abs(Ball(centre - u)) * 5, near)) {
+            continue;
+        }
+        const Disk* made = disk_at(edge, centre, terms);
+        if (made != nullptr && serves(*made)) {
+            return made;
+        }
+    }
+    return nullptr;
+}
+
+/// p = E*/(2 pi) sqrt(u (D - u)) I.
+Ball IntegratedContact::with_root(const Ball& u, const Ball& I) const {
+    return modulus_ / (Ball::pi(bits_) * 2) * root(clamped(u) * clamped(a_ + b_ - u)) * I;
+}
+
+Ball IntegratedContact::pressure(Edge edge, const Ball& u) const {
+    const Ball x = place(edge, u);
+    const auto piece = piece_of(x);
+    if (!piece) {
+        return with_root(u, over_knot(x, false));
+    }
+    if (is_point(u)) {
+        return with_root(u, coefficient(0, *piece, x, series_of_slope(*piece, x, 1), false));
+    }
+    const Disk* found = disk_for(edge, u, 1);
+    return with_root(u,
+                     found == nullptr
+                         ? not_finite(bits_)
+                         : found->disk.at(edge == Edge::right ? found->u - u : u - found->u, 1)[0]);
+}
+
+Ball IntegratedContact::least_pressure(Edge edge, const Ball& u) const {
+    const Ball x = place(edge, u);
+    return piece_of(x) ? pressure(edge, u) : with_root(u, over_knot(x, true));
+}
+
+BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::size_t order) const {
+    const BallSeries from = BallSeries::variable(u.with_bits(bits_), order);
+    const BallSeries other = -from + (a_ + b_);
+    const Ball x = place(edge, u);
+    const auto piece = piece_of(x);
+    if (!piece || !certainly_positive(u) || !certainly_positive(other[0])) {
+        return nowhere_series(order, bits_);
+    }
+    std::vector<Ball> I;
+    if (is_point(u) && order <= 2) {
+        const std::vector<Ball> taylor = series_of_slope(*piece, x, order);
+        for (std::size_t k = 0; k < order; ++k) {
+            I.push_back(coefficient(k, *piece, x, taylor, false));
+        }
+    } else {
+        const Disk* found = disk_for(edge, u, order);
+        if (found == nullptr) {
+            return nowhere_series(order, bits_);
+        }
+        const BallSeries at =
+            found->disk.at(edge == Edge::right ? found->u - u : u - found->u, order);
+        for (std::size_t k = 0; k < order; ++k) {
+            I.push_back(at[k]);
+        }
+    }
+    for (std::size_t k = 1; k < order && edge == Edge::right; k += 2) {
+        I[k] = -I[k]; // x falls as u grows
+    }
+    return sqrt(from * other) * BallSeries(I) * (modulus_ / (Ball::pi(bits_) * 2));
+}
+
+std::vector<Ball> IntegratedContact::corners(Edge edge) const {
+    std::vector<Ball> distances;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (profile_.has_corner(i) && inside(i)) {
+            distances.push_back(edge == Edge::right ? a_ - knots_[i] : b_ + knots_[i]);
+        }
+    }
+    return distances;
+}
+
+Ball IntegratedContact::reach(Edge edge) const {
+    const Disk* disk = disk_at_edge(edge);
+    return disk == nullptr || !disk->disk.found() ? Ball(0, bits_)
+                                                  : disk->disk.radius().with_bits(bits_);
+}
+
+/// By Cauchy: |sqrt(D - u) I| on the disk about the edge.
+Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
+    const Disk* disk = disk_at_edge(edge);
+    if (disk == nullptr || !disk->disk.found() || certainly_less(disk->disk.radius(), rho)) {
+        return not_finite(bits_);
+    }
+    const Ball most(disk->disk.bound().upper(), bits_);
+    return modulus_ / (Ball::pi(bits_) * 2) * sqrt(a_ + b_ + rho) * most;
+}
+
+Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
+    std::optional<std::size_t> met;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (inside(i) && overlaps(x, knots_[i])) {
+            if (met) {
+                return not_finite(bits_);
+            }
+            met = i;
+        }
+    }
+    if (!met || (profile_.has_corner(*met) && !least)) {
+        return not_finite(bits_);
+    }
+    // Beside the knot, as far as twice the ball reaches, the quotient is a mean of g''.
+    const std::size_t i = *met;
+    const Ball& v = knots_[i];
+    const Ball r = Ball(abs(Ball(x - v)).upper(), bits_) * 2;
+    const Ball lo = v - r;
+    const Ball hi = v + r;
+    for (std::size_t j = 0; j < knots_.size(); ++j) {
+        const bool clear = certainly_less(knots_[j], lo) || certainly_less(hi, knots_[j]);
+        if (j != i && inside(j) && !clear) {
+            return not_finite(bits_);
+        }
+    }
+    if (!certainly_less(-b_, lo) || !certainly_less(hi, a_)) {
+        return not_finite(bits_);
+    }
+    const SlopeOverTheta& all = over_theta();
+    const Ball from = BallMark::at(a_, b_, hi).h;
+    const Ball to = BallMark::at(a_, b_, lo).h;
+    std::vector<quadrature::ThetaSpan> outer(all.spans);
+    for (quadrature::ThetaSpan& span : outer) {
+        if (span.piece == i + 1) {
+            span.to = from;
+        } else if (span.piece == i) {
+            span.from = to;
+        }
+    }
+    Ball inner(0, bits_);
+    if (!profile_.has_corner(i)) {
+        const Ball before = series_of_slope(i, Ball::hull(lo, v), 2)[1];
+        const Ball after = series_of_slope(i + 1, Ball::hull(v, hi), 2)[1];
+        inner = (to - from) * Ball::hull(before, after);
+    }
+    // x is on one side of the knot, or on the other.
+    std::optional<Ball> either;
+    for (const std::size_t side : {i, i + 1}) {
+        const Ball part = side == i ? Ball::hull(Ball(x.lower(), bits_), v)
+                                    : Ball::hull(v, Ball(x.upper(), bits_));
+        const Ball sum = inner + outer_integral(all, outer, side, part, bits_);
+        either = either ? Ball::hull(*either, sum) : sum;
+    }
+    return *either;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/slope_monotonicity.hpp"
+
+#include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/profile/slope_from_knot.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/ball/interval.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr int most_halvings = 40;
+constexpr std::size_t most_cells = 4000;
+constexpr std::size_t taylor_terms = 6;
+
+/// A function of x and its derivative over an interval of x.
+struct Rate {
+    Interval value;
+    Interval rate;
+};
+
+Interval interval_of(long n) { return Interval(Ball(n, Interval::bits)); }
+Interval squared(const Interval& x) { return pow_int(x, 2); }
+
+/// Nothing is known of a function that may jump: where a part of it may have no value, or one that
+/// is not bounded (a pole), whatever bounded function is taken of that.
+Rate continuous(bool defined, const Interval& value, const Interval& rate) {
+    return defined && value.is_finite() ? Rate{value, rate}
+                                        : Rate{Interval::everything(), Interval::everything()};
+}
+/// Between -1 and 1.
+bool in_unit(const Interval& x) {
+    return (interval_of(1) - x).nowhere_negative() && (interval_of(1) + x).nowhere_negative();
+}
+
+Rate operator-(const Rate& f) { return {-f.value, -f.rate}; }
+Rate operator+(const Rate& f, const Rate& g) { return {f.value + g.value, f.rate + g.rate}; }
+Rate operator-(const Rate& f, const Rate& g) { return {f.value - g.value, f.rate - g.rate}; }
+Rate operator*(const Rate& f, const Rate& g) {
+    return continuous(true, f.value * g.value, f.rate * g.value + f.value * g.rate);
+}
+Rate operator/(const Rate& f, const Rate& g) {
+    return continuous(true, f.value / g.value,
+                      (f.rate * g.value - f.value * g.rate) / squared(g.value));
+}
+Rate sqrt(const Rate& f) {
+    const Interval root = sqrt(f.value);
+    return continuous(f.value.nowhere_negative(), root, f.rate / (interval_of(2) * root));
+}
+Rate exp(const Rate& f) {
+    const Interval e = exp(f.value);
+    return continuous(true, e, e * f.rate);
+}
+Rate log(const Rate& f) {
+    return continuous(f.value.nowhere_negative(), log(f.value), f.rate / f.value);
+}
+Rate sin(const Rate& f) { return {sin(f.value), cos(f.value) * f.rate}; }
+Rate cos(const Rate& f) { return {cos(f.value), -sin(f.value) * f.rate}; }
+Rate tan(const Rate& f) {
+    const Interval t = tan(f.value);
+    return continuous(true, t, (interval_of(1) + squared(t)) * f.rate);
+}
+Rate asin(const Rate& f) {
+    return continuous(in_unit(f.value), asin(f.value),
+                      f.rate / sqrt(interval_of(1) - squared(f.value)));
+}
+Rate acos(const Rate& f) {
+    return continuous(in_unit(f.value), acos(f.value),
+                      -f.rate / sqrt(interval_of(1) - squared(f.value)));
+}
+Rate atan(const Rate& f) { return {atan(f.value), f.rate / (interval_of(1) + squared(f.value))}; }
+Rate sinh(const Rate& f) { return continuous(true, sinh(f.value), cosh(f.value) * f.rate); }
+Rate cosh(const Rate& f) { return continuous(true, cosh(f.value), sinh(f.value) * f.rate); }
+Rate tanh(const Rate& f) { return {tanh(f.value), f.rate / squared(cosh(f.value))}; }
+Rate asinh(const Rate& f) {
+    return {asinh(f.value), f.rate / sqrt(interval_of(1) + squared(f.value))};
+}
+Rate acosh(const Rate& f) {
+    return continuous((f.value - interval_of(1)).nowhere_negative(), acosh(f.value),
+                      f.rate / sqrt(squared(f.value) - interval_of(1)));
+}
+Rate atanh(const Rate& f) {
+    return continuous(in_unit(f.value), atanh(f.value),
+                      f.rate / (interval_of(1) - squared(f.value)));
+}
+Rate gamma(const Rate& f) {
+    if (!f.value.is_finite()) {
+        return continuous(false, f.value, f.rate);
+    }
+    const Ball at = Ball::hull(f.value.lower(), f.value.upper());
+    const std::vector<Ball> series = slope_series(
+        formula::Expr::call("gamma", {formula::Expr::symbol("x")}), at, 2, Interval::bits);
+    return continuous(series[0].is_finite() && series[1].is_finite(), Interval(series[0]),
+                      Interval(series[1]) * f.rate);
+}
+Rate pow(const Rate& f, const Rational& q) {
+    const Interval factor(Ball(q, Interval::bits));
+    return continuous(denominator(q) == 1 || f.value.nowhere_negative(), pow(f.value, q),
+                      factor * pow(f.value, Rational(q - 1)) * f.rate);
+}
+Rate pow(const Rate& f, const Rate& g) { return exp(g * log(f)); }
+
+struct RateEnvironment {
+    Interval x;
+    [[nodiscard]] Rate number(const Rational& q) const {
+        return {Interval(Ball(q, Interval::bits)), interval_of(0)};
+    }
+    [[nodiscard]] Rate pi() const { return {Interval(Ball::pi(Interval::bits)), interval_of(0)}; }
+    [[nodiscard]] Rate symbol(std::string_view) const { return {x, interval_of(1)}; }
+};
+
+struct SlopeCell {
+    Ball lo;
+    Ball hi;
+    int halvings;
+    [[nodiscard]] Ball middle() const {
+        const Ball between = (lo + hi).with_bits(Interval::bits) / 2;
+        return {between.midpoint(), Interval::bits};
+    }
+};
+
+using Sign = SlopeMonotonicity::Kind;
+
+Sign sign_of(const Ball& x) {
+    return arb_is_nonnegative(x.data()) != 0 ? Sign::rises
+           : certainly_negative(x)           ? Sign::falls
+                                             : Sign::open;
+}
+
+/// By the Taylor series of g'' at both ends of the cell and at its middle, the last coefficient of
+/// each being one that holds for all of the cell.
+Sign sign_by_series(const formula::Expr& slope, const SlopeCell& cell) {
+    const std::vector<Ball> all =
+        slope_series(slope, Ball::hull(cell.lo, cell.hi), taylor_terms, Interval::bits);
+    for (const bool from_left : {true, false}) {
+        const std::vector<Ball> end =
+            slope_series(slope, from_left ? cell.lo : cell.hi, taylor_terms, Interval::bits);
+        for (std::size_t k = 1; k < taylor_terms; ++k) {
+            const bool mirrored = !from_left && k % 2 == 0;
+            if (sign_of(mirrored ? -all[k] : all[k]) == Sign::rises) {
+                return Sign::rises;
+            }
+            if (sign_of(mirrored ? -end[k] : end[k]) != Sign::rises) {
+                break;
+            }
+        }
+    }
+    const Ball middle = cell.middle();
+    const std::vector<Ball> at = slope_series(slope, middle, 3, Interval::bits);
+    const Ball half = Ball::hull(cell.lo - middle, cell.hi - middle);
+    const Ball least = at[1] + half * (2 * at[2] + 3 * half * all[3]);
+    return sign_of(least) == Sign::rises   ? Sign::rises
+           : sign_of(at[1]) == Sign::falls ? Sign::falls
+                                           : Sign::open;
+}
+
+Sign sign_on(const formula::Expr& slope, const SlopeCell& cell) {
+    const RateEnvironment at{Interval(cell.lo, cell.hi)};
+    const Interval rate = evaluate<Rate>(slope, at).rate;
+    if (rate.nowhere_negative()) {
+        return Sign::rises;
+    }
+    // The series is of the points where there is a value, if it is of any.
+    const bool unknown = !rate.lower().is_finite() && !rate.upper().is_finite();
+    return unknown ? Sign::open : sign_by_series(slope, cell);
+}
+
+/// From one number to another, both exact, of a slope in the distance from `origin`.
+SlopeMonotonicity course(const formula::Expr& slope, const Ball& origin, const Ball& lo,
+                         const Ball& hi) {
+    std::vector<SlopeCell> cells{{lo, hi, 0}};
+    std::optional<Ball> undecided; // a fall may lie beside it
+    for (std::size_t done = 0; !cells.empty(); ++done) {
+        const SlopeCell cell = cells.back();
+        cells.pop_back();
+        const Ball middle = cell.middle();
+        const Sign sign = sign_on(slope, cell);
+        if (sign == Sign::falls || done >= most_cells) {
+            return {sign == Sign::falls ? sign : Sign::open, origin + middle};
+        }
+        if (sign == Sign::open && cell.halvings >= most_halvings) {
+            undecided = origin + middle;
+        } else if (sign == Sign::open) {
+            cells.push_back({middle, cell.hi, cell.halvings + 1});
+            cells.push_back({cell.lo, middle, cell.halvings + 1});
+        }
+    }
+    return {undecided ? Sign::open : Sign::rises, undecided};
+}
+
+Ball lower_end(const Ball& x) { return {x.with_bits(Interval::bits).lower(), Interval::bits}; }
+Ball upper_end(const Ball& x) { return {x.with_bits(Interval::bits).upper(), Interval::bits}; }
+
+/// Half of a piece: from a knot, 0 in the variable of the slope, to `end`, on one side of it.
+SlopeMonotonicity monotonicity_from(const formula::Expr& slope, const formula::Exact& knot,
+                                    bool right, const Ball& end) {
+    const Ball origin = enclosed_constant(knot, Interval::bits);
+    const Ball distance = end - origin;
+    const Ball zero(0, Interval::bits);
+    if (right ? !certainly_positive(upper_end(distance))
+              : !certainly_negative(lower_end(distance))) {
+        return {Sign::rises, {}}; // nothing of the piece is in the contact
+    }
+    return course(slope_from_knot(slope, knot.expr()), origin, right ? zero : lower_end(distance),
+                  right ? upper_end(distance) : zero);
+}
+
+} // namespace
+
+SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
+    const Ball left = lower_end(-b);
+    const Ball right = upper_end(a);
+    const auto& knots = profile.knots();
+    for (std::size_t i = 0; i <= knots.size(); ++i) {
+        const SlopePiece& piece = profile.pieces()[i];
+        const Ball from = i > 0 ? enclosed_constant(knots[i - 1], Interval::bits) : left;
+        const Ball to = i < knots.size() ? enclosed_constant(knots[i], Interval::bits) : right;
+        // The origin is a knot, so that no piece holds both edges.
+        const bool ends_left = !certainly_less(left, from);
+        const bool ends_right = !certainly_less(to, right);
+        if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
+            continue; // a linear piece's rate was decided exactly
+        }
+        const Ball middle((from + to) / 2);
+        const Ball half(middle.midpoint(), Interval::bits);
+        SlopeMonotonicity found = ends_left ? monotonicity_from(piece.slope, knots[i], false, left)
+                                  : ends_right
+                                      ? monotonicity_from(piece.slope, knots[i - 1], true, right)
+                                      : monotonicity_from(piece.slope, knots[i - 1], true, half);
+        if (found.kind == Sign::rises && !ends_left && !ends_right) {
+            found = monotonicity_from(piece.slope, knots[i], false, half);
+        }
+        if (found.kind != Sign::rises) {
+            return found;
+        }
+    }
+    return {Sign::rises, {}};
+}
+
+} // namespace edgeproof::contact

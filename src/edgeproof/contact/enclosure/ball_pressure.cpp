@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
+
+namespace edgeproof::contact {
+
+/// x = a - u or u - b by its distances from both edges, and v - x for each knot v.
+struct BallContact::Place {
+    Ball right;
+    Ball left;
+    std::vector<Ball> offsets;
+};
+
+void BallContact::fix() {
+    fixed_ = {};
+    fixed_.length = a_ + b_;
+    const auto exactly = [&](const formula::Expr& e) {
+        const Rational* q = e.rational();
+        return q != nullptr ? std::optional<Rational>(*q) : std::nullopt;
+    };
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        fixed_.insets.push_back(a_ - knots_[i]);
+        fixed_.outsets.push_back(b_ + knots_[i]);
+        std::optional<Rational> inset;
+        std::optional<Rational> outset;
+        if (known_a_) {
+            inset = exactly(known_a_->expr() - profile_.knots()[i].expr());
+        }
+        if (const auto& b = known(Edge::left)) {
+            outset = exactly(b->expr() + profile_.knots()[i].expr());
+        }
+        fixed_.exact_insets.push_back(std::move(inset));
+        fixed_.exact_outsets.push_back(std::move(outset));
+    }
+    if (power_law_) {
+        // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
+        fixed_.factor = power_factor_ * (exponent_ + 1) * pow(a_, exponent_) / Ball::pi(bits_);
+        return;
+    }
+    fixed_.factor = modulus_ / (Ball::pi(bits_) * 2);
+    fixed_.arc = Ball(0, bits_);
+    BallMark previous = BallMark::left_end(a_, b_);
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        BallMark next = mark(a_, b_, i);
+        fixed_.arc += pieces_[i].rate * (previous.h - next.h);
+        fixed_.bends.push_back(!next.outside && bends(i));
+        fixed_.rate_drops.push_back(pieces_[i].rate - pieces_[i + 1].rate);
+        fixed_.marks.push_back(next);
+        previous = std::move(next);
+    }
+    fixed_.arc += pieces_.back().rate * previous.h;
+}
+
+BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
+    const Ball other = fixed_.length - u;
+    if (certainly_negative(u) || certainly_negative(other)) {
+        throw DomainError("a point lies outside the contact");
+    }
+    // A ball that reaches beyond an edge stands for its part inside.
+    Place at{
+        clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
+    at.offsets.reserve(knots_.size());
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        at.offsets.push_back(edge == Edge::right ? u - fixed_.insets[i] : fixed_.outsets[i] - u);
+    }
+    return at;
+}
+
+Ball BallContact::pressure(Edge edge, const formula::Exact& u) const {
+    Place at = place(edge, constant(u.expr()));
+    if (const auto& distance_of_edge = known(edge)) {
+        // x is known exactly: so is whether it is on a knot, and how far from it.
+        const Rational* distance = u.expr().rational();
+        for (std::size_t i = 0; i < knots_.size(); ++i) {
+            if (at.offsets[i].relative_accuracy_bits() >= bits_ - 8) {
+                continue;
+            }
+            const auto& exact =
+                edge == Edge::right ? fixed_.exact_insets[i] : fixed_.exact_outsets[i];
+            if (exact && distance != nullptr) {
+                const Rational offset = edge == Edge::right ? Rational(*distance - *exact)
+                                                            : Rational(*exact - *distance);
+                at.offsets[i] = Ball(offset, bits_);
+            } else if (contains_zero(at.offsets[i])) {
+                const formula::Expr& a = distance_of_edge->expr();
+                const formula::Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
+                const formula::Expr offset = profile_.knots()[i].expr() - x;
+                if (certainly_zero(offset)) {
+                    at.offsets[i] = Ball(0, bits_);
+                }
+            }
+        }
+    }
+    return pressure(at);
+}
+
+Ball BallContact::pressure(Edge edge, const Ball& u) const { return pressure(place(edge, u)); }
+
+Ball BallContact::least_pressure(Edge edge, const Ball& u) const {
+    return pressure(place(edge, u), true);
+}
+
+Ball BallContact::pressure(const Place& at, bool least) const {
+    if (power_law_) {
+        const Ball y = at.right * at.left / (a_ * a_);
+        return fixed_.factor * (*power_law_integral_)(abs(at.offsets[0]) / a_, y);
+    }
+    // The sum over the pieces of g'' times ((v - x) G + w_x h) between their ends, the terms of
+    // each knot taken together; G is 0 at the edges.
+    const Ball w_x = root(at.right * at.left);
+    Ball sum = fixed_.arc * w_x;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        if (!fixed_.bends[i]) {
+            continue;
+        }
+        const BallGreen green =
+            ball_green(fixed_.marks[i], at.right, at.left, w_x, fixed_.length, at.offsets[i]);
+        if (profile_.has_corner(i)) {
+            sum += jumps_[i] * (least ? green.least : green.value);
+        }
+        arb_addmul(sum.data(), fixed_.rate_drops[i].data(), green.moment.data(), bits_);
+    }
+    sum *= fixed_.factor;
+    return sum;
+}
+
+Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,
+                       const Load& load, Edge edge, const formula::Exact& u, unsigned digits) {
+    const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
+    return escalate(
+        [&](long bits) {
+            try {
+                return BallContact(profile, contact_modulus, load, bits).pressure(edge, u);
+            } catch (const BudgetError&) {
+                // Too few bits to isolate an edge: everything is possible yet.
+                Ball unknown(1, bits);
+                arb_indeterminate(unknown.data());
+                return unknown;
+            }
+        },
+        [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
+        {wanted + 64, 1L << 18});
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
+
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/series/functions.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeproof::contact {
+namespace {
+
+using boost::multiprecision::denominator;
+using boost::multiprecision::numerator;
+
+constexpr long most_whole_exponent = 1000;
+constexpr std::size_t most_exact_coefficients = 40;
+
+/// The fraction of the smallest denominator in 0 < lo <= x <= hi, by continued fractions.
+Rational simplest_between(const Rational& lo, const Rational& hi) {
+    const Integer whole = numerator(lo) / denominator(lo);
+    if (Rational(whole) == lo) {
+        return lo;
+    }
+    if (Rational(whole + 1) <= hi) {
+        return Rational(whole + 1);
+    }
+    return whole + 1 / simplest_between(1 / Rational(hi - whole), 1 / Rational(lo - whole));
+}
+
+} // namespace
+
+std::optional<Rational> simplest_rational(const Ball& x) {
+    if (!x.is_finite()) {
+        return {};
+    }
+    const Rational lo = exact_value(x.lower());
+    const Rational hi = exact_value(x.upper());
+    if (lo <= 0 && hi >= 0) {
+        return Rational(0);
+    }
+    return lo > 0 ? simplest_between(lo, hi) : Rational(-simplest_between(-hi, -lo));
+}
+
+ExactContact::ExactContact(const Profile& profile, const formula::Exact& contact_modulus,
+                           const Load& load, const Ball& near_a, const Ball& near_b)
+    : profile_(profile), modulus_(formula::ExactNumber::of(contact_modulus.expr())),
+      power_law_(profile.kind() == Profile::Kind::power_law), a_(formula::ExactNumber::unknown()),
+      b_(formula::ExactNumber::unknown()) {
+    if (power_law_) {
+        read_power_law();
+    } else if (profile.piecewise_linear()) {
+        read_pieces();
+    } else {
+        power_factor_ = formula::ExactNumber::unknown();
+        if (load.kind == Load::Kind::right_edge) {
+            a_ = formula::ExactNumber::of(load.value.expr());
+            b_ = profile.symmetric() ? a_ : b_;
+        }
+        return;
+    }
+    find_edges(load, near_a, near_b);
+}
+
+void ExactContact::read_power_law() {
+    const auto m = formula::ExactNumber::of(profile_.parameters().at("m").expr()).rational();
+    power_factor_ = formula::ExactNumber::unknown();
+    if (!m || denominator(*m) != 1 || *m > most_whole_exponent) {
+        return;
+    }
+    const auto n = static_cast<unsigned>(numerator(*m).convert_to<unsigned long>());
+    whole_exponent_ = n;
+    // sqrt(pi)/2 Gamma(1 + m/2)/Gamma((3 + m)/2) (moore-hills.tex, line 144): from m = 0, where it
+    // is 1, or m = 1, where it is pi/4, on by steps of 2, each of which multiplies it by
+    // (m + 2)/(m + 3).
+    formula::ExactNumber factor =
+        n % 2 == 0 ? formula::ExactNumber(1) : formula::ExactNumber::pi() / 4;
+    for (unsigned k = n % 2; k < n; k += 2) {
+        factor *= formula::ExactNumber(Rational(k + 2, k + 3));
+    }
+    power_factor_ =
+        modulus_ * formula::ExactNumber::of(profile_.parameters().at("C").expr()) * factor;
+}
+
+void ExactContact::read_pieces() {
+    for (const formula::Exact& knot : profile_.knots()) {
+        knots_.push_back(formula::ExactNumber::of(knot.expr()));
+    }
+    for (const SlopePiece& piece : profile_.pieces()) {
+        pieces_.push_back({formula::ExactNumber::of(piece.linear->at_origin),
+                           formula::ExactNumber::of(piece.linear->rate)});
+    }
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const auto at = [&](const Piece& p) { return p.at_origin + p.rate * knots_[i]; };
+        jumps_.push_back(profile_.has_corner(i) ? at(pieces_[i + 1]) - at(pieces_[i])
+                                                : formula::ExactNumber(0));
+    }
+}
+
+void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
+    const formula::ExactNumber given = formula::ExactNumber::of(load.value.expr());
+    const bool by_force = load.kind == Load::Kind::force;
+    std::vector<formula::ExactNumber> guesses;
+    if (!by_force) {
+        guesses.push_back(given);
+    } else if (power_law_) {
+        a_ = whole_exponent_
+                 ? pow(given / power_factor_, Rational(1, static_cast<int>(*whole_exponent_) + 1))
+                 : formula::ExactNumber::unknown();
+        b_ = a_;
+        return;
+    } else {
+        // A rational number, or a root of one.
+        if (const auto q = simplest_rational(near_a)) {
+            guesses.emplace_back(*q);
+        }
+        if (const auto q = simplest_rational(near_a * near_a)) {
+            guesses.push_back(sqrt(formula::ExactNumber(*q)));
+        }
+    }
+    for (const formula::ExactNumber& a : guesses) {
+        std::vector<formula::ExactNumber> others{a};
+        if (!profile_.symmetric()) {
+            if (const auto q = simplest_rational(near_b)) {
+                others.emplace_back(*q);
+            }
+        }
+        for (const formula::ExactNumber& b : others) {
+            if (!overlaps(b.enclosure(near_b.bits()), near_b)) {
+                continue;
+            }
+            a_ = a;
+            b_ = b;
+            place_knots();
+            if ((profile_.symmetric() || balanced()) && (!by_force || force() == given)) {
+                return;
+            }
+        }
+    }
+    a_ = by_force ? formula::ExactNumber::unknown() : given;
+    b_ = formula::ExactNumber::unknown();
+    placed_ = false;
+}
+
+void ExactContact::place_knots() {
+    marks_.clear();
+    placed_ = true;
+    const formula::ExactNumber half = (a_ + b_) / 2;
+    for (const formula::ExactNumber& v : knots_) {
+        const formula::ExactNumber right = a_ - v;
+        const formula::ExactNumber left = b_ + v;
+        const auto from_right = right.sign();
+        const auto from_left = left.sign();
+        if (!from_right || !from_left) {
+            placed_ = false;
+            return;
+        }
+        if (*from_right <= 0) {
+            marks_.push_back({half, 0, 0});
+        } else if (*from_left <= 0) {
+            marks_.push_back({-half, 0, formula::ExactNumber::pi()});
+        } else {
+            const formula::ExactNumber y = (left - right) / 2;
+            marks_.push_back({y, sqrt(right * left), angle_of_cosine(y / half), true});
+        }
+    }
+}
+
+template <class AtKnot, class Between>
+formula::ExactNumber ExactContact::over_measure(const AtKnot& at_knot,
+                                                const Between& between) const {
+    if (!placed_) {
+        return formula::ExactNumber::unknown();
+    }
+    const formula::ExactNumber half = (a_ + b_) / 2;
+    formula::ExactNumber sum;
+    Mark previous{-half, 0, formula::ExactNumber::pi()};
+    for (std::size_t i = 0; i <= knots_.size(); ++i) {
+        const Mark next = i < knots_.size() ? marks_[i] : Mark{half, 0, 0};
+        // A piece with a constant g' weighs nothing, whatever is not known of its ends.
+        if (!pieces_[i].rate.is_zero()) {
+            sum += pieces_[i].rate * between(i, previous, next);
+        }
+        if (i < knots_.size() && next.inside && !jumps_[i].is_zero()) {
+            sum += at_knot(i, next);
+        }
+        previous = next;
+    }
+    return sum;
+}
+
+bool ExactContact::balanced() const {
+    const std::size_t o = profile_.origin();
+    const formula::ExactNumber pi = formula::ExactNumber::pi();
+    return over_measure(
+               [&](std::size_t i, const Mark& m) {
+                   if (i != o) {
+                       return i > o ? jumps_[i] * m.h : -(jumps_[i] * (pi - m.h));
+                   }
+                   return pieces_[i + 1].at_origin * m.h + pieces_[i].at_origin * (pi - m.h);
+               },
+               [&](std::size_t i, const Mark& m, const Mark& n) {
+                   if (i > o) {
+                       return n.y * n.h - m.y * m.h + m.w - n.w;
+                   }
+                   return -(n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w);
+               })
+        .is_zero();
+}
+
+formula::ExactNumber ExactContact::force() const {
+    if (power_law_) {
+        return whole_exponent_
+                   ? power_factor_ * pow(a_, Rational(static_cast<int>(*whole_exponent_) + 1))
+                   : formula::ExactNumber::unknown();
+    }
+    const formula::ExactNumber d = (a_ + b_) / 2;
+    return modulus_ / 2 *
+           over_measure([&](std::size_t i, const Mark& m) { return jumps_[i] * m.w; },
+                        [&](std::size_t, const Mark& m, const Mark& n) {
+                            return (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
+                        });
+}
+
+formula::ExactNumber ExactContact::moment() const {
+    if (profile_.symmetric()) {
+        return {};
+    }
+    const formula::ExactNumber d = (a_ + b_) / 2;
+    const formula::ExactNumber offset = a_ - b_;
+    return modulus_ / 4 *
+           over_measure(
+               [&](std::size_t i, const Mark& m) { return jumps_[i] * m.w * (m.y + offset); },
+               [&](std::size_t, const Mark& m, const Mark& n) {
+                   return (m.w * m.w * m.w - n.w * n.w * n.w) / 3 +
+                          offset * (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
+               });
+}
+
+bool ExactContact::bends(std::size_t knot) const {
+    return !(pieces_[knot].rate == pieces_[knot + 1].rate &&
+             pieces_[knot].at_origin == pieces_[knot + 1].at_origin);
+}
+
+formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumber& u) const {
+    const formula::ExactNumber other = length() - u;
+    const formula::ExactNumber root = sqrt(u * other);
+    if (power_law_) {
+        if (!whole_exponent_ || *whole_exponent_ % 2 == 0) {
+            return formula::ExactNumber::unknown(); // a logarithm
+        }
+        // p = P'(a)/pi I_m(|x|/a) with I_m(q) = sum over i of C(j, i) q^(2j - 2i) y^(i + 1/2)/
+        // (2i + 1) for m = 2j + 1, y = 1 - q^2: s^2 = q^2 + t^2 in the integral of
+        // s^m/sqrt(s^2 - q^2).
+        const unsigned j = *whole_exponent_ / 2;
+        const formula::ExactNumber y = u * other / (a_ * a_);
+        const formula::ExactNumber square = formula::ExactNumber(1) - y;
+        formula::ExactNumber sum;
+        Rational binomial = 1;
+        for (unsigned i = 0; i <= j; ++i) {
+            sum += formula::ExactNumber(Rational(binomial / (2 * i + 1))) *
+                   pow(square, Rational(j - i)) * pow(y, Rational(i));
+            binomial = binomial * (j - i) / (i + 1);
+        }
+        const int m = static_cast<int>(*whole_exponent_);
+        return power_factor_ * (m + 1) * pow(a_, Rational(m - 1)) / formula::ExactNumber::pi() *
+               root * sum;
+    }
+    if (!placed_) {
+        return formula::ExactNumber::unknown();
+    }
+    const formula::ExactNumber x = edge == Edge::right ? a_ - u : u - b_;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const bool on_it = (x - knots_[i]).is_zero() && jumps_[i].is_zero();
+        if (marks_[i].inside && bends(i) && !on_it) {
+            return formula::ExactNumber::unknown(); // a logarithm
+        }
+    }
+    // The integral of g'' over the angle.
+    formula::ExactNumber arc;
+    formula::ExactNumber h = formula::ExactNumber::pi();
+    for (std::size_t i = 0; i <= knots_.size(); ++i) {
+        const formula::ExactNumber next = i < knots_.size() ? marks_[i].h : formula::ExactNumber(0);
+        if (!pieces_[i].rate.is_zero()) {
+            arc += pieces_[i].rate * (h - next);
+        }
+        h = next;
+    }
+    return modulus_ / (formula::ExactNumber::pi() * 2) * arc * root;
+}
+
+std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t terms) const {
+    const std::vector<formula::ExactNumber> none(terms, formula::ExactNumber::unknown());
+    using S = series::Series<formula::ExactNumber>;
+    const auto sign = a_.sign();
+    if (terms == 0 || terms > most_exact_coefficients || !profile_.symmetric() || !sign ||
+        *sign <= 0 || (power_law_ ? !whole_exponent_ : !placed_)) {
+        return none;
+    }
+    const S a = S::variable(a_, terms);
+    S rate(formula::ExactNumber(0), terms);
+    if (power_law_) {
+        const auto m = static_cast<long>(*whole_exponent_);
+        rate = pow_int(a, m) * (power_factor_ * static_cast<int>(m + 1));
+    } else {
+        // dP/da = E*/2 times the integral of sqrt((a + v)/(a - v)) dg'(v): RightRateKernel.
+        const S zero(formula::ExactNumber(0), terms);
+        struct Moving {
+            S y;
+            S w;
+            S h;
+        };
+        Moving previous{-a, zero, zero + formula::ExactNumber::pi()};
+        for (std::size_t i = 0; i <= knots_.size(); ++i) {
+            Moving next{a, zero, zero};
+            if (i < knots_.size() && marks_[i].inside) {
+                const S y = zero + knots_[i];
+                const S right = a - y;
+                const S left = a + y;
+                // dh/dz = -d(cos h)/dz / sin h with cos h = v/a, sin h = w/a
+                const S w = sqrt(right * left);
+                S h = zero + marks_[i].h;
+                if (terms > 1) {
+                    const S cosine = y / a;
+                    h = antiderivative(-(derivative(cosine) * (a / w).truncated(terms - 1)),
+                                       marks_[i].h);
+                }
+                next = {y, w, h};
+            } else if (i < knots_.size() && !marks_[i].h.is_zero()) {
+                next = {-a, zero, zero + formula::ExactNumber::pi()};
+            }
+            if (!pieces_[i].rate.is_zero()) {
+                rate += (previous.w - next.w + a * (previous.h - next.h)) * pieces_[i].rate;
+            }
+            if (i < knots_.size() && marks_[i].inside && !jumps_[i].is_zero()) {
+                rate += (a + next.y) / next.w * jumps_[i];
+            }
+            previous = std::move(next);
+        }
+        rate *= modulus_ / 2;
+    }
+    std::vector<formula::ExactNumber> c =
+        right_edge_brackets(LawSeries<formula::ExactNumber>{rate, a}, a_);
+    const formula::ExactNumber unit = formula::ExactNumber::pi() * sqrt(a_ * 2);
+    for (formula::ExactNumber& x : c) {
+        x /= unit;
+    }
+    return c;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
+#include "edgeproof/formula/exact/exact_number.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// The rational number of the smallest denominator in a ball; nothing for a ball that is not
+/// finite.
+[[nodiscard]] std::optional<Rational> simplest_rational(const Ball& x);
+
+/// A normal contact in exact arithmetic, as far as its values have an exact form (ExactNumber):
+/// power laws of a whole exponent, piecewise linear slopes where the angles of the knots are
+/// multiples of pi/12. It tells where a value lies exactly on a number of few digits, or half-way
+/// between two, which no enclosure can. The formulas are those of BallContact. (Where a logarithm
+/// is left in a pressure there is nothing to tell: logarithms of algebraic numbers, pi and 1 are
+/// linearly independent over the algebraic numbers unless trivially dependent (A. Baker,
+/// Mathematika 13 (1966) 204), so that such a value is no rational number.)
+class ExactContact {
+public:
+    /// `near_a` and `near_b` enclose the edges. An edge that is not given is guessed from its ball,
+    /// and known only where the exact equations hold for the guess; they have one solution.
+    ExactContact(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
+                 const Ball& near_a, const Ball& near_b);
+
+    [[nodiscard]] const formula::ExactNumber& a() const { return a_; }
+    [[nodiscard]] const formula::ExactNumber& b() const { return b_; }
+    [[nodiscard]] formula::ExactNumber length() const { return a_ + b_; }
+    [[nodiscard]] formula::ExactNumber force() const;
+    [[nodiscard]] formula::ExactNumber moment() const;
+    [[nodiscard]] formula::ExactNumber pressure(Edge edge, const formula::ExactNumber& u) const;
+    /// c_0 ... c_{terms-1} of a symmetric profile; unknown ones of others, and of more terms than
+    /// are worth the work.
+    [[nodiscard]] std::vector<formula::ExactNumber> expansion(Edge edge, std::size_t terms) const;
+
+private:
+    struct Piece {
+        formula::ExactNumber at_origin;
+        formula::ExactNumber rate;
+    };
+    /// A knot in the coordinates of the kernels (kernels.hpp); at an edge w is 0.
+    struct Mark {
+        formula::ExactNumber y;
+        formula::ExactNumber w;
+        formula::ExactNumber h;
+        bool inside = false;
+    };
+    void read_power_law();
+    void read_pieces();
+    void place_knots();
+    void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
+    [[nodiscard]] bool balanced() const;
+    [[nodiscard]] bool bends(std::size_t knot) const;
+    template <class AtKnot, class Between>
+    [[nodiscard]] formula::ExactNumber over_measure(const AtKnot& at_knot,
+                                                    const Between& between) const;
+
+    Profile profile_;
+    formula::ExactNumber modulus_;
+    bool power_law_ = false;
+    std::optional<unsigned> whole_exponent_;
+    formula::ExactNumber power_factor_; ///< P = power_factor a^(m+1)
+    std::vector<formula::ExactNumber> knots_;
+    std::vector<Piece> pieces_;
+    std::vector<formula::ExactNumber> jumps_;
+    std::vector<Mark> marks_;
+    bool placed_ = false; ///< all knots are told to be inside or not
+    formula::ExactNumber a_;
+    formula::ExactNumber b_;
+};
+
+} // namespace edgeproof::contact

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/exact_edges.hpp"
+
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+/// Beyond, the sums are too long to be worth the algebra.
+constexpr std::size_t most_knots_in_symbols = 60;
+
+formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
+formula::Expr zero_expr() { return formula::Expr::number(Rational(0)); }
+
+/// A point v of the contact: its distance y from the middle, w = sqrt((a - v)(v + b)) and
+/// h = arccos(y/d), d the half-width.
+struct SymbolicMark {
+    formula::Expr y;
+    formula::Expr w;
+    formula::Expr h;
+};
+
+/// The integrals of the law over dg' (ball_contact.cpp has them in balls), a and b being exact.
+class SymbolicLaw {
+public:
+    /// Throws BudgetError where the order of a knot and an edge is not decided.
+    SymbolicLaw(const Profile& profile, formula::Expr a, formula::Expr b)
+        : profile_(profile), a_(std::move(a)), b_(std::move(b)), d_((a_ + b_) / whole(2)) {
+        if (!profile.piecewise_linear() || profile.knots().size() > most_knots_in_symbols) {
+            throw BudgetError("the law of this profile is not written in symbols");
+        }
+        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+            const formula::Expr& v = profile.knots()[i].expr();
+            marks_.push_back(side(a_ - v) <= 0   ? right_end()
+                             : side(v + b_) <= 0 ? left_end()
+                                                 : mark(v));
+        }
+    }
+
+    /// Zero where the edges balance.
+    [[nodiscard]] formula::Expr imbalance() const {
+        const std::size_t o = profile_.origin();
+        const auto left = [](const formula::Expr& h) { return formula::Expr::pi() - h; };
+        return over_measure(
+            [&](std::size_t i, const SymbolicMark& m) {
+                if (i != o) {
+                    return i > o ? jump(i) * m.h : -(jump(i) * left(m.h));
+                }
+                return profile_.pieces()[i + 1].linear->at_origin * m.h +
+                       profile_.pieces()[i].linear->at_origin * left(m.h);
+            },
+            [&](std::size_t i, const SymbolicMark& m, const SymbolicMark& n) {
+                return i > o ? n.y * n.h - m.y * m.h + m.w - n.w
+                             : -(n.y * left(n.h) - m.y * left(m.h) + n.w - m.w);
+            });
+    }
+    /// P over E*/2.
+    [[nodiscard]] formula::Expr twice_force() const {
+        return over_measure([&](std::size_t i, const SymbolicMark& m) { return jump(i) * m.w; },
+                            [&](std::size_t, const SymbolicMark& m, const SymbolicMark& n) {
+                                return (n.y * n.w - m.y * m.w + d_ * d_ * (m.h - n.h)) / whole(2);
+                            });
+    }
+
+private:
+    using AtKnot = std::function<formula::Expr(std::size_t, const SymbolicMark&)>;
+    using BetweenKnots =
+        std::function<formula::Expr(std::size_t, const SymbolicMark&, const SymbolicMark&)>;
+
+    [[nodiscard]] static int side(const formula::Expr& e) {
+        const auto sign = decided_sign(e);
+        if (!sign) {
+            throw BudgetError("a knot is not told from an edge");
+        }
+        return *sign;
+    }
+    [[nodiscard]] SymbolicMark mark(const formula::Expr& v) const {
+        const formula::Expr y = v - (a_ - b_) / whole(2);
+        return {y, formula::Expr::call("sqrt", {(a_ - v) * (v + b_)}),
+                formula::Expr::call("acos", {y / d_})};
+    }
+    [[nodiscard]] SymbolicMark right_end() const { return {d_, zero_expr(), zero_expr()}; }
+    [[nodiscard]] SymbolicMark left_end() const { return {-d_, zero_expr(), formula::Expr::pi()}; }
+    [[nodiscard]] formula::Expr jump(std::size_t i) const {
+        const auto& before = profile_.pieces()[i].linear;
+        const auto& after = profile_.pieces()[i + 1].linear;
+        return after->at_origin - before->at_origin +
+               (after->rate - before->rate) * profile_.knots()[i].expr();
+    }
+    [[nodiscard]] formula::Expr over_measure(const AtKnot& at_knot,
+                                             const BetweenKnots& between) const {
+        formula::Expr sum = zero_expr();
+        SymbolicMark previous = left_end();
+        for (std::size_t i = 0; i <= marks_.size(); ++i) {
+            const SymbolicMark next = i < marks_.size() ? marks_[i] : right_end();
+            sum = sum + profile_.pieces()[i].linear->rate * between(i, previous, next);
+            if (i < marks_.size() && (profile_.has_corner(i) || i == profile_.origin())) {
+                sum = sum + at_knot(i, next);
+            }
+            previous = next;
+        }
+        return sum;
+    }
+
+    const Profile& profile_;
+    formula::Expr a_;
+    formula::Expr b_;
+    formula::Expr d_;
+    std::vector<SymbolicMark> marks_;
+};
+
+/// The number that the middle of x is.
+Rational rational_middle(const Ball& x) {
+    const Real m = x.midpoint();
+    Rational q;
+    mpfr_get_q(q.backend().data(), m.backend().data());
+    return q;
+}
+
+/// The simplest rational within 2^-(bits/3) of q, relatively, if it is simple enough to be meant.
+std::optional<Rational> simple_rational(const Rational& q, long bits) {
+    if (q <= 0) {
+        return std::nullopt;
+    }
+    const Rational slack = q / Rational(Integer(1) << static_cast<unsigned>(bits / 3));
+    // Convergents of the continued fraction.
+    Integer p0 = 0;
+    Integer q0 = 1;
+    Integer p1 = 1;
+    Integer q1 = 0;
+    Rational rest = q;
+    for (;;) {
+        const Integer floor = numerator(rest) / denominator(rest);
+        p0 = std::exchange(p1, Integer(floor * p1 + p0));
+        q0 = std::exchange(q1, Integer(floor * q1 + q0));
+        const Rational near(p1, q1);
+        if (abs(Rational(near - q)) <= slack) {
+            return near;
+        }
+        const Rational left = rest - Rational(floor);
+        if ((q1 >> static_cast<unsigned>(bits / 8)) > 0 || left == 0) {
+            return std::nullopt;
+        }
+        rest = 1 / left;
+    }
+}
+
+/// What exact numbers an edge may be: a knot, a simple number or the root of one, and it times pi.
+std::vector<formula::Expr> candidates(const Ball& near, const std::vector<formula::Expr>& knots,
+                                      long bits) {
+    std::vector<formula::Expr> found;
+    const Rational at = rational_middle(near);
+    const Rational slack =
+        abs(at) / Rational(Integer(1) << static_cast<unsigned>(std::max(8L, bits / 4)));
+    for (const formula::Expr& knot : knots) {
+        if (decided_sign(knot - formula::Expr::number(Rational(at - slack))) == 1 &&
+            decided_sign(formula::Expr::number(Rational(at + slack)) - knot) == 1) {
+            found.push_back(knot);
+        }
+    }
+    if (const auto q = simple_rational(at, bits)) {
+        found.push_back(formula::Expr::number(*q));
+    }
+    if (const auto q = simple_rational(rational_middle(near / Ball::pi(bits)), bits)) {
+        found.push_back(formula::Expr::number(*q) * formula::Expr::pi());
+    }
+    if (const auto q = simple_rational(at * at, bits)) {
+        found.push_back(formula::Expr::call("sqrt", {formula::Expr::number(*q)}));
+    }
+    return found;
+}
+
+/// Outwards from the origin on one side: the distances of the knots from it.
+std::vector<formula::Expr> distances(const Profile& profile, Edge edge) {
+    std::vector<formula::Expr> list;
+    const std::size_t o = profile.origin();
+    if (edge == Edge::right) {
+        for (std::size_t i = o + 1; i < profile.knots().size(); ++i) {
+            list.push_back(profile.knots()[i].expr());
+        }
+    } else {
+        for (std::size_t i = o; i-- > 0;) {
+            list.push_back(-profile.knots()[i].expr());
+        }
+    }
+    return list;
+}
+
+} // namespace
+
+bool odd_within(const Profile& profile, const formula::Expr& a) {
+    if (profile.symmetric()) {
+        return true;
+    }
+    if (profile.knots().size() > most_knots_in_symbols) {
+        return false;
+    }
+    const std::vector<formula::Expr> right = distances(profile, Edge::right);
+    const std::vector<formula::Expr> left = distances(profile, Edge::left);
+    const std::size_t o = profile.origin();
+    const formula::Expr x = formula::Expr::symbol("x");
+    std::size_t i = 0; // knots passed on either side
+    std::size_t j = 0;
+    for (;;) {
+        const formula::Expr& to_the_right = profile.pieces()[o + 1 + i].slope;
+        const formula::Expr& to_the_left = profile.pieces()[o - j].slope;
+        if (!proved_zero(to_the_right + substitute(to_the_left, "x", -x))) {
+            return false;
+        }
+        // The next knots within the contact.
+        const auto inside = [&](const std::vector<formula::Expr>& list, std::size_t k) {
+            return k < list.size() ? decided_sign(a - list[k]) : std::optional<int>(0);
+        };
+        const auto r = inside(right, i);
+        const auto l = inside(left, j);
+        if (!r || !l) {
+            return false;
+        }
+        if (*r <= 0 && *l <= 0) {
+            return true;
+        }
+        const auto order = *r <= 0   ? std::optional<int>(1)
+                           : *l <= 0 ? std::optional<int>(-1)
+                                     : decided_sign(right[i] - left[j]);
+        if (!order) {
+            return false;
+        }
+        i += *order <= 0 ? 1 : 0;
+        j += *order >= 0 ? 1 : 0;
+    }
+}
+
+std::optional<ExactEdges> exact_edges(const Profile& profile, const formula::Exact& contact_modulus,
+                                      const Load& load, const Ball& near_a, const Ball& near_b) {
+    const long bits = near_b.bits();
+    const bool given = load.kind == Load::Kind::right_edge;
+    const std::vector<formula::Expr> on_left =
+        candidates(near_b, distances(profile, Edge::left), bits);
+    std::vector<formula::Expr> all_a{load.value.expr()};
+    if (!given) {
+        all_a = candidates(near_a, distances(profile, Edge::right), bits);
+        if (overlaps(near_a, near_b)) { // the place of a knot in the mirror
+            all_a.insert(all_a.end(), on_left.begin(), on_left.end());
+        }
+    }
+    for (const formula::Expr& a : all_a) {
+        const bool odd = odd_within(profile, a);
+        for (const formula::Expr& b : odd ? std::vector<formula::Expr>{a} : on_left) {
+            try {
+                if (given && odd && !profile.piecewise_linear()) {
+                    return ExactEdges{load.value, formula::Exact(b)};
+                }
+                const SymbolicLaw law(profile, a, b);
+                // A flat that bears nothing is in balance with any other edge on it.
+                if (decided_sign(law.twice_force()) == 1 && (odd || proved_zero(law.imbalance())) &&
+                    (given || proved_zero(load.value.expr() -
+                                          contact_modulus.expr() / whole(2) * law.twice_force()))) {
+                    return ExactEdges{given ? load.value : formula::Exact(a), formula::Exact(b)};
+                }
+            } catch (const Error&) {
+                continue; // not decided
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace edgeproof::contact

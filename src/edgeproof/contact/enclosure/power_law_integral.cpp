@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/power_law_integral.hpp"
+
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr double most_terms = 4e6;
+constexpr double most_m = 1e12;
+
+Ball unknown(long bits) {
+    Ball x(0, bits);
+    arb_indeterminate(x.data());
+    return x;
+}
+
+/// Everything from 0 to the upper end of x.
+Ball from_zero(const Ball& x) { return Ball::from_interval(Real(0), x.upper(), x.bits()); }
+
+/// Whether x matters no more beside `sum`, both >= 0. Decides only where to stop.
+bool negligible(const Ball& x, const Ball& sum) {
+    return arf_abs_bound_lt_2exp_si(arb_midref(x.data())) <
+           arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
+}
+
+/// 1 + n/2 + k over k + 1, times x, in place.
+void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
+    // A quotient of small numbers: no division of balls.
+    if (n && denominator(*n) < (1 << 20)) {
+        const long q = denominator(*n).convert_to<long>();
+        const long p = numerator(*n).convert_to<long>();
+        arb_mul_si(x.data(), x.data(), p + 2 * q * (k + 1), bits);
+        arb_div_si(x.data(), x.data(), 2 * q * (k + 1), bits);
+        return;
+    }
+    const Ball factor = (first + k) / (k + 1);
+    arb_mul(x.data(), x.data(), factor.data(), bits);
+}
+
+double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
+
+/// m - 2 steps, where m is rational.
+std::optional<Rational> less(const formula::Exact& m, long steps) {
+    return m.is_rational() ? std::optional(Rational(m.rational() - 2 * steps)) : std::nullopt;
+}
+long steps_down(const formula::Exact& m, double about_m) {
+    if (!m.is_rational()) {
+        return static_cast<long>(about_m / 2);
+    }
+    return static_cast<long>(Integer(numerator(m.rational()) / (2 * denominator(m.rational()))));
+}
+
+} // namespace
+
+PowerLawIntegral::Exponent::Exponent(Ball enclosed, std::optional<Rational> exactly)
+    : n(std::move(enclosed)), exact(std::move(exactly)) {
+    constexpr long largest = 1L << 20;
+    if (!exact || denominator(*exact) > largest || numerator(*exact) > largest) {
+        return;
+    }
+    words = {numerator(*exact).convert_to<long>(), denominator(*exact).convert_to<long>()};
+    const auto [over, under] = *words;
+    by_edge = {{{{2 * under, over + 2 * under, 2 * under}, {2, 1, 3}}}};
+    if (over < 2 * under) {
+        by_apex = {{{{2, 3, 4}, {2 * under, 2 * under - over, 4 * under - over}}}};
+    }
+    few_words = under <= 64;
+}
+
+PowerLawIntegral::PowerLawIntegral(const formula::Exact& m, const Ball& enclosed_m)
+    : whole_(enclosed_m, less(m, 0)), about_m_(approximate(enclosed_m)),
+      steps_(about_m_ > most_m ? 0 : steps_down(m, about_m_)),
+      left_(enclosed_m - 2 * steps_, less(m, steps_)), apex_factor_(0, enclosed_m.bits()),
+      most_(Rational(99, 100), enclosed_m.bits()) {
+    if (left_.exact && denominator(*left_.exact) == 1) {
+        whole_left_ = left_.exact->convert_to<long>();
+        return;
+    }
+    apex_factor_ =
+        sqrt(Ball::pi(enclosed_m.bits())) / 2 * gamma(-(left_.n / 2)) / gamma((1 - left_.n) / 2);
+}
+
+/// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (Euler's transformation of 2F1, DLMF
+/// 15.8.1): all terms are positive, and from where their ratio is below 1 on it falls on.
+Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y,
+                                const Ball& root) {
+    const long bits = y.bits();
+    if (of.by_edge) {
+        if (const auto sum = of.by_edge->sum(y, bits)) {
+            return root * pow(q, of.n) * *sum;
+        }
+    }
+    const Ball first = of.n / 2 + 1;
+    Ball term(1, bits);
+    Ball sum(0, bits);
+    Ball share(0, bits);
+    for (long k = 0; k < static_cast<long>(most_terms); ++k) {
+        // A term counts for what it is beside the sum: small ones are made of fewer bits.
+        const long below = k == 0 ? 0
+                                  : arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) -
+                                        arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
+        const long here = std::clamp(bits + 16 - below, 30L, bits);
+        arb_div_si(share.data(), term.data(), 2 * k + 1, here);
+        if (k > 0 && negligible(share, sum)) {
+            Ball ratio = y;
+            to_next_term(ratio, first, of.exact, k, bits);
+            if (certainly_less(ratio, Ball(1, bits))) {
+                const Ball factor = pow(q, of.n);
+                return root * factor * (sum + from_zero(share / (1 - ratio)));
+            }
+        }
+        sum += share;
+        arb_mul(term.data(), term.data(), y.data(), here);
+        to_next_term(term, first, of.exact, k, here);
+        if (!term.is_finite()) {
+            break;
+        }
+    }
+    return unknown(bits);
+}
+
+/// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
+Ball PowerLawIntegral::apex_power(const Ball& q) const {
+    Ball power(0, q.bits());
+    if (!contains_zero(q)) {
+        power = pow(q, left_.n);
+    } else if (!q.is_exact()) {
+        const Ball top(q.upper(), q.bits());
+        power = from_zero(pow(top, left_.n));
+    }
+    return power * apex_factor_;
+}
+
+/// 0 < n < 2, n != 1, near q = 0: the sum of beta_k q^(2k)/(n - 2k), beta_k = (2k)!/(4^k k!^2), and
+/// the power of q.
+Ball PowerLawIntegral::apex_sum(const Ball& q) const {
+    const long bits = q.bits();
+    const Ball square = q * q;
+    const Ball& n = left_.n;
+    if (left_.by_apex) {
+        if (const auto sum = left_.by_apex->sum(square, bits)) {
+            return 1 / n - square / (2 * (2 - n)) * *sum + apex_power(q);
+        }
+    }
+    Ball term(1, bits);
+    Ball sum = 1 / n;
+    for (long k = 1;; ++k) {
+        term *= square * (2 * k - 1) / (2 * k);
+        if (k > 2 && (negligible(term, sum) || k > 4 * bits)) {
+            // 2k - n > 1: the rest is at most a geometric series.
+            const Ball rest = from_zero(abs(term) / (1 - square));
+            sum += rest * Ball::from_interval(Real(-1), Real(1), bits);
+            break;
+        }
+        sum += term / (n - 2 * k);
+    }
+    return sum + apex_power(q);
+}
+
+Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) const {
+    if (whole_left_ == 1) {
+        return root;
+    }
+    if (whole_left_ == 0) {
+        // acosh(1/q) = ln((1 + sqrt(y))/q), without the difference that is small near the edge.
+        return log1p((root + y / (1 + q)) / q);
+    }
+    // Of a wide ball neither series may converge.
+    const bool by_apex = certainly_less(q, most_);
+    // With few words both series take as long for a term; the one at the apex has more around it.
+    const double most_y = left_.few_words ? 0.55 : 0.75;
+    if ((approximate(y) <= most_y || !by_apex) && certainly_less(y, most_)) {
+        return edge_sum(left_, q, y, root);
+    }
+    return by_apex ? apex_sum(q) : unknown(q.bits());
+}
+
+/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, upwards.
+Ball PowerLawIntegral::few_by_parts(const Ball& q, const Ball& y, const Ball& root) const {
+    const long bits = root.bits();
+    const Ball square = q * q;
+    const auto [over, under] = *left_.words;
+    Ball sum = rest(q, y, root);
+    for (long k = 1; k <= steps_; ++k) {
+        const long p = over + 2 * k * under;
+        arb_mul(sum.data(), sum.data(), square.data(), bits);
+        arb_mul_si(sum.data(), sum.data(), p - under, bits);
+        arb_addmul_si(sum.data(), root.data(), under, bits);
+        arb_div_si(sum.data(), sum.data(), p, bits);
+    }
+    return sum;
+}
+
+/// The same downwards, as far as it counts: 0 <= I_n <= sqrt(y) for n >= 1.
+Ball PowerLawIntegral::by_parts(const Ball& q, const Ball& y, const Ball& root) const {
+    const long bits = root.bits();
+    const Ball square = q * q;
+    Ball sum(0, bits);
+    Ball factor(1, bits); ///< without its powers of q
+    Ball power(1, bits);
+    Ball n = whole_.n;
+    for (long k = 0; k < steps_; ++k) {
+        if (k > 0 && negligible(factor * power, sum)) {
+            return sum + from_zero(factor * power * root);
+        }
+        sum += factor * power * root / n;
+        factor *= (n - 1) / n;
+        if (k + 1 < steps_) {
+            power *= square;
+        }
+        n -= 2;
+    }
+    if (whole_left_ == 0 && contains_zero(q)) {
+        // q^2 asinh(sqrt(y)/q) < q^2 ln(2/q), which grows with q.
+        const Ball top(q.upper(), bits);
+        const Ball last = q.is_exact() ? Ball(0, bits) : from_zero(top * top * log(2 / top));
+        return sum + factor * power * last;
+    }
+    return sum + factor * power * square * rest(q, y, root);
+}
+
+Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
+    const long bits = std::max(q.bits(), y.bits());
+    if (about_m_ > most_m) {
+        return unknown(bits);
+    }
+    const Ball root = contact::root(y);
+    if (steps_ == 0) {
+        return rest(q, y, root);
+    }
+    const double about_y = approximate(y);
+    const double digits = static_cast<double>(bits);
+    const double near_edge =
+        about_y < 1 ? digits + (1.6 * about_m_ * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
+    const double downwards = std::min(static_cast<double>(steps_), 0.7 * digits / about_y);
+    if (std::min(near_edge, downwards) > most_terms) {
+        return unknown(bits);
+    }
+    if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
+        return edge_sum(whole_, q, y, root);
+    }
+    constexpr long few = 16;
+    return steps_ <= few && left_.words && !contains_zero(q) ? few_by_parts(q, y, root)
+                                                             : by_parts(q, y, root);
+}
+
+} // namespace edgeproof::contact

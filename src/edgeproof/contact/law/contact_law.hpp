@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/measure.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
+
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <optional>
+
+namespace edgeproof::contact {
+
+/// P'(a + z) and b(a + z) as truncated series in z: all that an edge expansion needs.
+/// Units: force per unit length over length^(k+1), and length^(1-k).
+template <class T> struct LawSeries {
+    series::Series<T> force_rate; ///< dP/da, the total derivative along the family of contacts
+    series::Series<T> b;          ///< b(a + z); a + z itself for a symmetric contact
+};
+
+/// What the load and the other edge are when one edge is at a: moore-hills.tex eqn:Consistency,
+/// eqn:AppliedNormalForce_NonSym (which holds eqn:AppliedNormalForce for b = a).
+/// Forces are per unit length. Values carry the working precision of the thread that made the
+/// object, less a few digits of roundoff; nothing here is a proved bound.
+template <Arithmetic T> class ContactLaw {
+public:
+    /// `contact_modulus` is E* of both bodies together, 1/E* = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2.
+    /// `target_digits`: where quadratures over pieces of g' that are not linear may stop (0: at
+    /// roundoff).
+    ContactLaw(const Profile& profile, T contact_modulus, unsigned target_digits = 0);
+
+    [[nodiscard]] const SlopeIn<T>& slope() const noexcept { return slope_; }
+    [[nodiscard]] const T& contact_modulus() const noexcept { return modulus_; }
+    [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
+
+    /// b(a) by the consistency condition; a itself for a symmetric profile, with nothing solved.
+    /// Throws DomainError for a <= 0, or when no b closes the contact on the left.
+    [[nodiscard]] T left_edge(const T& a) const;
+    /// a = b^{-1}(b).
+    [[nodiscard]] T right_edge(const T& b) const;
+    /// The half-width a at which the normal force is P > 0.
+    [[nodiscard]] T right_edge_for_force(const T& P) const;
+
+    [[nodiscard]] Extent<T> extent(const T& a) const { return {a, left_edge(a)}; }
+    [[nodiscard]] T force(const Extent<T>& e) const;
+    /// Moment of p about the origin, positive when it presses the right side down.
+    [[nodiscard]] T moment(const Extent<T>& e) const;
+    /// dP/da along the family of contacts.
+    [[nodiscard]] T force_rate(const Extent<T>& e) const;
+    /// dP/db along the family of contacts.
+    [[nodiscard]] T left_force_rate(const Extent<T>& e) const;
+    /// How far eqn:Consistency is from holding, scaled to be dimensionless.
+    [[nodiscard]] T imbalance(const Extent<T>& e) const;
+
+    /// The series of the law about e, `order` terms. On a knot the derivatives are those from
+    /// inside the contact; right_edge_on_knot() says when that is so.
+    [[nodiscard]] LawSeries<T> series(const Extent<T>& e, std::size_t order) const;
+    [[nodiscard]] bool right_edge_on_knot(const Extent<T>& e) const;
+    [[nodiscard]] bool left_edge_on_knot(const Extent<T>& e) const;
+
+    /// Evaluations of integrands so far (pieces of g' that are not linear, and nothing else).
+    [[nodiscard]] std::size_t evaluations() const noexcept { return evaluations_; }
+
+private:
+    /// P = force_factor a^(m+1) for a power law: its own closed form (moore-hills.tex, line 144),
+    /// since g'' is not integrable in practice for m near 0.
+    struct PowerLaw {
+        T exponent;
+        T force_factor;
+    };
+    template <template <class, class> class Kernel, class U>
+    [[nodiscard]] U over_measure(Marks<T, U>& marks, Part part = Part::all) const {
+        return integrate_measure<T, U>(measure_kernel<U, Kernel<U, T>>(), slope_, marks, part,
+                                       symmetric_, target_digits_, &evaluations_);
+    }
+    template <template <class, class> class Kernel, class U>
+    [[nodiscard]] U over_measure(const Extent<U>& e) const {
+        Marks<T, U> marks(e, slope_.knots());
+        return over_measure<Kernel>(marks);
+    }
+    /// The imbalance at a trial edge, positive when it lies further out, and Newton's step.
+    struct EdgeStep {
+        T value;
+        T step;
+    };
+    [[nodiscard]] EdgeStep edge_step(const T& known, const T& unknown, bool solve_left) const;
+    struct ForceAt {
+        T force;
+        T rate; ///< dP/da
+    };
+    [[nodiscard]] std::optional<ForceAt> force_at(const T& a, std::exception_ptr& failure) const;
+    [[nodiscard]] std::optional<T> refined_from_guess(const T& P) const;
+    [[nodiscard]] T search_right_edge(const T& P, const T& least) const;
+    [[nodiscard]] T solve_edge(const T& known, bool solve_left) const;
+    /// Where Newton starts: nullopt if neither binary64 nor fewer digits decide.
+    [[nodiscard]] std::optional<T> guessed_edge(const T& known, bool solve_left) const;
+    [[nodiscard]] T search_edge(const T& known, const T& start, bool solve_left) const;
+    [[nodiscard]] Extent<T> extent_with(const T& known, const T& unknown, bool solve_left) const;
+
+    SlopeIn<T> slope_;
+    T modulus_;
+    bool symmetric_;
+    unsigned target_digits_;
+    std::optional<PowerLaw> power_;
+    std::shared_ptr<const ContactLaw<double>> guess_; ///< starts Newton; decides nothing
+    /// The same law with fewer digits, which starts Newton closer; null where guess_ will do.
+    std::shared_ptr<const ContactLaw> coarser_;
+    unsigned coarser_digits_ = 0;
+    mutable std::size_t evaluations_ = 0;
+};
+
+extern template class ContactLaw<double>;
+extern template class ContactLaw<long double>;
+extern template class ContactLaw<Float128>;
+extern template class ContactLaw<Real>;
+
+} // namespace edgeproof::contact

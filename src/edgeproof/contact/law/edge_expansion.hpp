@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/contact_law.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/series/polynomial.hpp"
+#include "edgeproof/series/reversion.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// The brackets r_k of c_k = r_k/(pi sqrt(a + b)) at the right edge, for a field T (symbolic ones
+/// included): p(a - u) with s = a - u sigma in eqn:ContactPressure_NonSym, first branch, is
+/// sqrt(u)/(pi sqrt(D)) times the integral over 0 < sigma < 1 of
+/// P'(a - u sigma) (1 - sigma)^(-1/2) [(x + b(s))/D]^(-1/2), D = a + b.
+/// `force_rate` and `b` are P'(a + z) and b(a + z); as many terms come out as go in.
+template <class T>
+[[nodiscard]] std::vector<T> right_edge_brackets(const LawSeries<T>& law, const T& a) {
+    using P = series::Polynomial<T>;
+    const std::size_t n = std::min(law.force_rate.order(), law.b.order());
+    const T D = a + law.b[0];
+    series::Series<P> rate(P(T(0)), n);
+    series::Series<P> distance(P(T(0)), n); // (x + b(s))/D
+    for (std::size_t k = 0; k < n; ++k) {
+        const T sign(k % 2 == 0 ? 1 : -1);
+        rate[k] = P::monomial(T(law.force_rate[k] * sign), k);
+        distance[k] = k == 0 ? P(T(1)) : P::monomial(T(law.b[k] * sign / D), k);
+    }
+    if (n > 1) {
+        distance[1] -= P(T(T(1) / D));
+    }
+    const P minus_half(T(T(-1) / T(2)));
+    const series::Series<P> integrand = rate * pow_with_constant<P>(distance, minus_half, P(T(1)));
+    std::vector<T> brackets;
+    for (std::size_t k = 0; k < n; ++k) {
+        brackets.push_back(integrand[k].integrate_beta());
+    }
+    return brackets;
+}
+
+/// The steps of the left edge's own derivation (the paper's Appendix), u the distance from -b:
+/// s = a + B sigma with B(u) = b^{-1}(b - u) - a, so that
+/// p(-b + u) = -(B/u) sqrt(u)/(pi sqrt(D)) times the integral of
+/// P'(a + B sigma) nearby^(-1/2) last^(-1/2) (1 - sigma)^(-1/2).
+template <class T> struct LeftEdgeDerivation {
+    series::Series<T> B;                          ///< b^{-1}(b - u) - a
+    series::Series<series::Polynomial<T>> rate;   ///< P'(a + B sigma)
+    series::Series<series::Polynomial<T>> nearby; ///< (s - x)/D = 1 - (u - B sigma)/D
+    series::Series<series::Polynomial<T>>
+        last; ///< (x + b(s))/(u (1 - sigma)): exactly divisible, no breakdown
+    /// The integral over sigma of their product, each power of u: the paper's I_1 + I_2 times
+    /// sqrt(u) sqrt(D) (with F = P').
+    std::vector<T> integral;
+    std::vector<T> brackets; ///< -(B/u) times it: c_k pi sqrt(D)
+};
+
+template <class T>
+[[nodiscard]] LeftEdgeDerivation<T> left_edge_derivation(const LawSeries<T>& law, const T& a) {
+    using P = series::Polynomial<T>;
+    const std::size_t n = std::min(law.force_rate.order(), law.b.order());
+    const T D = a + law.b[0];
+    series::Series<T> shift = law.b.truncated(n);
+    shift[0] = T(0);
+    LeftEdgeDerivation<T> d;
+    // One term more than is known of b is never needed: B starts at u.
+    d.B = n > 1 ? revert(shift) : series::Series<T>(T(0), 1);
+    for (std::size_t k = 1; k < n; k += 2) {
+        d.B[k] = -d.B[k];
+    }
+    // Powers of B sigma, as series in u with coefficients in sigma.
+    series::Series<P> step(P(T(0)), n);
+    for (std::size_t k = 1; k < n; ++k) {
+        step[k] = P::monomial(d.B[k], 1);
+    }
+    const auto along = [&](const series::Series<T>& f) {
+        series::Series<P> sum(P(f[n - 1]), n);
+        for (std::size_t k = n - 1; k-- > 0;) {
+            sum = sum * step;
+            sum[0] += P(f[k]);
+        }
+        return sum;
+    };
+    d.rate = along(law.force_rate);
+    d.nearby = step;
+    for (std::size_t k = 0; k < n; ++k) {
+        d.nearby[k] /= P(D);
+    }
+    d.nearby[0] += P(T(1));
+    if (n > 1) {
+        d.nearby[1] -= P(T(T(1) / D));
+    }
+    // x + b(s) = u + (b(a + B sigma) - b); at sigma = 1 it vanishes identically.
+    const series::Series<P> gap = along(shift);
+    std::vector<P> last;
+    for (std::size_t k = 1; k < n; ++k) {
+        P whole = gap[k];
+        if (k == 1) {
+            whole += P(T(1));
+        }
+        last.push_back(whole.over_one_minus_sigma());
+    }
+    // Its highest term needs b one order further than P': it is not known and not used.
+    d.last = last.empty() ? series::Series<P>(P(T(1)), 1) : series::Series<P>(std::move(last));
+    const P minus_half(T(T(-1) / T(2)));
+    const std::size_t m = d.last.order();
+    const series::Series<P> product =
+        d.rate.truncated(m) * pow_with_constant<P>(d.nearby.truncated(m), minus_half, P(T(1))) *
+        pow_with_constant<P>(d.last, minus_half, P(T(1)));
+    for (std::size_t k = 0; k < m; ++k) {
+        d.integral.push_back(product[k].integrate_beta());
+    }
+    if (n > 1) {
+        for (std::size_t k = 0; k < m; ++k) {
+            T sum(0);
+            for (std::size_t j = 0; j <= k; ++j) {
+                sum -= d.B[j + 1] * d.integral[k - j];
+            }
+            d.brackets.push_back(sum);
+        }
+    }
+    return d;
+}
+
+/// c_0 ... c_{terms-1} of p = sum c_k u^(k+1/2) at one edge, from the truncated series of the
+/// contact law and from no printed formula. Units: pressure/length^(k+1/2). Digits: those of the
+/// thread's working precision less what the series loses; not a proved bound.
+template <Arithmetic T>
+[[nodiscard]] std::vector<T> edge_expansion(const ContactLaw<T>& law, const Extent<T>& e, Edge edge,
+                                            std::size_t terms) {
+    using std::sqrt;
+    if (terms == 0) {
+        return {};
+    }
+    // Left of the origin the derivation loses one order to the division by u.
+    const LawSeries<T> series = law.series(e, edge == Edge::right ? terms : terms + 1);
+    std::vector<T> c = edge == Edge::right ? right_edge_brackets(series, e.a)
+                                           : left_edge_derivation(series, e.a).brackets;
+    c.resize(terms);
+    const T unit = pi<T>() * sqrt(e.length());
+    for (T& x : c) {
+        x /= unit;
+    }
+    return c;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/precision/rational.hpp"
+
+#include <utility>
+
+namespace edgeproof::contact {
+
+/// What the contact is pressed with: the right edge a, or the normal force P per unit length.
+struct Load {
+    enum class Kind { right_edge, force };
+    Kind kind = Kind::right_edge;
+    formula::Exact value;
+    [[nodiscard]] static Load right_edge(formula::Exact a) {
+        return {Kind::right_edge, std::move(a)};
+    }
+    [[nodiscard]] static Load force(formula::Exact P) { return {Kind::force, std::move(P)}; }
+};
+
+/// The part of the contact that is looked at, as fractions of its length a + b from the edge.
+/// A paper that counts a symmetric contact from the edge to the middle has to = 1/2.
+struct ExtentRange {
+    formula::Exact from = formula::Exact::of(Rational(0));
+    formula::Exact to = formula::Exact::of(Rational(1));
+};
+
+} // namespace edgeproof::contact

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/kernels.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof::contact {
+
+/// A place inside the contact by its distances from both edges, so that the one it is near is
+/// known to the last digit.
+template <class T> struct Point {
+    T right; ///< a - x
+    T left;  ///< x + b
+    T x;
+};
+
+/// Throws DomainError unless 0 < u < a + b.
+template <class T> [[nodiscard]] Point<T> point_at(const Extent<T>& e, Edge edge, const T& u) {
+    const T other = e.length() - u;
+    if (!(u > T(0)) || !(other > T(0))) {
+        throw DomainError("a point lies outside the contact");
+    }
+    return edge == Edge::right ? Point<T>{u, other, T(e.a - u)} : Point<T>{other, u, T(u - e.b)};
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+
+namespace edgeproof::contact {
+
+/// What a computation consists of: a plan foretells it, and the mechanics counts it where it is
+/// done. Passed along by whoever wants to know; never global; one object belongs to one thread.
+struct Counts {
+    std::size_t tilts = 0;            ///< tilts solved for from P and M
+    std::size_t load_inversions = 0;  ///< contacts whose size was solved for from P
+    std::size_t consistency = 0;      ///< contacts whose other edge was solved for
+    std::size_t expansions = 0;       ///< edges at which p was expanded
+    std::size_t closed_forms = 0;     ///< pressures in closed form
+    std::size_t quadratures = 0;      ///< pressures by quadrature
+    std::size_t shear_points = 0;     ///< shear tractions
+    std::size_t shear_expansions = 0; ///< edges at which q was expanded
+    std::size_t resultants = 0;       ///< forces and moments
+    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was sought
+
+    friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+/// The counts, and what depends on the digits that cancel on the way, which no plan foretells.
+struct Work {
+    Counts counts;
+    std::size_t raised = 0;      ///< times a contact was solved anew at a higher precision
+    std::size_t evaluations = 0; ///< of the integrands of pressures
+};
+
+} // namespace edgeproof::contact

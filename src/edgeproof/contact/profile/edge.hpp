@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+
+namespace edgeproof::contact {
+
+/// An edge of the contact -b < x < a. Distances u run inwards from it: u = a - x or u = b + x.
+enum class Edge { right, left };
+
+[[nodiscard]] constexpr Edge opposite(Edge edge) {
+    return edge == Edge::right ? Edge::left : Edge::right;
+}
+/// For what is kept of both edges side by side.
+[[nodiscard]] constexpr std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
+
+} // namespace edgeproof::contact

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/profile/profile.hpp"
+
+#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/contact/profile/slope_from_knot.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/require.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+const formula::Expr symbol_x =
+    formula::Expr::symbol("x"); // NOLINT: Expr is immutable and needs no other source
+const formula::Expr number_zero = formula::Expr::number(0); // NOLINT
+
+/// e(-x), negated: a slope seen in a mirror.
+formula::Expr mirrored(const formula::Expr& e) {
+    const auto linear = as_linear(e, "x");
+    if (linear) {
+        const Rational* at_origin = linear->at_origin.rational();
+        if (at_origin != nullptr && *at_origin == 0) {
+            return e;
+        }
+        return linear->rate * symbol_x - linear->at_origin;
+    }
+    return -substitute(e, "x", -symbol_x);
+}
+
+} // namespace
+
+Profile Profile::assemble(Kind kind, std::vector<formula::Exact> knots,
+                          std::vector<formula::Expr> slopes) {
+    Profile p;
+    p.kind_ = kind;
+    // The origin is a knot even where g' is smooth: consistency weighs its two sides.
+    std::size_t at = 0;
+    while (at < knots.size() && knots[at].sign() < 0) {
+        ++at;
+    }
+    if (at == knots.size() || knots[at].sign() != 0) {
+        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), formula::Exact(number_zero));
+        slopes.insert(slopes.begin() + static_cast<std::ptrdiff_t>(at), slopes[at]);
+    }
+    p.origin_ = at;
+    p.knots_ = std::move(knots);
+    for (const formula::Expr& slope : slopes) {
+        p.pieces_.push_back({slope, as_linear(slope, "x")});
+    }
+    p.find_forms_at_knots();
+    p.corner_.assign(p.knots_.size(), false);
+    return p;
+}
+
+void Profile::find_forms_at_knots() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        SlopePiece& piece = pieces_[i];
+        if (piece.linear) {
+            continue;
+        }
+        if (i > 0) {
+            piece.from_left = slope_beside_zero(piece.slope, knots_[i - 1].expr());
+        }
+        if (i < knots_.size()) {
+            piece.from_right = slope_beside_zero(piece.slope, knots_[i].expr());
+        }
+    }
+}
+
+void Profile::continue_outer_pieces() {
+    const auto line_from = [](const RisingLimit& end) {
+        const formula::Expr at = end.at.expr();
+        const formula::Expr rate = formula::Expr::number(end.rate);
+        return substitute(end.slope, "x", at) - rate * at + rate * symbol_x;
+    };
+    const auto add = [&](Edge edge, const RisingLimit& end) {
+        const formula::Expr line = line_from(end);
+        const SlopePiece piece{line, as_linear(line, "x")};
+        if (edge == Edge::right) {
+            right_limit_ = end.at;
+            knots_.push_back(end.at);
+            pieces_.push_back(piece);
+            corner_.push_back(false);
+        } else {
+            left_limit_ = end.at;
+            knots_.insert(knots_.begin(), end.at);
+            pieces_.insert(pieces_.begin(), piece);
+            corner_.insert(corner_.begin(), false);
+            ++origin_;
+        }
+    };
+    const auto right = rising_limit(*this, Edge::right);
+    const auto left = rising_limit(*this, Edge::left);
+    if (right) {
+        add(Edge::right, *right);
+    }
+    if (left) {
+        add(Edge::left, *left);
+    }
+    if (right || left) {
+        find_forms_at_knots();
+    }
+}
+
+Profile Profile::power_law(const formula::Exact& C, const formula::Exact& m) {
+    require(C.sign() > 0, "the power-law constant C = " + C.text() + " is not positive",
+            "give C > 0");
+    require(m.sign() >= 0, "the power-law exponent m = " + m.text() + " is negative",
+            "give m >= 0 (0: a wedge, 1: Hertz)");
+    const formula::Expr& c = C.expr();
+    const Rational* exponent = m.expr().rational();
+    std::vector<formula::Expr> slopes;
+    if (exponent != nullptr && *exponent == 0) {
+        slopes = {-c, c};
+    } else if (exponent != nullptr && *exponent == 1) {
+        slopes = {c * symbol_x, c * symbol_x};
+    } else {
+        slopes = {-(c * pow(-symbol_x, m.expr())), c * pow(symbol_x, m.expr())};
+    }
+    Profile p = assemble(Kind::power_law, {formula::Exact(number_zero)}, std::move(slopes));
+    p.corner_[0] = exponent != nullptr && *exponent == 0;
+    p.symmetric_ = true;
+    p.parameters_ = {{"C", C}, {"m", m}};
+    return p;
+}
+
+Profile Profile::flat_and_rounded(const formula::Exact& t, const formula::Exact& R) {
+    require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
+            "give t >= 0");
+    require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
+    const formula::Expr& T = t.expr();
+    const formula::Expr& r = R.expr();
+    Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {symbol_x / r})
+                              : assemble(Kind::flat_and_rounded, {formula::Exact(-T), t},
+                                         {(symbol_x + T) / r, number_zero, (symbol_x - T) / r});
+    p.symmetric_ = true;
+    p.parameters_ = {{"t", t}, {"R", R}};
+    return p;
+}
+
+Profile Profile::tilted_wedge(const formula::Exact& phi, const formula::Exact& alpha) {
+    require(phi.sign() > 0, "the wedge angle phi = " + phi.text() + " is not positive",
+            "give phi > 0 (the half-angle is pi/2 - phi)");
+    const formula::Expr& f = phi.expr();
+    const formula::Expr& al = alpha.expr();
+    require(formula::Exact(f - al).sign() > 0 && formula::Exact(f + al).sign() > 0,
+            "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
+            "give |alpha| < phi: beyond, one face of the wedge lifts off");
+    Profile p = assemble(Kind::tilted_wedge, {formula::Exact(number_zero)}, {-(f + al), f - al});
+    p.corner_[0] = true;
+    p.symmetric_ = alpha.sign() == 0;
+    p.parameters_ = {{"phi", phi}, {"alpha", alpha}};
+    return p;
+}
+
+Profile Profile::tilted_flat_and_rounded(const formula::Exact& alpha, const formula::Exact& t,
+                                         const formula::Exact& R) {
+    require(alpha.sign() >= 0, "the tilt alpha = " + alpha.text() + " is negative",
+            "give alpha >= 0, clockwise; mirror the scene for the other sense");
+    require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
+            "give t >= 0");
+    require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
+    const formula::Expr& al = alpha.expr();
+    const formula::Expr& r = R.expr();
+    const formula::Expr two_t = formula::Expr::number(2) * t.expr();
+    std::vector<formula::Exact> knots;
+    std::vector<formula::Expr> slopes;
+    if (t.sign() == 0) {
+        slopes = {symbol_x / r};
+    } else if (alpha.sign() == 0) {
+        // Upright, the minimum is the whole flat; the paper's frame then has its origin at the
+        // right end of the flat.
+        knots = {formula::Exact(-two_t), formula::Exact(number_zero)};
+        slopes = {(symbol_x + two_t) / r, number_zero, symbol_x / r};
+    } else {
+        knots = {formula::Exact(-(al * r) - two_t), formula::Exact(-(al * r))};
+        slopes = {(symbol_x + two_t) / r, -al, symbol_x / r};
+    }
+    Profile p = assemble(Kind::tilted_flat_and_rounded, std::move(knots), std::move(slopes));
+    p.parameters_ = {{"alpha", alpha}, {"t", t}, {"R", R}};
+    return p;
+}
+
+Profile Profile::piecewise(const std::vector<formula::Exact>& knots,
+                           const std::vector<formula::Expr>& slopes) {
+    require(slopes.size() == knots.size() + 1,
+            "a piecewise profile with " + std::to_string(knots.size()) + " knots has " +
+                std::to_string(slopes.size()) + " pieces",
+            "give one piece more than knots");
+    Profile p = assemble(Kind::piecewise, knots, slopes);
+    p.corner_ = checked_corners(p);
+    p.continue_outer_pieces();
+    return p;
+}
+
+Profile Profile::piecewise_symmetric(const std::vector<formula::Exact>& knots,
+                                     const std::vector<formula::Expr>& slopes) {
+    require(slopes.size() == knots.size() + 1,
+            "a symmetric piecewise profile with " + std::to_string(knots.size()) +
+                " knots in x > 0 has " + std::to_string(slopes.size()) + " pieces",
+            "give one piece more than knots; the left half is its mirror image");
+    require(knots.empty() || knots.front().sign() > 0,
+            "a symmetric piecewise profile has a knot at or left of the origin",
+            "give knots x > 0 only; the origin is always one");
+    std::vector<formula::Exact> all;
+    std::vector<formula::Expr> both;
+    for (std::size_t i = knots.size(); i-- > 0;) {
+        all.emplace_back(-knots[i].expr());
+    }
+    all.emplace_back(number_zero);
+    all.insert(all.end(), knots.begin(), knots.end());
+    for (std::size_t i = slopes.size(); i-- > 0;) {
+        both.push_back(mirrored(slopes[i]));
+    }
+    both.insert(both.end(), slopes.begin(), slopes.end());
+    Profile p = assemble(Kind::piecewise, all, both);
+    p.symmetric_ = true;
+    p.corner_ = checked_corners(p);
+    return p;
+}
+
+std::string Profile::kind_name() const {
+    switch (kind_) {
+    case Kind::power_law:
+        return "power-law";
+    case Kind::flat_and_rounded:
+        return "flat-and-rounded";
+    case Kind::tilted_wedge:
+        return "tilted-wedge";
+    case Kind::tilted_flat_and_rounded:
+        return "tilted-flat-and-rounded";
+    case Kind::piecewise:
+        break;
+    }
+    return "piecewise";
+}
+
+bool Profile::piecewise_linear() const noexcept {
+    return std::all_of(pieces_.begin(), pieces_.end(),
+                       [](const SlopePiece& piece) { return piece.linear.has_value(); });
+}
+
+Profile Profile::reflected() const {
+    Profile p;
+    // Only the symmetric kinds keep their name in a mirror; a tilted one leans the other way.
+    p.kind_ = symmetric_ ? kind_ : Kind::piecewise;
+    p.symmetric_ = symmetric_;
+    if (symmetric_) {
+        p.parameters_ = parameters_;
+    }
+    for (std::size_t i = knots_.size(); i-- > 0;) {
+        p.knots_.emplace_back(i == origin_ ? number_zero : -knots_[i].expr());
+        p.corner_.push_back(corner_[i]);
+    }
+    for (std::size_t i = pieces_.size(); i-- > 0;) {
+        const formula::Expr slope = mirrored(pieces_[i].slope);
+        p.pieces_.push_back({slope, as_linear(slope, "x")});
+    }
+    p.origin_ = knots_.size() - 1 - origin_;
+    p.find_forms_at_knots();
+    const auto mirrored_place = [](const std::optional<formula::Exact>& x) {
+        return x ? std::optional(formula::Exact(-x->expr())) : std::nullopt;
+    };
+    p.left_limit_ = mirrored_place(right_limit_);
+    p.right_limit_ = mirrored_place(left_limit_);
+    return p;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/profile/profile_checks.hpp"
+
+#include "edgeproof/contact/profile/slope.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <string>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr unsigned check_digits = 60;
+constexpr int samples = 64;
+
+/// A user reads the place in a few digits.
+std::string short_text(const Real& x) { return x.str(8); }
+
+/// The sign of an exact constant; what 4096 bits cannot tell from zero counts as zero.
+int sign_or_zero(const formula::Expr& e) {
+    try {
+        return formula::Exact(e).sign();
+    } catch (const Error&) {
+        return 0;
+    }
+}
+
+[[noreturn]] void not_convex(const std::string& where) {
+    throw InputError("g' decreases " + where, "give a convex profile: g' must not decrease");
+}
+
+} // namespace
+
+std::vector<bool> checked_corners(const Profile& profile) {
+    const PrecisionScope scope(check_digits);
+    const auto& knots = profile.knots();
+    // Of a symmetric profile the right half alone: messages show what was given, not its mirror
+    // image. The origin is its middle knot.
+    const std::size_t first = profile.symmetric() ? knots.size() / 2 : 0;
+    for (std::size_t i = first; i + 1 < knots.size(); ++i) {
+        if (formula::Exact(knots[i + 1].expr() - knots[i].expr()).sign() <= 0) {
+            throw InputError("knots do not ascend: " + knots[i].text() + " is followed by " +
+                                 knots[i + 1].text(),
+                             "list knots from left to right, each once");
+        }
+    }
+    const SlopeIn<Real> slope(profile);
+    std::vector<bool> corner(knots.size(), false);
+    for (std::size_t i = first; i < knots.size(); ++i) {
+        const formula::Expr at = knots[i].expr();
+        const int jump = sign_or_zero(substitute(profile.pieces()[i + 1].slope, "x", at) -
+                                      substitute(profile.pieces()[i].slope, "x", at));
+        if (jump < 0) {
+            not_convex("across the knot x = " + knots[i].text());
+        }
+        corner[i] = jump > 0;
+        if (first > 0) {
+            corner[knots.size() - 1 - i] = corner[i];
+        }
+    }
+    const formula::Expr zero = formula::Expr::number(0);
+    const std::size_t o = profile.origin();
+    if (sign_or_zero(substitute(profile.pieces()[o].slope, "x", zero)) > 0 ||
+        sign_or_zero(substitute(profile.pieces()[o + 1].slope, "x", zero)) < 0) {
+        throw InputError("the minimum of the profile is not at the origin: g' has the same sign on "
+                         "both sides of x = 0",
+                         "move the origin to the minimum of the profile");
+    }
+    for (std::size_t i = first > 0 ? first + 1 : 0; i <= knots.size(); ++i) {
+        const SlopePiece& piece = profile.pieces()[i];
+        if (piece.linear) {
+            if (sign_or_zero(piece.linear->rate) < 0) {
+                not_convex("along the piece " + to_text(piece.slope));
+            }
+            continue;
+        }
+        if (i == 0 || i == knots.size()) {
+            continue; // an outer piece need not rise for ever
+        }
+        Real previous = 0;
+        for (int k = 0; k <= samples; ++k) {
+            const Real lo = slope.knots()[i - 1];
+            const Real hi = slope.knots()[i];
+            const Real x = lo + (hi - lo) * (Real(k) + Real(1) / 2) / Real(samples + 1);
+            Real g;
+            try {
+                g = slope.value(i, x);
+            } catch (const DomainError&) {
+                throw InputError("g' = " + to_text(piece.slope) +
+                                     " has no value at x = " + short_text(x),
+                                 "give an expression that holds on its whole piece");
+            }
+            if (k > 0 && g < previous) {
+                not_convex("near x = " + short_text(x) + " (" + to_text(piece.slope) + ")");
+            }
+            previous = g;
+        }
+    }
+    return corner;
+}
+
+namespace {
+
+/// What is seen of a slope at a point of an outer piece, outwards from its knot.
+class OuterPiece {
+public:
+    OuterPiece(const Profile& profile, Edge edge)
+        : slope_(profile), right_(edge == Edge::right), piece_(right_ ? profile.knots().size() : 0),
+          knot_(right_ ? slope_.knots().back() : slope_.knots().front()) {}
+
+    [[nodiscard]] Real place(const Real& away) const {
+        return right_ ? Real(knot_ + away) : Real(knot_ - away);
+    }
+    /// g' outwards; nothing where it has no finite value.
+    [[nodiscard]] std::optional<Real> value(const Real& away) const {
+        try {
+            const Real g = slope_.value(piece_, place(away));
+            if (isfinite(g)) {
+                return right_ ? g : Real(-g);
+            }
+        } catch (const DomainError&) {
+        }
+        return std::nullopt;
+    }
+    /// g'' is not seen to be negative.
+    [[nodiscard]] bool rises(const Real& away) const {
+        try {
+            return !(slope_.rate(piece_, place(away)) < 0);
+        } catch (const DomainError&) {
+            return true; // a corner of abs, say
+        }
+    }
+
+private:
+    SlopeIn<Real> slope_;
+    bool right_;
+    std::size_t piece_;
+    Real knot_;
+};
+
+Rational dyadic(int k) {
+    const Rational q(Integer(1) << static_cast<unsigned>(k < 0 ? -k : k));
+    return k < 0 ? Rational(1 / q) : q;
+}
+
+} // namespace
+
+std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
+    constexpr int decades_of_two = 30;
+    constexpr int halvings = 24;
+    const PrecisionScope scope(check_digits);
+    const bool right = edge == Edge::right;
+    const SlopePiece& piece = right ? profile.pieces().back() : profile.pieces().front();
+    if (piece.linear) {
+        return std::nullopt;
+    }
+    const OuterPiece g(profile, edge);
+    Rational good(0);
+    Real previous(0);
+    const auto still_rises = [&](const Rational& away) {
+        const Real d = from_rational<Real>(away);
+        const auto value = g.value(d);
+        return value && (good == 0 || !(*value < previous)) && g.rises(d);
+    };
+    const auto advance = [&](const Rational& away) {
+        good = away;
+        previous = *g.value(from_rational<Real>(away));
+    };
+    std::optional<Rational> bad;
+    for (int k = -decades_of_two; k <= decades_of_two && !bad; ++k) {
+        const Rational away = dyadic(k);
+        if (still_rises(away)) {
+            advance(away);
+        } else {
+            bad = away;
+        }
+    }
+    if (!bad) {
+        return std::nullopt;
+    }
+    if (good == 0) {
+        const Real x = g.place(from_rational<Real>(*bad));
+        if (!g.value(from_rational<Real>(*bad))) {
+            throw InputError("g' = " + to_text(piece.slope) +
+                                 " has no value at x = " + short_text(x),
+                             "give an expression that holds beside the knot of its piece");
+        }
+        not_convex("near x = " + short_text(x) + " (" + to_text(piece.slope) + ")");
+    }
+    for (int k = 0; k < halvings; ++k) {
+        const Rational middle = (good + *bad) / 2;
+        if (still_rises(middle)) {
+            advance(middle);
+        } else {
+            bad = middle;
+        }
+    }
+    // Some way back, out of the reach of a pole: tan(x) is to be integrated up to there.
+    const Rational away = good * (1 - dyadic(-20));
+    const Real d = from_rational<Real>(away);
+    const Real steep = g.value(d).value_or(previous) / d;
+    if (steep > Real(1e300)) {
+        return std::nullopt; // it leaves the range of the numbers (an exponential): it still rises
+    }
+    const double rate = steep.convert_to<double>();
+    const formula::Expr knot =
+        right ? profile.knots().back().expr() : profile.knots().front().expr();
+    const Rational* q = knot.rational();
+    const Rational moved = right ? away : Rational(-away);
+    return RisingLimit{q != nullptr ? formula::Exact::of(Rational(*q + moved))
+                                    : formula::Exact(knot + formula::Expr::number(moved)),
+                       Rational(rate > 0 ? rate : 1), piece.slope};
+}
+
+void check_reach(const Profile& profile, const Ball& a, const Ball& b) {
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const auto& limit = profile.rises_to(edge);
+        if (!limit) {
+            continue;
+        }
+        const bool right = edge == Edge::right;
+        const Ball left_over = right ? enclosed_constant(*limit, a.bits()) - a
+                                     : -b - enclosed_constant(*limit, b.bits());
+        if (!certainly_positive(left_over)) {
+            const formula::Expr& slope = right ? profile.pieces()[profile.pieces().size() - 2].slope
+                                               : profile.pieces()[1].slope;
+            const PrecisionScope scope(check_digits);
+            throw InputError("the contact would reach x = " +
+                                 short_text(right ? a.midpoint() : Real(-b.midpoint())) +
+                                 ", and g' = " + to_text(slope) +
+                                 " is not seen to rise beyond x = " + short_text(limit->to<Real>()),
+                             "give a smaller load, or the slope further out");
+        }
+    }
+}
+
+void sample_slope(const Profile& profile, const SlopeIn<Real>& slope, const Real& a,
+                  const Real& b) {
+    const auto& knots = slope.knots();
+    for (std::size_t i = 0; i <= knots.size(); ++i) {
+        const Real lo = i > 0 && knots[i - 1] > -b ? knots[i - 1] : Real(-b);
+        const Real hi = i < knots.size() && knots[i] < a ? knots[i] : a;
+        if (profile.pieces()[i].linear || !(lo < hi)) {
+            continue;
+        }
+        std::optional<Real> previous;
+        for (int k = 0; k <= samples; ++k) {
+            const Real x = lo + (hi - lo) * (Real(k) + Real(1) / 2) / Real(samples + 1);
+            const Real g = slope.value(i, x);
+            if (previous && g < *previous) {
+                not_convex("near x = " + short_text(x) + " (" + to_text(profile.pieces()[i].slope) +
+                           ")");
+            }
+            previous = g;
+        }
+    }
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/profile/profile.hpp"
+#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/series/divided_difference.hpp"
+#include "edgeproof/series/functions.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// Evaluates an expression in x over T, Series<T> or DividedDifference<T>: `lift` makes a constant
+/// of that type.
+template <class U, class T, class Lift> class SlopeEnvironment {
+public:
+    SlopeEnvironment(const U& x, const Lift& lift) : x_(x), lift_(lift) {}
+    [[nodiscard]] U number(const Rational& q) const { return lift_(from_rational<T>(q)); }
+    [[nodiscard]] U pi() const { return lift_(edgeproof::pi<T>()); }
+    [[nodiscard]] U symbol(std::string_view) const { return x_; }
+
+private:
+    const U& x_;
+    const Lift& lift_;
+};
+
+/// g' of a Profile in the arithmetic T, at the precision of the thread that makes it.
+template <Arithmetic T> class SlopeIn {
+public:
+    struct Piece {
+        bool linear = false;
+        T at_origin{}; ///< g' = at_origin + rate x if linear
+        T rate{};
+        formula::Expr expression;
+        std::optional<formula::Expr>
+            from_left; ///< in the distance from the knot there (profile.hpp)
+        std::optional<formula::Expr> from_right;
+    };
+    /// A place by a knot at an end of its piece, where the distance from it is better known.
+    struct Beside {
+        std::size_t knot;
+        T away; ///< x - knot
+    };
+
+    explicit SlopeIn(const Profile& profile) : origin_(profile.origin()) {
+        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+            knots_.push_back(profile.knots()[i].template to<T>());
+        }
+        for (const SlopePiece& piece : profile.pieces()) {
+            Piece p;
+            p.expression = piece.slope;
+            p.from_left = piece.from_left;
+            p.from_right = piece.from_right;
+            if (piece.linear) {
+                p.linear = true;
+                p.at_origin = formula::Exact(piece.linear->at_origin).template to<T>();
+                p.rate = formula::Exact(piece.linear->rate).template to<T>();
+            }
+            pieces_.push_back(std::move(p));
+        }
+        for (std::size_t i = 0; i < knots_.size(); ++i) {
+            jumps_.push_back(
+                profile.has_corner(i) ? T(value(i + 1, knots_[i]) - value(i, knots_[i])) : T(0));
+        }
+    }
+
+    [[nodiscard]] const std::vector<T>& knots() const noexcept { return knots_; }
+    [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
+    [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
+    /// g'(knot+) - g'(knot-), exactly 0 where there is no corner.
+    [[nodiscard]] const T& jump(std::size_t knot) const { return jumps_[knot]; }
+
+    /// g'(x) by the expression of one piece.
+    [[nodiscard]] T value(std::size_t piece, const T& x) const {
+        const Piece& p = pieces_[piece];
+        if (p.linear) {
+            return T(p.at_origin + p.rate * x);
+        }
+        const auto lift = [](const T& c) { return c; };
+        return evaluate<T>(p.expression, SlopeEnvironment<T, T, decltype(lift)>(x, lift));
+    }
+    /// g'' of one piece, for x a number or a series.
+    template <class U> [[nodiscard]] U rate(std::size_t piece, const U& x) const;
+    /// (g'(s) - g'(x))/(s - x) by the expression of one piece, without cancellation; delta = s - x
+    /// is given beside s so that both may be exact.
+    [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta) const {
+        const Piece& p = pieces_[piece];
+        if (p.linear) {
+            return p.rate;
+        }
+        return quotient_of(p.expression, x, s, delta);
+    }
+    /// value() of a piece that begins or ends at the knot.
+    [[nodiscard]] T value(std::size_t piece, const T& x, const Beside& beside) const {
+        const formula::Expr* form = form_at(piece, beside.knot);
+        const auto lift = [](const T& c) { return c; };
+        return form == nullptr
+                   ? value(piece, x)
+                   : evaluate<T>(*form, SlopeEnvironment<T, T, decltype(lift)>(beside.away, lift));
+    }
+    /// rate() likewise, for x a number or a series.
+    template <class U>
+    [[nodiscard]] U rate(std::size_t piece, const U& x, std::size_t knot, const U& away) const {
+        const formula::Expr* form = form_at(piece, knot);
+        return form == nullptr ? rate(piece, x) : rate_of(*form, away);
+    }
+    /// quotient() likewise, s being beside the knot.
+    [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta,
+                             const Beside& beside) const {
+        const formula::Expr* form = form_at(piece, beside.knot);
+        if (form == nullptr) {
+            return quotient(piece, x, s, delta);
+        }
+        return quotient_of(*form, T(x - knots_[beside.knot]), beside.away, delta);
+    }
+    /// The piece that holds at x; at a knot, the one to its right.
+    [[nodiscard]] std::size_t piece_at(const T& x) const {
+        std::size_t i = 0;
+        while (i < knots_.size() && !(x < knots_[i])) {
+            ++i;
+        }
+        return i;
+    }
+
+private:
+    /// Null where x serves as well.
+    [[nodiscard]] const formula::Expr* form_at(std::size_t piece, std::size_t knot) const {
+        const auto& form = piece == knot ? pieces_[piece].from_right : pieces_[piece].from_left;
+        return form ? &*form : nullptr;
+    }
+    [[nodiscard]] static T quotient_of(const formula::Expr& g, const T& x, const T& s,
+                                       const T& delta) {
+        using D = series::DividedDifference<T>;
+        const auto lift = [&](const T& c) { return D::constant(c, delta); };
+        const D at{x, s, T(1), delta};
+        return evaluate<D>(g, SlopeEnvironment<D, T, decltype(lift)>(at, lift)).q;
+    }
+    template <class U> [[nodiscard]] static U rate_of(const formula::Expr& g, const U& x);
+
+    std::size_t origin_;
+    std::vector<T> knots_;
+    std::vector<Piece> pieces_;
+    std::vector<T> jumps_;
+};
+
+template <Arithmetic T> template <class U> U SlopeIn<T>::rate(std::size_t piece, const U& x) const {
+    const Piece& p = pieces_[piece];
+    if constexpr (std::same_as<U, T>) {
+        return p.linear ? p.rate : rate_of(p.expression, x);
+    } else {
+        return p.linear ? U(p.rate, x.order()) : rate_of(p.expression, x);
+    }
+}
+
+template <Arithmetic T>
+template <class U>
+U SlopeIn<T>::rate_of(const formula::Expr& g, const U& x) {
+    if constexpr (std::same_as<U, T>) {
+        // Two terms of the Taylor series at x: the second is g''.
+        using S = series::Series<T>;
+        const auto lift = [](const T& c) { return S(c, 2); };
+        return evaluate<S>(g, SlopeEnvironment<S, T, decltype(lift)>(S::variable(x, 2), lift))[1];
+    } else {
+        const std::size_t n = x.order();
+        // g'' along the series x(z): the Taylor series of g' at x_0, derived, composed with x -
+        // x_0.
+        const auto lift = [n](const T& c) { return U(c, n + 1); };
+        const U taylor =
+            evaluate<U>(g, SlopeEnvironment<U, T, decltype(lift)>(U::variable(x[0], n + 1), lift));
+        const U second = derivative(taylor);
+        U result(second[n - 1], n);
+        for (std::size_t k = n - 1; k-- > 0;) {
+            U shift = x;
+            shift[0] = T(0);
+            result = result * shift;
+            result[0] += second[k];
+        }
+        return result;
+    }
+}
+
+} // namespace edgeproof::contact

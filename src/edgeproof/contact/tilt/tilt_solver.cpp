@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr unsigned rough_digits = 14;
+constexpr int most_decades = 1000;
+
+formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
+
+/// An exact decimal within 10^-digits of v, relative.
+formula::Exact decimal(const Real& v, unsigned digits) {
+    return formula::Exact::parse(
+        v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific));
+}
+
+int sign_or_zero(const formula::Exact& x, bool& certain) {
+    try {
+        return x.sign();
+    } catch (const BudgetError&) {
+        certain = false;
+        return 0; // equal as far as can be told
+    }
+}
+
+/// One unknown v > 0 and one y > 0 that is a monotone function of it: the tilt near one end of its
+/// range, and the moment from what it is there. Neither cancels, however small both get.
+struct Branch {
+    formula::Exact v_end;                                        ///< v runs in (0, v_end)
+    std::function<formula::Exact(const formula::Exact& v)> tilt; ///< alpha(v)
+    formula::Exact moment_at_zero;                               ///< y = sense (M - this)
+    int sense;
+};
+
+class Solver {
+public:
+    Solver(const TiltedPunch& punch, const formula::Exact& modulus, const formula::Exact& P)
+        : punch_(punch), modulus_(modulus), P_(P) {}
+
+    /// y at v to `wanted` digits; digits are added for what cancels in it.
+    [[nodiscard]] Real y(const Branch& branch, const Real& v, unsigned wanted) {
+        unsigned working = wanted + 30;
+        for (int k = 0; k < 30; ++k) {
+            const PrecisionScope scope(working);
+            const Profile profile = punch_.at(branch.tilt(decimal(v, working)));
+            const ContactLaw<Real> law(profile, modulus_.to<Real>());
+            const Real P = P_.to<Real>();
+            const Extent<Real> e = law.extent(law.right_edge_for_force(P));
+            ++contacts_;
+            const Real offset = branch.moment_at_zero.to<Real>();
+            const Real value = branch.sense * (law.moment(e) - offset);
+            const Real scale = P * e.length() + abs(offset);
+            if (value > 0) {
+                const Real lost = log10(Real(scale / value));
+                const auto needed =
+                    wanted + 20 + (lost > 0 ? 2 * static_cast<unsigned>(ceil(lost)) : 0U);
+                if (needed <= working) {
+                    return value;
+                }
+                working = needed;
+            } else {
+                working *= 2; // nothing but roundoff is left
+            }
+        }
+        throw BudgetError("the moment of a tilted punch is lost in roundoff");
+    }
+
+    /// The v at which y is `target`, to `digits` digits.
+    [[nodiscard]] Real solve(const Branch& branch, const formula::Exact& target, unsigned digits) {
+        const Real rough = [&] {
+            const PrecisionScope scope(rough_digits + 30);
+            return rough_root(branch, target);
+        }();
+        const PrecisionScope scope(digits + 20);
+        const Real log_target = log(target.to<Real>());
+        const auto f = [&](const Real& log_v) {
+            return Real(log(y(branch, Real(exp(log_v)), digits + 10)) - log_target);
+        };
+        const Real middle = log(rough);
+        for (int width = 8; width > 0; width -= 4) {
+            const Real slack = pow(Real(10), -width);
+            const Real lo = middle - slack;
+            const Real hi = middle + slack;
+            const Real f_lo = f(lo);
+            const Real f_hi = f(hi);
+            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
+                const Real relative = pow(Real(10), -static_cast<int>(digits)) / (1 + abs(middle));
+                return exp(roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, relative).x);
+            }
+        }
+        throw BudgetError("the tilt did not settle");
+    }
+    [[nodiscard]] std::size_t contacts() const { return contacts_; }
+
+private:
+    Real rough_root(const Branch& branch, const formula::Exact& target) {
+        const Real log_target = log(target.to<Real>());
+        const auto f = [&](const Real& log_v) {
+            return Real(log(y(branch, Real(exp(log_v)), rough_digits)) - log_target);
+        };
+        Real hi = log(branch.v_end.to<Real>());
+        Real f_hi = f(hi);
+        for (int decades = 1; decades <= most_decades * 2; decades *= 2) {
+            const Real lo = log(branch.v_end.to<Real>()) - log(Real(10)) * decades;
+            const Real f_lo = f(lo);
+            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
+                return exp(
+                    roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, pow(Real(10), -13)).x);
+            }
+            hi = lo;
+            f_hi = f_lo;
+        }
+        throw BudgetError("the moment lies within 1e-1000 of the end of its range");
+    }
+
+    const TiltedPunch& punch_;
+    const formula::Exact& modulus_;
+    const formula::Exact& P_;
+    std::size_t contacts_ = 0;
+};
+
+/// Which of two branches that meet at the middle of the range holds the solution, and the tilt.
+SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near, const Branch& far,
+                    const formula::Exact& M, unsigned digits) {
+    const auto target = [&](const Branch& b) {
+        return formula::Exact(number(b.sense) * (M.expr() - b.moment_at_zero.expr()));
+    };
+    const bool is_near = [&] {
+        const PrecisionScope scope(rough_digits + 30);
+        const Real at_middle = solver.y(near, near.v_end.to<Real>(), rough_digits);
+        return target(near).to<Real>() <= at_middle;
+    }();
+    const Branch& branch = is_near ? near : far;
+    const unsigned full = digits + 15;
+    const Real v = solver.solve(branch, target(branch), full);
+    const formula::Exact found = decimal(v, full + 5);
+    const formula::Exact alpha = branch.tilt(found);
+    const auto beside = [found, tilt = branch.tilt](unsigned k, int sense) {
+        const Rational part(sense, pow(Integer(10), k));
+        return tilt(formula::Exact::of(Rational(found.rational() * (1 + part))));
+    };
+    return {alpha, punch.at(alpha), solver.contacts(), beside};
+}
+
+SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const formula::Exact& modulus,
+                         const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+    const int sense = M.sign();
+    if (sense == 0) {
+        const formula::Exact upright = formula::Exact::of(Rational(0));
+        return {upright, punch.at(upright), 0, {}, true};
+    }
+    const formula::Exact zero;
+    const formula::Exact half(punch.phi.expr() / number(2));
+    const Branch near{
+        half,
+        [sense](const formula::Exact& v) { return sense > 0 ? v : formula::Exact(-v.expr()); },
+        zero, sense};
+    const Branch far{half,
+                     [sense, phi = punch.phi](const formula::Exact& v) {
+                         return sense > 0 ? formula::Exact(phi.expr() - v.expr())
+                                          : formula::Exact(v.expr() - phi.expr());
+                     },
+                     zero, sense};
+    Solver solver(punch, modulus, P);
+    return solve_on(solver, punch, near, far, M, digits);
+}
+
+SolvedTilt tilt_of_punch(const TiltedPunch& punch, const formula::Exact& modulus,
+                         const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+    if (punch.t.sign() == 0) {
+        throw InputError("with t = 0 every tilt has the same moment, 0",
+                         "give alpha, or P alone with kind = \"power-law\", m = \"1\"");
+    }
+    const formula::Exact upright(-(punch.t.expr() * P.expr()));
+    bool certain = true;
+    const int above = sign_or_zero(formula::Exact(M.expr() - upright.expr()), certain);
+    if (above == 0) {
+        const formula::Exact alpha = formula::Exact::of(Rational(0));
+        return {alpha, punch.at(alpha), 0, {}, certain};
+    }
+    if (above < 0) {
+        throw InputError("no tilt alpha >= 0 has the moment M = " + M.text() +
+                             ": upright, M is -t P already, and it rises with alpha",
+                         "mirror the scene for a punch that leans the other way");
+    }
+    if (M.sign() >= 0) {
+        throw InputError("no tilt has the moment M = " + M.text() +
+                             " alone: about the minimum of the punch M lies between -t P and 0, "
+                             "and is 0 for every tilt that lifts the flat off",
+                         "give M about that minimum (M_c - P (t + alpha R) from the middle of the "
+                         "flat), or alpha itself");
+    }
+    const formula::Expr lift = formula::Expr::call(
+        "sqrt", {number(4) * P.expr() / (formula::Expr::pi() * modulus.expr() * punch.R.expr())});
+    const formula::Exact half(lift / number(2));
+    const Branch near{half, [](const formula::Exact& v) { return v; }, upright, 1};
+    const Branch far{half,
+                     [lift](const formula::Exact& v) { return formula::Exact(lift - v.expr()); },
+                     formula::Exact(), -1};
+    Solver solver(punch, modulus, P);
+    return solve_on(solver, punch, near, far, M, digits);
+}
+
+} // namespace
+
+TiltedPunch TiltedPunch::wedge(formula::Exact phi) {
+    return {Profile::Kind::tilted_wedge, std::move(phi), {}, {}};
+}
+TiltedPunch TiltedPunch::flat_and_rounded(formula::Exact t, formula::Exact R) {
+    return {Profile::Kind::tilted_flat_and_rounded, {}, std::move(t), std::move(R)};
+}
+Profile TiltedPunch::at(const formula::Exact& alpha) const {
+    return kind == Profile::Kind::tilted_wedge ? Profile::tilted_wedge(phi, alpha)
+                                               : Profile::tilted_flat_and_rounded(alpha, t, R);
+}
+
+SolvedTilt solve_tilt(const TiltedPunch& punch, const formula::Exact& contact_modulus,
+                      const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+    if (P.sign() <= 0) {
+        throw InputError("the normal force P = " + P.text() + " is not positive", "give P > 0");
+    }
+    if (contact_modulus.sign() <= 0) {
+        throw InputError("the contact modulus " + contact_modulus.text() + " is not positive",
+                         "give E* > 0");
+    }
+    (void)punch.at(formula::Exact::of(Rational(0))); // the parameters themselves
+    return punch.kind == Profile::Kind::tilted_wedge
+               ? tilt_of_wedge(punch, contact_modulus, P, M, digits)
+               : tilt_of_punch(punch, contact_modulus, P, M, digits);
+}
+
+} // namespace edgeproof::contact

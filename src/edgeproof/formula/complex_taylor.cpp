@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/complex_taylor.hpp"
+
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::formula {
+namespace {
+
+class Poly {
+public:
+    Poly() { acb_poly_init(p_); }
+    ~Poly() { acb_poly_clear(p_); }
+    Poly(const Poly&) = delete;
+    Poly& operator=(const Poly&) = delete;
+    operator acb_poly_struct*() { return p_; } // NOLINT: what Arb's functions take
+
+private:
+    acb_poly_t p_;
+};
+
+class Walk {
+public:
+    Walk(const acb_t at, long terms, long bits, bool real)
+        : at_(at), terms_(terms), bits_(bits), real_(real) {}
+
+    void operator()(acb_poly_struct* r, const Expr& e) const {
+        if (const Rational* q = e.rational()) {
+            constant(r, Ball(*q, bits_));
+            return;
+        }
+        switch (e.kind()) {
+        case Expr::Kind::pi:
+            constant(r, Ball::pi(bits_));
+            return;
+        case Expr::Kind::symbol:
+            acb_poly_set_coeff_acb(r, 0, at_);
+            if (terms_ > 1) {
+                acb_poly_set_coeff_si(r, 1, 1);
+            }
+            return;
+        case Expr::Kind::neg:
+            (*this)(r, e.arg(0));
+            acb_poly_neg(r, r);
+            return;
+        case Expr::Kind::pow:
+            power(r, e);
+            return;
+        case Expr::Kind::call:
+            call(r, e);
+            return;
+        default:
+            break;
+        }
+        Poly x;
+        Poly y;
+        (*this)(x, e.arg(0));
+        (*this)(y, e.arg(1));
+        switch (e.kind()) {
+        case Expr::Kind::add:
+            acb_poly_add(r, x, y, bits_);
+            break;
+        case Expr::Kind::sub:
+            acb_poly_sub(r, x, y, bits_);
+            break;
+        case Expr::Kind::mul:
+            acb_poly_mullow(r, x, y, terms_, bits_);
+            break;
+        case Expr::Kind::div:
+            acb_poly_div_series(r, x, y, terms_, bits_);
+            break;
+        default:
+            nowhere(r);
+        }
+    }
+
+private:
+    static void constant(acb_poly_struct* r, const Ball& c) {
+        acb_t z;
+        acb_init(z);
+        acb_set_arb(z, c.data());
+        acb_poly_set_acb(r, z);
+        acb_clear(z);
+    }
+    void nowhere(acb_poly_struct* r) const {
+        acb_t z;
+        acb_init(z);
+        acb_indeterminate(z);
+        for (long k = 0; k < terms_; ++k) {
+            acb_poly_set_coeff_acb(r, k, z);
+        }
+        acb_clear(z);
+    }
+    /// The constant term may lie on (-inf, 0].
+    static bool meets_cut(acb_poly_struct* x) {
+        acb_t z;
+        acb_init(z);
+        acb_poly_get_coeff_acb(z, x, 0);
+        const bool meets =
+            arb_contains_zero(acb_imagref(z)) != 0 && arb_contains_nonpositive(acb_realref(z)) != 0;
+        acb_clear(z);
+        return meets;
+    }
+    void power(acb_poly_struct* r, const Expr& e) const {
+        Poly x;
+        (*this)(x, e.arg(0));
+        const Rational* exponent = e.arg(1).rational();
+        if (exponent != nullptr && boost::multiprecision::denominator(*exponent) == 1 &&
+            abs(*exponent) < 10000) {
+            const long n = boost::multiprecision::numerator(*exponent).convert_to<long>();
+            acb_poly_pow_ui_trunc_binexp(r, x, static_cast<ulong>(n < 0 ? -n : n), terms_, bits_);
+            if (n < 0) {
+                acb_poly_inv_series(r, r, terms_, bits_);
+            }
+            return;
+        }
+        if (meets_cut(x)) {
+            if (real_ && exponent != nullptr) {
+                power_beside_zero(r, x, *exponent);
+            } else {
+                nowhere(r);
+            }
+            return;
+        }
+        Poly y;
+        (*this)(y, e.arg(1));
+        acb_poly_log_series(x, x, terms_, bits_);
+        acb_poly_mullow(x, x, y, terms_, bits_);
+        acb_poly_exp_series(r, x, terms_, bits_);
+    }
+    /// x^q from what |x| is at most: binomial(q, k) x^(q - k), as long as q > k.
+    void power_beside_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
+        acb_t z;
+        acb_init(z);
+        acb_poly_get_coeff_acb(z, x, 0);
+        Ball most(0, bits_);
+        arb_get_abs_ubound_arf(arb_midref(most.data()), acb_realref(z), bits_);
+        Poly outer;
+        Ball binomial(1, bits_);
+        for (long k = 0; k < terms_; ++k) {
+            acb_zero(z);
+            const Rational rest = q - k;
+            if (rest > 0) {
+                const Ball size = abs(binomial) * pow(most, rest);
+                arb_add_error(acb_realref(z), size.data());
+            } else {
+                acb_indeterminate(z);
+            }
+            acb_poly_set_coeff_acb(outer, k, z);
+            binomial *= Ball(Rational(rest / (k + 1)), bits_);
+        }
+        acb_zero(z);
+        acb_poly_set_coeff_acb(x, 0, z);
+        acb_poly_compose_series(r, outer, x, terms_, bits_);
+        acb_clear(z);
+    }
+    void call(acb_poly_struct* r, const Expr& e) const {
+        Poly x;
+        (*this)(x, e.arg(0));
+        switch (e.builtin()) {
+        case Builtin::exp:
+            acb_poly_exp_series(r, x, terms_, bits_);
+            return;
+        case Builtin::sin:
+            acb_poly_sin_series(r, x, terms_, bits_);
+            return;
+        case Builtin::cos:
+            acb_poly_cos_series(r, x, terms_, bits_);
+            return;
+        case Builtin::sinh:
+            acb_poly_sinh_series(r, x, terms_, bits_);
+            return;
+        case Builtin::cosh:
+            acb_poly_cosh_series(r, x, terms_, bits_);
+            return;
+        case Builtin::gamma:
+            acb_poly_gamma_series(r, x, terms_, bits_);
+            return;
+        case Builtin::tan:
+            acb_poly_tan_series(r, x, terms_, bits_);
+            return;
+        case Builtin::tanh: {
+            Poly y;
+            acb_poly_cosh_series(y, x, terms_, bits_);
+            acb_poly_sinh_series(x, x, terms_, bits_);
+            acb_poly_div_series(r, x, y, terms_, bits_);
+            return;
+        }
+        case Builtin::sqrt:
+        case Builtin::log:
+            if (meets_cut(x) && real_ && e.builtin() == Builtin::sqrt) {
+                power_beside_zero(r, x, Rational(1, 2));
+            } else if (meets_cut(x)) {
+                nowhere(r);
+            } else if (e.builtin() == Builtin::sqrt) {
+                acb_poly_sqrt_series(r, x, terms_, bits_);
+            } else {
+                acb_poly_log_series(r, x, terms_, bits_);
+            }
+            return;
+        case Builtin::asin:
+        case Builtin::acos:
+        case Builtin::atan:
+        case Builtin::asinh:
+        case Builtin::acosh:
+        case Builtin::atanh:
+            inverse(r, x, e.builtin());
+            return;
+        default:
+            nowhere(r);
+        }
+    }
+    /// The functions whose derivative is +-1/(1 +- x^2), or its root: off their cuts, which lie
+    /// where what the root is taken of is in (-inf, 0].
+    void inverse(acb_poly_struct* r, acb_poly_struct* x, Builtin f) const {
+        const bool hyperbola = f == Builtin::asinh || f == Builtin::atan;
+        const bool rational = f == Builtin::atan || f == Builtin::atanh;
+        Poly square;
+        acb_poly_mullow(square, x, x, terms_, bits_);
+        if (!hyperbola) {
+            acb_poly_neg(square, square);
+        }
+        Poly one;
+        acb_poly_one(one);
+        acb_poly_add(square, square, one, bits_);
+        acb_t z;
+        acb_init(z);
+        acb_poly_get_coeff_acb(z, x, 0);
+        const bool outside = f == Builtin::acosh ? arb_contains_zero(acb_imagref(z)) != 0 &&
+                                                       !certainly_beyond_one(acb_realref(z))
+                                                 : meets_cut(square);
+        if (outside) {
+            acb_clear(z);
+            nowhere(r);
+            return;
+        }
+        switch (f) {
+        case Builtin::asin:
+            acb_asin(z, z, bits_);
+            break;
+        case Builtin::acos:
+            acb_acos(z, z, bits_);
+            break;
+        case Builtin::atan:
+            acb_atan(z, z, bits_);
+            break;
+        case Builtin::asinh:
+            acb_asinh(z, z, bits_);
+            break;
+        case Builtin::atanh:
+            acb_atanh(z, z, bits_);
+            break;
+        default:
+            acb_acosh(z, z, bits_);
+            break;
+        }
+        Poly rate;
+        acb_poly_derivative(rate, x, bits_);
+        if (f == Builtin::acosh) {
+            // 1/(sqrt(x - 1) sqrt(x + 1)): one root of the product has a cut elsewhere.
+            Poly less;
+            Poly more;
+            acb_poly_sub(less, x, one, bits_);
+            acb_poly_add(more, x, one, bits_);
+            acb_poly_sqrt_series(less, less, terms_, bits_);
+            acb_poly_sqrt_series(more, more, terms_, bits_);
+            acb_poly_mullow(square, less, more, terms_, bits_);
+        } else if (!rational) {
+            acb_poly_sqrt_series(square, square, terms_, bits_);
+        }
+        acb_poly_div_series(r, rate, square, terms_, bits_);
+        if (f == Builtin::acos) {
+            acb_poly_neg(r, r);
+        }
+        acb_poly_integral(r, r, bits_);
+        acb_poly_set_coeff_acb(r, 0, z);
+        acb_poly_truncate(r, terms_);
+        acb_clear(z);
+    }
+    static bool certainly_beyond_one(const arb_t x) {
+        arb_t y;
+        arb_init(y);
+        arb_sub_ui(y, x, 1, 64);
+        const bool beyond = arb_is_positive(y) != 0;
+        arb_clear(y);
+        return beyond;
+    }
+
+    const acb_struct* at_;
+    long terms_;
+    long bits_;
+    bool real_;
+};
+
+} // namespace
+
+bool has_complex_taylor(const Expr& e) {
+    switch (e.kind()) {
+    case Expr::Kind::number:
+    case Expr::Kind::pi:
+        return true;
+    case Expr::Kind::symbol:
+        return e.name() == "x";
+    case Expr::Kind::integral:
+    case Expr::Kind::pv:
+    case Expr::Kind::sum:
+        return false;
+    case Expr::Kind::call:
+        switch (e.builtin()) {
+        case Builtin::exp:
+        case Builtin::sin:
+        case Builtin::cos:
+        case Builtin::sinh:
+        case Builtin::cosh:
+        case Builtin::tan:
+        case Builtin::tanh:
+        case Builtin::sqrt:
+        case Builtin::log:
+        case Builtin::asin:
+        case Builtin::acos:
+        case Builtin::atan:
+        case Builtin::asinh:
+        case Builtin::acosh:
+        case Builtin::atanh:
+        case Builtin::gamma:
+            break;
+        default:
+            return false;
+        }
+        break;
+    default:
+        break;
+    }
+    return std::all_of(e.args().begin(), e.args().end(), has_complex_taylor);
+}
+
+void complex_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits) {
+    acb_poly_zero(series);
+    Walk(at, terms, bits, false)(series, e);
+}
+
+void real_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits) {
+    acb_poly_zero(series);
+    Walk(at, terms, bits, true)(series, e);
+}
+
+} // namespace edgeproof::formula

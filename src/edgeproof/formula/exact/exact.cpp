@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/parse.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace edgeproof::formula {
+namespace {
+
+Real value_at(const Expr& e, unsigned digits) {
+    const PrecisionScope scope(digits);
+    return evaluate<Real>(e, Values<Real>{});
+}
+
+constexpr long most_bits = 4096;
+
+template <class T> mpfr_prec_t bits_of_arithmetic() {
+    if constexpr (std::same_as<T, Real>) {
+        return mpfr_get_prec(Real().backend().data());
+    } else {
+        return std::numeric_limits<T>::digits;
+    }
+}
+
+/// q cut off after `bits` bits, the last of them 1 if anything was cut (rounding to odd): rounding
+/// this to any shorter format is rounding q.
+Real sticky(const Rational& q, mpfr_prec_t bits) {
+    Real x;
+    mpfr_set_prec(x.backend().data(), bits);
+    const int cut = mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ);
+    if (cut != 0 && mpfr_min_prec(x.backend().data()) < bits) {
+        if (q > 0) {
+            mpfr_nextabove(x.backend().data());
+        } else {
+            mpfr_nextbelow(x.backend().data());
+        }
+    }
+    return x;
+}
+
+/// Throws Error if e has no value: a name in it, an integral, or no real value (DomainError).
+void check_defined(const Expr& e) {
+    if (e.rational() != nullptr) {
+        return;
+    }
+    try {
+        (void)value_at(e, 30);
+    } catch (const DomainError&) {
+        // With 30 digits the root of a small positive number may look like that of a negative one.
+        for (long bits = 256; bits <= most_bits; bits *= 2) {
+            if (enclose(e, bits)) {
+                return;
+            }
+        }
+        throw;
+    }
+}
+
+template <class T> T rounded_to(const Real& x) {
+    if constexpr (std::same_as<T, Real>) {
+        Real y;
+        mpfr_set(y.backend().data(), x.backend().data(), MPFR_RNDN);
+        return y;
+    } else if constexpr (std::same_as<T, double>) {
+        return mpfr_get_d(x.backend().data(), MPFR_RNDN);
+    } else if constexpr (std::same_as<T, long double>) {
+        return mpfr_get_ld(x.backend().data(), MPFR_RNDN);
+    } else {
+        Real narrow = x;
+        mpfr_prec_round(narrow.backend().data(), bits_of_arithmetic<T>(), MPFR_RNDN);
+        return narrow.convert_to<T>();
+    }
+}
+
+template <class T> void check_range(const T& rounded, const Real& x) {
+    if (rounded - rounded != 0 || (rounded == 0 && x != 0)) {
+        throw DomainError("a number beyond the range of the arithmetic asked for");
+    }
+}
+
+} // namespace
+
+Exact::Exact() : text_("0") {}
+
+Exact Exact::parse(std::string_view text) {
+    Expr e = formula::parse(text);
+    try {
+        check_defined(e);
+    } catch (const Error& error) {
+        throw FormulaError(error.what(), "write a constant with a real value", 0);
+    }
+    return {std::string(text), std::move(e)};
+}
+
+Exact::Exact(Expr e) : text_(to_text(e)), expr_(std::move(e)) { check_defined(expr_); }
+
+Exact Exact::of(const Rational& q) {
+    Expr e = Expr::number(q);
+    std::string text = to_text(e);
+    return {std::move(text), std::move(e)};
+}
+
+const Rational& Exact::rational() const {
+    if (!is_rational()) {
+        throw Error("'" + text_ + "' is not a rational number");
+    }
+    return *expr_.rational();
+}
+
+template <Arithmetic T> T Exact::to() const {
+    const mpfr_prec_t bits = bits_of_arithmetic<T>();
+    if (is_rational()) {
+        const Real x = sticky(rational(), bits + 2);
+        const T y = rounded_to<T>(x);
+        check_range(y, x);
+        return y;
+    }
+    for (long more = 32; more <= most_bits; more *= 2) {
+        if (const auto x = enclose(expr_, bits + more)) {
+            // Both ends round to one number: so does what lies between them.
+            const T low = rounded_to<T>(x->lower);
+            if (low == rounded_to<T>(x->upper)) {
+                check_range(low, x->lower);
+                return low;
+            }
+        }
+    }
+    throw BudgetError(std::to_string(most_bits) + " bits do not settle the rounding of '" + text_ +
+                      "'");
+}
+
+template double Exact::to() const;
+template long double Exact::to() const;
+template Float128 Exact::to() const;
+template Real Exact::to() const;
+
+int Exact::sign() const {
+    if (is_rational()) {
+        return rational().sign();
+    }
+    if (expr_.kind() == Expr::Kind::sub && expr_.arg(0) == expr_.arg(1)) {
+        return 0;
+    }
+    for (long bits = 64; bits <= most_bits; bits *= 2) {
+        if (const auto x = enclose(expr_, bits)) {
+            if (x->lower > 0 || x->upper < 0 || (x->lower == 0 && x->upper == 0)) {
+                return x->lower.sign();
+            }
+        }
+    }
+    throw BudgetError("4096 bits do not tell '" + text_ + "' from zero");
+}
+
+} // namespace edgeproof::formula

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/atomic_file.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace edgeproof::io {
+namespace {
+
+constexpr std::size_t write_at_once = 1 << 20;
+const std::string after = ".tmp";
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// A file without a name, where the system has such files and a way to name them later; else -1.
+int open_unnamed(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    }
+#endif
+    return -1;
+}
+
+/// Whether the process that wrote this is no more. Its number may be another's by now: who still
+/// writes has a lock.
+bool is_left_over(const std::filesystem::path& path, pid_t process) {
+    if (::kill(process, 0) != 0 && errno == ESRCH) {
+        return true;
+    }
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const bool free = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+    if (fd >= 0) {
+        ::close(fd);
+    }
+    return free;
+}
+
+/// N for a name of this process's descriptor N, else -1.
+int own_descriptor(const std::filesystem::path& file) {
+    const std::string name = file.lexically_normal().string();
+    if (name == "/dev/stdout") {
+        return STDOUT_FILENO;
+    }
+    if (name == "/dev/stderr") {
+        return STDERR_FILENO;
+    }
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        int number = -1;
+        const char* const end = name.data() + name.size();
+        if (name.starts_with(folder)) {
+            const auto [stop, error] = std::from_chars(name.data() + folder.size(), end, number);
+            return error == std::errc{} && stop == end ? number : -1;
+        }
+    }
+    return -1;
+}
+
+[[noreturn]] void cannot_write(const std::filesystem::path& file, const std::string& why) {
+    throw InputError("cannot write " + file.string() + ": " + why, make_room);
+}
+
+} // namespace
+
+OutputTarget OutputTarget::of(const std::filesystem::path& file) {
+    OutputTarget target;
+    target.path = file;
+    target.descriptor = own_descriptor(file);
+    if (target.descriptor >= 0) {
+        const int flags = ::fcntl(target.descriptor, F_GETFL);
+        if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
+            cannot_write(file, std::strerror(EBADF));
+        }
+        target.special = true;
+        return target;
+    }
+    constexpr int most_links = 40; // as the system has it
+    std::error_code none;
+    for (int links = 0; std::filesystem::is_symlink(target.path, none); ++links) {
+        const std::filesystem::path next = std::filesystem::read_symlink(target.path, none);
+        if (links == most_links || next.empty()) {
+            cannot_write(file, std::strerror(ELOOP));
+        }
+        target.path = next.is_absolute() ? next : folder_of(target.path) / next;
+    }
+    struct stat found {};
+    if (::stat(target.path.c_str(), &found) == 0) {
+        if (S_ISDIR(found.st_mode)) {
+            throw InputError(file.string() + " is a folder", "name a file");
+        }
+        target.special = !S_ISREG(found.st_mode);
+        target.mode = found.st_mode & 07777U;
+    }
+    return target;
+}
+
+void remove_left_over(const std::filesystem::path& file) {
+    const std::string before = file.filename().string() + ".";
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of(file), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
+            !name.ends_with(after)) {
+            continue;
+        }
+        pid_t process = 0;
+        const char* const end = name.data() + name.size() - after.size();
+        const auto [stop, error] = std::from_chars(name.data() + before.size(), end, process);
+        const bool ours = error == std::errc{} && stop == end && process > 0;
+        if (ours && process != ::getpid() && is_left_over(entry.path(), process)) {
+            std::filesystem::remove_all(entry.path(), ignored);
+        }
+    }
+}
+
+int write_all(int fd, const std::string& text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const ssize_t n = ::write(fd, text.data() + at, text.size() - at);
+        if (n < 0 && errno != EINTR) {
+            return errno;
+        }
+        at += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    return 0;
+}
+
+AtomicFile::AtomicFile(std::filesystem::path file, Content content)
+    : file_(std::move(file)), target_(OutputTarget::of(file_)),
+      aside_(
+          std::filesystem::path(target_.path.string() + "." + std::to_string(::getpid()) + after)),
+      content_(content) {
+    if (target_.special) {
+        fd_ = target_.descriptor >= 0
+                  ? ::fcntl(target_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+                  : ::open(target_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        if (fd_ < 0) {
+            cannot(errno);
+        }
+        return;
+    }
+    remove_left_over(target_.path);
+    fd_ = open_unnamed(folder_of(target_.path));
+    if (fd_ < 0) {
+        named_ = true;
+        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW,
+                     0666);
+    }
+    if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
+        cannot(errno);
+    }
+    (void)::flock(fd_, LOCK_SH | LOCK_NB); // tells others that it is in use
+}
+
+AtomicFile::~AtomicFile() {
+    if (fd_ >= 0) {
+        ::close(fd_);
+        if (named_) {
+            ::unlink(aside_.path().c_str());
+        }
+    }
+}
+
+void AtomicFile::cannot(int error) { cannot_write(file_, std::strerror(error)); }
+
+void AtomicFile::write(const std::string& text) {
+    waiting_ += text;
+    if (waiting_.size() >= write_at_once) {
+        flush();
+    }
+}
+
+void AtomicFile::flush() {
+    if (const int error = write_all(fd_, waiting_); error != 0) {
+        cannot(error);
+    }
+    waiting_.clear();
+}
+
+void AtomicFile::give_name() {
+    const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
+    ::unlink(aside_.path().c_str());
+    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
+        0) {
+        cannot(errno);
+    }
+    named_ = true;
+}
+
+void AtomicFile::commit() {
+    if (content_ == Content::result) {
+        check_interruption();
+    }
+    flush();
+    if (target_.special) {
+        ::close(fd_);
+        fd_ = -1;
+        return;
+    }
+    if (::fsync(fd_) != 0) {
+        cannot(errno);
+    }
+    const auto lock = hold_cleanup();
+    if (!named_) {
+        give_name();
+    }
+    if (::rename(aside_.path().c_str(), target_.path.c_str()) != 0) {
+        cannot(errno);
+    }
+    aside_.keep_locked();
+    ::close(fd_);
+    fd_ = -1;
+}
+
+} // namespace edgeproof::io

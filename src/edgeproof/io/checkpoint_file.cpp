@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/checkpoint_file.hpp"
+
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <optional>
+
+namespace edgeproof::io {
+namespace {
+
+/// What every version of these files begins with: only such a file is written over, or removed.
+constexpr std::string_view first_words = "edgeproof part file ";
+
+/// Of a piece: its number and its size count as well as its text.
+std::uint64_t checksum(std::uint64_t piece, const std::string& body) {
+    return fnv1a(body, fnv1a(fmt::format("{} {} ", piece, body.size())));
+}
+
+/// Numbers, a blank between two, to the end of the line.
+template <std::size_t N>
+std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int base_of_last) {
+    std::array<std::uint64_t, N> all{};
+    const char* at = line.data();
+    const char* const end = line.data() + line.size();
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto [stop, error] = std::from_chars(at, end, all[i], i + 1 < N ? 10 : base_of_last);
+        if (error != std::errc{} || (i + 1 < N ? stop == end || *stop != ' ' : stop != end)) {
+            return {};
+        }
+        at = stop + 1;
+    }
+    return all;
+}
+
+/// The entries of a piece's body; nothing where it is none.
+std::optional<std::vector<CheckpointFile::Entry>> entries_of(std::string_view body) {
+    std::vector<CheckpointFile::Entry> entries;
+    for (std::size_t i = 0; i < body.size();) {
+        const std::size_t stop = body.find('\n', i);
+        const auto head = numbers<3>(body.substr(i, stop - i), 10);
+        if (!head || stop + 1 + (*head)[2] + 1 > body.size()) {
+            return {};
+        }
+        entries.push_back({static_cast<std::size_t>((*head)[0]), (*head)[1] != 0,
+                           std::string(body.substr(stop + 1, (*head)[2]))});
+        i = stop + 1 + (*head)[2] + 1;
+    }
+    return entries;
+}
+
+} // namespace
+
+CheckpointFile::CheckpointFile(std::filesystem::path file, std::uint64_t fingerprint,
+                               std::size_t pieces)
+    : file_(std::move(file)),
+      // No link is followed and no FIFO waited for: what has this name may be anybody's.
+      fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666)),
+      head_(fmt::format("{}3, {:016x}\n", first_words, fingerprint)), places_(pieces) {
+    if (fd_ < 0) {
+        if (errno == ELOOP || errno == EISDIR || errno == ENXIO) {
+            not_ours();
+        }
+        cannot("write", errno);
+    }
+    try {
+        struct stat now {};
+        if (::fstat(fd_, &now) != 0 || !S_ISREG(now.st_mode)) {
+            not_ours();
+        }
+        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+            throw InputError(file_.string() + " is in use",
+                             "wait for the other run, or name another file");
+        }
+        read();
+    } catch (...) {
+        ::close(fd_);
+        throw;
+    }
+}
+
+CheckpointFile::~CheckpointFile() {
+    if (fd_ >= 0) {
+        ::close(fd_);
+    }
+}
+
+void CheckpointFile::cannot(const char* what, int error) const {
+    throw InputError(fmt::format("cannot {} {}: {}", what, file_.string(), std::strerror(error)),
+                     make_room);
+}
+
+void CheckpointFile::not_ours() const {
+    throw InputError(file_.string() + " is where the work that is done would be kept, and is not a "
+                                      "file that Edgeproof made",
+                     "rename it, or name another output file");
+}
+
+std::string CheckpointFile::at(std::uint64_t offset, std::size_t size) const {
+    std::string text(size, '\0');
+    std::size_t have = 0;
+    while (have < size) {
+        const ssize_t n =
+            ::pread(fd_, text.data() + have, size - have, static_cast<off_t>(offset + have));
+        if (n > 0) {
+            have += static_cast<std::size_t>(n);
+        } else if (n == 0 || errno != EINTR) {
+            text.resize(have);
+            break;
+        }
+    }
+    return text;
+}
+
+// A piece is a line "piece BYTES CHECKSUM", then for each entry a line "INDEX MARK BYTES" and its
+// text with a line's end.
+void CheckpointFile::read() {
+    end_ = head_.size();
+    constexpr std::size_t longest_head = 80;
+    const std::string begins = at(0, head_.size());
+    // An older version's, another recipe's, or one whose first line is torn: begun anew.
+    const std::size_t known = std::min(begins.size(), first_words.size());
+    if (begins.compare(0, known, first_words, 0, known) != 0) {
+        not_ours();
+    }
+    const bool ours = begins == head_;
+    while (ours) {
+        const std::string line = at(end_, longest_head);
+        const std::size_t newline = line.find('\n');
+        const auto head = newline == std::string::npos
+                              ? std::nullopt
+                              : numbers<3>(std::string_view(line).substr(0, newline), 16);
+        if (!head || (*head)[0] >= places_.size() || has((*head)[0]) || (*head)[1] == 0) {
+            break;
+        }
+        const std::uint64_t begin = end_ + newline + 1;
+        const std::string body = at(begin, (*head)[1]);
+        if (body.size() != (*head)[1] || checksum((*head)[0], body) != (*head)[2]) {
+            break;
+        }
+        const auto entries = entries_of(body);
+        if (!entries) {
+            break;
+        }
+        for (const Entry& entry : *entries) {
+            marked_ += entry.mark ? 1 : 0;
+            ++count_;
+        }
+        places_[(*head)[0]] = {begin, body.size()};
+        end_ = begin + body.size();
+    }
+    const std::uint64_t keep = ours ? end_ : 0;
+    if (::ftruncate(fd_, static_cast<off_t>(keep)) != 0 ||
+        ::lseek(fd_, static_cast<off_t>(keep), SEEK_SET) < 0) {
+        cannot("write", errno);
+    }
+    if (!ours) {
+        if (const int error = write_all(fd_, head_); error != 0) {
+            ::unlink(file_.c_str());
+            cannot("write", error);
+        }
+    }
+}
+
+std::string CheckpointFile::body(const std::vector<Entry>& entries) {
+    std::string text;
+    for (const Entry& entry : entries) {
+        text += fmt::format("{} {} {}\n", entry.index, entry.mark ? 1 : 0, entry.text.size());
+        text += entry.text + "\n";
+    }
+    return text;
+}
+
+void CheckpointFile::add(std::size_t piece, const std::string& body) {
+    const auto entries = entries_of(body);
+    if (!entries || entries->empty() || piece >= places_.size() || has(piece)) {
+        throw Error(
+            fmt::format("piece {} of {} is not one that was asked for", piece, file_.string()));
+    }
+    const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), checksum(piece, body));
+    struct stat now {};
+    if (::fstat(fd_, &now) != 0 || now.st_nlink == 0) {
+        throw InputError(file_.string() + " has been removed while it was written", make_room);
+    }
+    if (const int error = write_all(fd_, head + body); error != 0) {
+        (void)::ftruncate(fd_, static_cast<off_t>(end_));
+        cannot("write", error);
+    }
+    for (const Entry& entry : *entries) {
+        marked_ += entry.mark ? 1 : 0;
+        ++count_;
+    }
+    places_[piece] = {end_ + head.size(), body.size()};
+    end_ += head.size() + body.size();
+}
+
+std::vector<CheckpointFile::Entry> CheckpointFile::piece(std::size_t number) const {
+    const std::string body = at(places_[number].offset, places_[number].size);
+    auto entries = entries_of(body);
+    if (body.size() != places_[number].size || !entries) {
+        cannot("read", EIO);
+    }
+    return std::move(*entries);
+}
+
+void CheckpointFile::remove() {
+    // Only this file: another may have come under its name.
+    struct stat mine {};
+    struct stat named {};
+    if (::fstat(fd_, &mine) == 0 && ::lstat(file_.c_str(), &named) == 0 &&
+        mine.st_dev == named.st_dev && mine.st_ino == named.st_ino) {
+        ::unlink(file_.c_str());
+    }
+}
+
+} // namespace edgeproof::io

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/child_process.hpp"
+
+#include "edgeproof/io/process_cleanup.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+extern char** environ; // NOLINT: POSIX names it so
+
+namespace edgeproof::io {
+namespace {
+
+constexpr int look_every_ms = 100;
+constexpr int look_for_the_end_every_ms = 2;
+constexpr std::size_t most_bytes_at_once = 1'000'000; // bytes read before the time is looked at
+
+[[noreturn]] void cannot(const char* what) {
+    throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+    void close() {
+        if (fd_ >= 0) {
+            ::close(fd_);
+        }
+        fd_ = -1;
+    }
+    [[nodiscard]] int get() const { return fd_; }
+    [[nodiscard]] int release() { return std::exchange(fd_, -1); }
+
+private:
+    int fd_;
+};
+
+/// A program that no longer reads must not end us: SIGPIPE is held back in this thread.
+class NoBrokenPipe {
+public:
+    NoBrokenPipe() {
+        sigemptyset(&pipe_);
+        sigaddset(&pipe_, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    }
+    ~NoBrokenPipe() {
+        const timespec at_once{};
+        while (sigtimedwait(&pipe_, nullptr, &at_once) > 0) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    NoBrokenPipe(const NoBrokenPipe&) = delete;
+    NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
+
+private:
+    sigset_t pipe_{};
+    sigset_t before_{};
+};
+
+std::pair<int, int> make_pipe() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        cannot("make a pipe");
+    }
+    return {ends[0], ends[1]};
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    pointers.reserve(texts.size() + 1);
+    for (std::string& text : texts) {
+        pointers.push_back(text.data());
+    }
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Starts it in a process group of its own, with no signal held back or ignored.
+pid_t start(const ProgramCall& call, int in, int out, int err) {
+    std::vector<std::string> arguments = call.arguments;
+    std::vector<std::string> environment = call.environment.value_or(std::vector<std::string>{});
+    const std::vector<char*> argv = pointers_to(arguments);
+    const std::vector<char*> variables = pointers_to(environment);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        sigaddset(&usual, signal);
+    }
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK |
+                                              POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    pid_t pid = 0;
+    const int failed = ::posix_spawn(&pid, argv.front(), &actions, &attributes, argv.data(),
+                                     call.environment ? variables.data() : environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) {
+        throw Error("cannot start " + call.arguments.front() + ": " + std::strerror(failed));
+    }
+    return pid;
+}
+
+/// Writes what goes in without waiting. False when nothing is left to write, or nobody reads.
+bool feed(int fd, const std::string& input, std::size_t& at) {
+    while (at < input.size()) {
+        const ssize_t n = ::write(fd, input.data() + at, input.size() - at);
+        if (n > 0) {
+            at += static_cast<std::size_t>(n);
+        } else if (errno == EAGAIN) {
+            return true;
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
+    return false;
+}
+
+/// Hands on what there is to read, up to most_bytes_at_once, without waiting. False at the end.
+template <class Take> bool drain(int fd, const Take& take) {
+    std::array<char, 65536> buffer{};
+    for (std::size_t taken = 0; taken < most_bytes_at_once;) {
+        const ssize_t n = ::read(fd, buffer.data(), buffer.size());
+        if (n > 0) {
+            taken += static_cast<std::size_t>(n);
+            take(std::string_view(buffer.data(), static_cast<std::size_t>(n)));
+        } else if (n < 0 && errno == EAGAIN) {
+            return true;
+        } else if (n == 0 || errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// What the program writes.
+class Listener {
+public:
+    Listener(int out, int err, const ProgramCall& call, ProgramRun& run)
+        : out_(out), err_(err), call_(call), run_(run) {
+        ::fcntl(out, F_SETFL, O_NONBLOCK);
+        ::fcntl(err, F_SETFL, O_NONBLOCK);
+    }
+    void read() {
+        const auto keep = [&](std::string_view text) {
+            const std::size_t room = call_.most_output - run_.output.size();
+            run_.output.append(text.substr(0, room));
+            run_.too_much = run_.too_much || text.size() > room;
+        };
+        const auto hand_on = [&](std::string_view text) {
+            if (call_.said) {
+                call_.said(text);
+            }
+        };
+        if (out_.get() >= 0 && !drain(out_.get(), keep)) {
+            out_.close();
+        }
+        if (err_.get() >= 0 && !drain(err_.get(), hand_on)) {
+            err_.close();
+        }
+    }
+    [[nodiscard]] int out() const { return out_.get(); }
+    [[nodiscard]] int err() const { return err_.get(); }
+
+private:
+    Descriptor out_;
+    Descriptor err_;
+    const ProgramCall& call_;
+    ProgramRun& run_;
+};
+
+} // namespace
+
+std::string ProgramRun::ending() const {
+    if (timed_out) {
+        return "was stopped: it took longer than --timeout allows";
+    }
+    if (too_much) {
+        return "was stopped: it wrote without end";
+    }
+    if (signal != 0) {
+        return "was ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
+    }
+    return exit_code != 0 ? "ended with exit code " + std::to_string(exit_code) : "";
+}
+
+ProgramCall shell_call(const std::string& command) {
+    ProgramCall call;
+    call.arguments = {"/bin/sh", "-c", command};
+    return call;
+}
+
+ProgramRun run_program(const ProgramCall& call) {
+    using Clock = std::chrono::steady_clock;
+    const auto begun = Clock::now();
+    const auto late = [&] {
+        return std::chrono::duration<double>(Clock::now() - begun).count() >= call.seconds;
+    };
+    const NoBrokenPipe guard;
+    const auto [their_in, our_in] = make_pipe();
+    Descriptor theirs_in(their_in);
+    Descriptor writes(our_in);
+    const auto [our_out, their_out] = make_pipe();
+    ProgramRun run;
+    Descriptor theirs_out(their_out);
+    Descriptor ours_out(our_out);
+    const auto [our_err, their_err] = make_pipe();
+    Descriptor theirs_err(their_err);
+    Descriptor ours_err(our_err);
+    ChildGroup child([&] { return start(call, their_in, their_out, their_err); });
+    theirs_in.close();
+    theirs_out.close();
+    theirs_err.close();
+    Listener listener(ours_out.release(), ours_err.release(), call, run);
+    ::fcntl(writes.get(), F_SETFL, O_NONBLOCK);
+    std::size_t written = 0;
+    while (!run.too_much && !run.timed_out) {
+        if (writes.get() >= 0 && !feed(writes.get(), call.input, written)) {
+            writes.close();
+        }
+        // Its end is looked for before its output, which is then complete. Who it left behind may
+        // keep the pipes open: that is not waited for.
+        const bool ended = child.ended();
+        listener.read();
+        check_interruption();
+        if (ended) {
+            break;
+        }
+        run.timed_out = late();
+        std::array<pollfd, 3> ends{pollfd{listener.out(), POLLIN, 0},
+                                   pollfd{listener.err(), POLLIN, 0},
+                                   pollfd{writes.get(), POLLOUT, 0}};
+        const bool silent = listener.out() < 0;
+        ::poll(ends.data(), ends.size(), silent ? look_for_the_end_every_ms : look_every_ms);
+    }
+    const bool killed = run.too_much || run.timed_out;
+    child.end();
+    const int status = child.wait();
+    if (!killed) {
+        // A pipe holds less than is read at once: all of what it wrote is here now.
+        listener.read();
+    }
+    run.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    return run;
+}
+
+} // namespace edgeproof::io

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/output_file.hpp"
+
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace edgeproof::io {
+namespace {
+
+[[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error) {
+    throw InputError("cannot " + what + " " + path.string() + ": " + std::strerror(error),
+                     make_room);
+}
+
+} // namespace
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+    AtomicFile whole(file);
+    whole.write(text);
+    whole.commit();
+}
+
+void write_checkpoint(const std::filesystem::path& file, const std::string& text) {
+    AtomicFile whole(file, AtomicFile::Content::checkpoint);
+    whole.write(text);
+    whole.commit();
+}
+
+void write_output(const std::filesystem::path& file, const std::string& text) {
+    if (file != "-") {
+        write_whole(file, text);
+    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+               std::fflush(stdout) != 0) {
+        cannot("write", "standard output", errno);
+    }
+}
+
+void check_output(const std::filesystem::path& file) {
+    if (file.empty() || file == "-") {
+        return;
+    }
+    const OutputTarget target = OutputTarget::of(file);
+    if (!target.special) {
+        const auto folder = target.path.parent_path();
+        make_folder(folder.empty() ? std::filesystem::path(".") : folder);
+    } else if (target.descriptor < 0 && ::access(target.path.c_str(), W_OK) != 0) {
+        cannot("write", file, errno);
+    }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) {
+        cannot("make the folder", folder, failed.value());
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        cannot("write into", folder, errno);
+    }
+}
+
+} // namespace edgeproof::io

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/process_cleanup.hpp"
+
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace edgeproof::io {
+namespace {
+
+/// A thread that holds the lock ends its step in far less, unless a disk hangs.
+constexpr std::chrono::milliseconds longest_wait_for_a_step{250};
+
+struct Registered {
+    std::timed_mutex mutex;
+    std::multiset<std::filesystem::path> paths;
+    std::set<pid_t> groups;
+    std::string note;
+};
+
+/// Never destroyed: threads may still come here while the process ends.
+Registered& registered() {
+    static auto* const all = new Registered; // NOLINT(cppcoreguidelines-owning-memory)
+    return *all;
+}
+
+void forget(const std::filesystem::path& path) {
+    auto& paths = registered().paths;
+    if (const auto found = paths.find(path); found != paths.end()) {
+        paths.erase(found);
+    }
+}
+
+} // namespace
+
+std::unique_lock<std::timed_mutex> hold_cleanup() { return std::unique_lock(registered().mutex); }
+
+TemporaryPath::TemporaryPath(std::filesystem::path path)
+    : TemporaryPath([&] { return std::move(path); }) {}
+
+TemporaryPath::TemporaryPath(const std::function<std::filesystem::path()>& make) {
+    const auto lock = hold_cleanup();
+    path_ = std::filesystem::absolute(make());
+    registered().paths.insert(path_);
+}
+
+TemporaryPath::~TemporaryPath() {
+    if (registered_) {
+        const auto lock = hold_cleanup();
+        forget(path_);
+    }
+}
+
+void TemporaryPath::keep_locked() noexcept {
+    forget(path_);
+    registered_ = false;
+}
+
+ChildGroup::ChildGroup(const std::function<pid_t()>& start) : pid_(-1) {
+    const auto lock = hold_cleanup();
+    pid_ = start();
+    registered().groups.insert(pid_);
+}
+
+ChildGroup::~ChildGroup() {
+    if (pid_ > 0) {
+        end();
+        (void)wait();
+    }
+}
+
+void ChildGroup::end() const { ::kill(-pid_, SIGKILL); }
+
+bool ChildGroup::ended() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == pid_;
+}
+
+int ChildGroup::wait() {
+    siginfo_t info{};
+    while (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 &&
+           errno == EINTR) {
+    }
+    end();
+    {
+        // Its number may be another's as soon as it is waited for.
+        const auto lock = hold_cleanup();
+        registered().groups.erase(pid_);
+    }
+    int status = 0;
+    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+    return status;
+}
+
+KeptNote::KeptNote(std::string text) {
+    const auto lock = hold_cleanup();
+    registered().note = std::move(text);
+}
+
+KeptNote::~KeptNote() {
+    const auto lock = hold_cleanup();
+    registered().note.clear();
+}
+
+std::string clean_up() noexcept {
+    try {
+        Registered& all = registered();
+        // Not unlocked again. Where a step hangs, what is registered is removed all the same.
+        (void)all.mutex.try_lock_for(longest_wait_for_a_step);
+        for (const pid_t group : all.groups) {
+            ::kill(-group, SIGKILL);
+        }
+        for (const std::filesystem::path& path : all.paths) {
+            std::error_code ignored;
+            std::filesystem::remove_all(path, ignored);
+        }
+        return all.note;
+    } catch (...) { // no memory
+        return {};
+    }
+}
+
+} // namespace edgeproof::io

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/parallel/distributed_work.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/parallel/processes.hpp"

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz.h>
+
+namespace edgeproof {
+namespace {
+
+/// A Real that holds an arf exactly, or rounded to `bits` in a direction.
+Real to_real(arf_srcptr x, long bits, mpfr_rnd_t rounding) {
+    Real r;
+    mpfr_set_prec(r.backend().data(), bits < 2 ? 2 : bits);
+    arf_get_mpfr(r.backend().data(), x, rounding);
+    return r;
+}
+
+void set_exactly(arf_ptr target, const Real& x) { arf_set_mpfr(target, x.backend().data()); }
+
+template <class F> Ball apply(const Ball& x, F f) {
+    Ball r(0, x.bits());
+    f(r.data(), x.data(), x.bits());
+    return r;
+}
+template <class F> Ball apply(const Ball& x, const Ball& y, F f) {
+    const long bits = x.bits() < y.bits() ? y.bits() : x.bits();
+    Ball r(0, bits);
+    f(r.data(), x.data(), y.data(), bits);
+    return r;
+}
+
+} // namespace
+
+Ball::Ball(const Rational& q, long bits) : bits_(bits) {
+    arb_init(x_);
+    fmpq_t f;
+    fmpq_init(f);
+    fmpq_set_mpq(f, q.backend().data());
+    arb_set_fmpq(x_, f, bits);
+    fmpq_clear(f);
+}
+
+Ball::Ball(const Real& x, long bits) : bits_(bits) {
+    arb_init(x_);
+    set_exactly(arb_midref(x_), x);
+}
+
+Ball Ball::pi(long bits) {
+    Ball r(0, bits);
+    arb_const_pi(r.x_, bits);
+    return r;
+}
+
+Ball Ball::from_interval(const Real& lo, const Real& hi, long bits) {
+    if (!(lo <= hi) || !isfinite(lo) || !isfinite(hi)) {
+        throw DomainError("a ball needs finite ends in order");
+    }
+    Ball r(0, bits);
+    arb_set_interval_mpfr(r.x_, lo.backend().data(), hi.backend().data(), bits);
+    return r;
+}
+
+Ball Ball::hull(const Ball& x, const Ball& y) {
+    const long bits = x.bits_ < y.bits_ ? y.bits_ : x.bits_;
+    Ball r(0, bits);
+    arb_union(r.x_, x.x_, y.x_, bits);
+    return r;
+}
+
+Ball Ball::around(const Real& midpoint, const Real& radius, long bits) {
+    if (!(radius >= 0)) {
+        throw DomainError("a ball needs a radius that is not negative");
+    }
+    Ball r(midpoint, bits);
+    arf_t error;
+    arf_init(error);
+    set_exactly(error, radius);
+    arb_add_error_arf(r.x_, error);
+    arf_clear(error);
+    return r;
+}
+
+Real Ball::midpoint() const { return to_real(arb_midref(x_), arf_bits(arb_midref(x_)), MPFR_RNDN); }
+
+Real Ball::radius() const {
+    arf_t r;
+    arf_init(r);
+    arf_set_mag(r, arb_radref(x_));
+    Real result = to_real(r, 30, MPFR_RNDU);
+    arf_clear(r);
+    return result;
+}
+
+Real Ball::lower() const {
+    arf_t end;
+    arf_init(end);
+    arb_get_lbound_arf(end, x_, bits_);
+    Real result = to_real(end, bits_, MPFR_RNDD);
+    arf_clear(end);
+    return result;
+}
+
+Real Ball::upper() const {
+    arf_t end;
+    arf_init(end);
+    arb_get_ubound_arf(end, x_, bits_);
+    Real result = to_real(end, bits_, MPFR_RNDU);
+    arf_clear(end);
+    return result;
+}
+
+bool contains(const Ball& x, const Real& point) {
+    arf_t p;
+    arf_init(p);
+    set_exactly(p, point);
+    const bool inside = arb_contains_arf(x.data(), p) != 0;
+    arf_clear(p);
+    return inside;
+}
+
+bool contains(const Ball& x, const Rational& point) {
+    fmpq_t f;
+    fmpq_init(f);
+    fmpq_set_mpq(f, point.backend().data());
+    const bool inside = arb_contains_fmpq(x.data(), f) != 0;
+    fmpq_clear(f);
+    return inside;
+}
+
+Ball abs(const Ball& x) {
+    return apply(x, [](arb_ptr r, arb_srcptr v, long) { arb_abs(r, v); });
+}
+Ball sgn(const Ball& x) {
+    return apply(x, [](arb_ptr r, arb_srcptr v, long) { arb_sgn(r, v); });
+}
+Ball sqrt(const Ball& x) { return apply(x, arb_sqrt); }
+Ball exp(const Ball& x) { return apply(x, arb_exp); }
+Ball expm1(const Ball& x) { return apply(x, arb_expm1); }
+Ball log(const Ball& x) { return apply(x, arb_log); }
+Ball log1p(const Ball& x) { return apply(x, arb_log1p); }
+Ball sin(const Ball& x) { return apply(x, arb_sin); }
+Ball cos(const Ball& x) { return apply(x, arb_cos); }
+Ball tan(const Ball& x) { return apply(x, arb_tan); }
+Ball asin(const Ball& x) { return apply(x, arb_asin); }
+Ball acos(const Ball& x) { return apply(x, arb_acos); }
+Ball atan(const Ball& x) { return apply(x, arb_atan); }
+Ball sinh(const Ball& x) { return apply(x, arb_sinh); }
+Ball cosh(const Ball& x) { return apply(x, arb_cosh); }
+Ball tanh(const Ball& x) { return apply(x, arb_tanh); }
+Ball asinh(const Ball& x) { return apply(x, arb_asinh); }
+Ball acosh(const Ball& x) { return apply(x, arb_acosh); }
+Ball atanh(const Ball& x) { return apply(x, arb_atanh); }
+Ball gamma(const Ball& x) { return apply(x, arb_gamma); }
+Ball atan2(const Ball& y, const Ball& x) { return apply(y, x, arb_atan2); }
+Ball hypot(const Ball& x, const Ball& y) { return apply(x, y, arb_hypot); }
+Ball max(const Ball& x, const Ball& y) { return apply(x, y, arb_max); }
+Ball min(const Ball& x, const Ball& y) { return apply(x, y, arb_min); }
+Ball pow(const Ball& x, const Ball& y) { return apply(x, y, arb_pow); }
+
+Ball pow(const Ball& x, const Rational& y) {
+    Ball r(0, x.bits());
+    fmpq_t f;
+    fmpq_init(f);
+    fmpq_set_mpq(f, y.backend().data());
+    arb_pow_fmpq(r.data(), x.data(), f, x.bits());
+    fmpq_clear(f);
+    return r;
+}
+
+Ball pow_int(const Ball& x, long n) {
+    Ball r(0, x.bits());
+    fmpz_t e;
+    fmpz_init_set_si(e, n);
+    arb_pow_fmpz(r.data(), x.data(), e, x.bits());
+    fmpz_clear(e);
+    return r;
+}
+
+Ball hypergeometric_2f1(const Ball& a, const Ball& b, const Ball& c, const Ball& z) {
+    Ball r(0, z.bits());
+    arb_hypgeom_2f1(r.data(), a.data(), b.data(), c.data(), z.data(), 0, z.bits());
+    return r;
+}
+
+} // namespace edgeproof

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/arb_include.hpp"
+#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
+
+#include <utility>
+
+namespace edgeproof {
+
+/// A real number known to lie within a proved radius of a midpoint (Arb: F. Johansson, IEEE Trans.
+/// Comput. 66 (2017) 1281). Every operation encloses the exact result of every choice of operands
+/// from their balls. A ball carries its working precision in bits and a result takes the larger of
+/// its operands': there is no global or thread-local state. Where a function is not defined on
+/// the whole ball the result is not finite, never wrong.
+class Ball {
+public:
+    /// 0 at 64 bits.
+    Ball() : bits_(64) { arb_init(x_); }
+    Ball(long value, long bits) : bits_(bits) {
+        arb_init(x_);
+        arb_set_si(x_, value);
+    }
+    /// The ball around q at `bits`, q inside.
+    Ball(const Rational& q, long bits);
+    /// Exactly the number x.
+    Ball(const Real& x, long bits);
+    Ball(const Ball& o) : bits_(o.bits_) {
+        arb_init(x_);
+        arb_set(x_, o.x_);
+    }
+    Ball(Ball&& o) noexcept : bits_(o.bits_) {
+        arb_init(x_);
+        arb_swap(x_, o.x_);
+    }
+    Ball& operator=(const Ball& o) {
+        arb_set(x_, o.x_);
+        bits_ = o.bits_;
+        return *this;
+    }
+    Ball& operator=(Ball&& o) noexcept {
+        arb_swap(x_, o.x_);
+        bits_ = o.bits_;
+        return *this;
+    }
+    ~Ball() { arb_clear(x_); }
+
+    [[nodiscard]] static Ball pi(long bits);
+    /// Everything from lo to hi. Throws DomainError for lo > hi or an end that is not finite.
+    [[nodiscard]] static Ball from_interval(const Real& lo, const Real& hi, long bits);
+    /// The smallest ball (nearly) that holds both.
+    [[nodiscard]] static Ball hull(const Ball& x, const Ball& y);
+    /// midpoint +- radius, radius >= 0.
+    [[nodiscard]] static Ball around(const Real& midpoint, const Real& radius, long bits);
+
+    [[nodiscard]] long bits() const noexcept { return bits_; }
+    /// The same ball, working on at another precision.
+    [[nodiscard]] Ball with_bits(long bits) const {
+        Ball r(*this);
+        r.bits_ = bits;
+        return r;
+    }
+    /// The midpoint, exactly.
+    [[nodiscard]] Real midpoint() const;
+    /// The radius, rounded up to 30 bits.
+    [[nodiscard]] Real radius() const;
+    /// End points, rounded outwards at the ball's precision.
+    [[nodiscard]] Real lower() const;
+    [[nodiscard]] Real upper() const;
+    [[nodiscard]] bool is_finite() const { return arb_is_finite(x_) != 0; }
+    [[nodiscard]] bool is_exact() const { return arb_is_exact(x_) != 0; }
+    /// About -log2(radius/|midpoint|).
+    [[nodiscard]] long relative_accuracy_bits() const { return arb_rel_accuracy_bits(x_); }
+
+    Ball& operator+=(const Ball& o) {
+        arb_add(x_, x_, o.x_, widen(o));
+        return *this;
+    }
+    Ball& operator-=(const Ball& o) {
+        arb_sub(x_, x_, o.x_, widen(o));
+        return *this;
+    }
+    Ball& operator*=(const Ball& o) {
+        arb_mul(x_, x_, o.x_, widen(o));
+        return *this;
+    }
+    Ball& operator/=(const Ball& o) {
+        arb_div(x_, x_, o.x_, widen(o));
+        return *this;
+    }
+    Ball& operator*=(long k) {
+        arb_mul_si(x_, x_, k, bits_);
+        return *this;
+    }
+    Ball& operator/=(long k) {
+        arb_div_si(x_, x_, k, bits_);
+        return *this;
+    }
+    Ball& operator+=(long k) {
+        arb_add_si(x_, x_, k, bits_);
+        return *this;
+    }
+    Ball& operator-=(long k) {
+        arb_sub_si(x_, x_, k, bits_);
+        return *this;
+    }
+    friend Ball operator-(Ball x) {
+        arb_neg(x.x_, x.x_);
+        return x;
+    }
+    friend Ball operator+(Ball x, const Ball& y) { return std::move(x += y); }
+    friend Ball operator-(Ball x, const Ball& y) { return std::move(x -= y); }
+    friend Ball operator*(Ball x, const Ball& y) { return std::move(x *= y); }
+    friend Ball operator/(Ball x, const Ball& y) { return std::move(x /= y); }
+    friend Ball operator+(Ball x, long k) { return std::move(x += k); }
+    friend Ball operator-(Ball x, long k) { return std::move(x -= k); }
+    friend Ball operator*(Ball x, long k) { return std::move(x *= k); }
+    friend Ball operator/(Ball x, long k) { return std::move(x /= k); }
+    friend Ball operator+(long k, Ball x) { return std::move(x += k); }
+    friend Ball operator-(long k, Ball x) { return -std::move(x -= k); }
+    friend Ball operator*(long k, Ball x) { return std::move(x *= k); }
+    friend Ball operator/(long k, const Ball& x) { return Ball(k, x.bits_) / x; }
+
+    /// For the functions below, and for code that calls Arb itself.
+    [[nodiscard]] arb_srcptr data() const noexcept { return x_; }
+    [[nodiscard]] arb_ptr data() noexcept { return x_; }
+
+private:
+    long widen(const Ball& o) { return bits_ = bits_ < o.bits_ ? o.bits_ : bits_; }
+    arb_t x_;
+    long bits_;
+};
+
+/// Certain statements only: each is true when it holds for every pair of numbers in the balls.
+[[nodiscard]] inline bool certainly_less(const Ball& x, const Ball& y) {
+    return arb_lt(x.data(), y.data()) != 0;
+}
+[[nodiscard]] inline bool certainly_positive(const Ball& x) {
+    return arb_is_positive(x.data()) != 0;
+}
+[[nodiscard]] inline bool certainly_negative(const Ball& x) {
+    return arb_is_negative(x.data()) != 0;
+}
+[[nodiscard]] inline bool contains_zero(const Ball& x) { return arb_contains_zero(x.data()) != 0; }
+/// False exactly when the balls are proved to have no number in common.
+[[nodiscard]] inline bool overlaps(const Ball& x, const Ball& y) {
+    return arb_overlaps(x.data(), y.data()) != 0;
+}
+[[nodiscard]] inline bool disjoint(const Ball& x, const Ball& y) { return !overlaps(x, y); }
+[[nodiscard]] bool contains(const Ball& x, const Real& point);
+[[nodiscard]] bool contains(const Ball& x, const Rational& point);
+[[nodiscard]] inline bool contains(const Ball& outer, const Ball& inner) {
+    return arb_contains(outer.data(), inner.data()) != 0;
+}
+
+[[nodiscard]] Ball abs(const Ball& x);
+[[nodiscard]] Ball sgn(const Ball& x);
+[[nodiscard]] Ball sqrt(const Ball& x);
+[[nodiscard]] Ball exp(const Ball& x);
+[[nodiscard]] Ball expm1(const Ball& x);
+[[nodiscard]] Ball log(const Ball& x);
+[[nodiscard]] Ball log1p(const Ball& x);
+[[nodiscard]] Ball sin(const Ball& x);
+[[nodiscard]] Ball cos(const Ball& x);
+[[nodiscard]] Ball tan(const Ball& x);
+[[nodiscard]] Ball asin(const Ball& x);
+[[nodiscard]] Ball acos(const Ball& x);
+[[nodiscard]] Ball atan(const Ball& x);
+[[nodiscard]] Ball atan2(const Ball& y, const Ball& x);
+[[nodiscard]] Ball sinh(const Ball& x);
+[[nodiscard]] Ball cosh(const Ball& x);
+[[nodiscard]] Ball tanh(const Ball& x);
+[[nodiscard]] Ball asinh(const Ball& x);
+[[nodiscard]] Ball acosh(const Ball& x);
+[[nodiscard]] Ball atanh(const Ball& x);
+[[nodiscard]] Ball gamma(const Ball& x);
+[[nodiscard]] Ball hypot(const Ball& x, const Ball& y);
+[[nodiscard]] Ball max(const Ball& x, const Ball& y);
+[[nodiscard]] Ball min(const Ball& x, const Ball& y);
+[[nodiscard]] Ball pow(const Ball& x, const Ball& y);
+[[nodiscard]] Ball pow(const Ball& x, const Rational& y);
+[[nodiscard]] Ball pow_int(const Ball& x, long n);
+/// Gauss's 2F1(a, b; c; z) for z < 1.
+[[nodiscard]] Ball hypergeometric_2f1(const Ball& a, const Ball& b, const Ball& c, const Ball& z);
+
+} // namespace edgeproof

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof {
+
+/// A truncated power series with balls for coefficients (Arb's arb_poly): each coefficient of a
+/// result encloses that of every choice of coefficients from the operands' balls.
+class BallSeries {
+public:
+    /// The constant c, known to `order` terms.
+    BallSeries(const Ball& c, std::size_t order);
+    explicit BallSeries(const std::vector<Ball>& coefficients);
+    /// c + z
+    static BallSeries variable(const Ball& c, std::size_t order);
+    BallSeries(const BallSeries& o);
+    BallSeries(BallSeries&& o) noexcept;
+    BallSeries& operator=(const BallSeries& o);
+    BallSeries& operator=(BallSeries&& o) noexcept;
+    ~BallSeries();
+
+    [[nodiscard]] std::size_t order() const noexcept { return order_; }
+    [[nodiscard]] long bits() const noexcept { return bits_; }
+    [[nodiscard]] Ball operator[](std::size_t k) const;
+    void set(std::size_t k, const Ball& c);
+    /// Known to fewer terms; or to more, the new ones being 0 exactly (a start for Newton).
+    [[nodiscard]] BallSeries resized(std::size_t order) const;
+
+    friend BallSeries operator+(const BallSeries& x, const BallSeries& y);
+    friend BallSeries operator-(const BallSeries& x, const BallSeries& y);
+    friend BallSeries operator*(const BallSeries& x, const BallSeries& y);
+    friend BallSeries operator/(const BallSeries& x, const BallSeries& y);
+    friend BallSeries operator*(const BallSeries& x, const Ball& c);
+    friend BallSeries operator+(const BallSeries& x, const Ball& c);
+    friend BallSeries operator-(const BallSeries& x);
+    friend BallSeries sqrt(const BallSeries& x);
+    friend BallSeries atan(const BallSeries& x);
+    friend BallSeries pow(const BallSeries& x, const Ball& exponent);
+
+private:
+    struct Poly;
+    BallSeries(std::size_t order, long bits);
+    Poly* poly_;
+    std::size_t order_;
+    long bits_;
+};
+
+} // namespace edgeproof

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include <utility>
+
+namespace edgeproof {
+
+/// A rectangle of the complex plane, a ball for each part, in which a number is known to lie (Arb's
+/// acb). It carries its working precision as a Ball does, and a result takes the larger of its
+/// operands'.
+class Box {
+public:
+    explicit Box(long bits = 64) : bits_(bits) { acb_init(z_); }
+    explicit Box(const Ball& x) : Box(x.bits()) { acb_set_arb(z_, x.data()); }
+    Box(const Ball& re, const Ball& im) : Box(re.bits()) {
+        acb_set_arb_arb(z_, re.data(), im.data());
+    }
+    Box(const acb_t z, long bits) : Box(bits) { acb_set(z_, z); }
+    Box(const Box& o) : Box(o.z_, o.bits_) {}
+    Box(Box&& o) noexcept : Box(o.bits_) { acb_swap(z_, o.z_); }
+    Box& operator=(const Box& o) {
+        acb_set(z_, o.z_);
+        bits_ = o.bits_;
+        return *this;
+    }
+    Box& operator=(Box&& o) noexcept {
+        acb_swap(z_, o.z_);
+        bits_ = o.bits_;
+        return *this;
+    }
+    ~Box() { acb_clear(z_); }
+
+    [[nodiscard]] static Box hull(const Box& x, const Box& y) {
+        Box r(x.bits_);
+        acb_union(r.z_, x.z_, y.z_, r.bits_);
+        return r;
+    }
+    [[nodiscard]] acb_ptr get() { return z_; }
+    [[nodiscard]] acb_srcptr get() const { return z_; }
+    [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] bool is_finite() const { return acb_is_finite(z_) != 0; }
+    [[nodiscard]] bool contains_zero() const { return acb_contains_zero(z_) != 0; }
+    /// It meets the real axis.
+    [[nodiscard]] bool may_be_real() const { return arb_contains_zero(acb_imagref(z_)) != 0; }
+    [[nodiscard]] Ball real() const {
+        Ball x(0, bits_);
+        arb_set(x.data(), acb_realref(z_));
+        return x;
+    }
+    [[nodiscard]] Ball imaginary() const {
+        Ball x(0, bits_);
+        arb_set(x.data(), acb_imagref(z_));
+        return x;
+    }
+    [[nodiscard]] Box middle() const {
+        Box r(bits_);
+        acb_get_mid(r.z_, z_);
+        return r;
+    }
+
+    friend Box operator-(Box x) {
+        acb_neg(x.z_, x.z_);
+        return x;
+    }
+    friend Box operator+(Box x, const Box& y) {
+        acb_add(x.z_, x.z_, y.z_, x.widen(y.bits_));
+        return x;
+    }
+    friend Box operator-(Box x, const Box& y) {
+        acb_sub(x.z_, x.z_, y.z_, x.widen(y.bits_));
+        return x;
+    }
+    friend Box operator*(Box x, const Box& y) {
+        acb_mul(x.z_, x.z_, y.z_, x.widen(y.bits_));
+        return x;
+    }
+    friend Box operator/(Box x, const Box& y) {
+        acb_div(x.z_, x.z_, y.z_, x.widen(y.bits_));
+        return x;
+    }
+    friend Box operator+(Box x, const Ball& y) {
+        acb_add_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
+        return x;
+    }
+    friend Box operator-(Box x, const Ball& y) {
+        acb_sub_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
+        return x;
+    }
+    friend Box operator*(Box x, const Ball& y) {
+        acb_mul_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
+        return x;
+    }
+    friend Box operator+(Box x, long k) {
+        const Ball whole(k, x.bits_);
+        return std::move(x) + whole;
+    }
+    friend Box operator-(const Ball& x, const Box& y) { return -(y - x); }
+
+private:
+    long widen(long bits) { return bits_ = bits_ < bits ? bits : bits_; }
+    acb_t z_;
+    long bits_;
+};
+
+} // namespace edgeproof

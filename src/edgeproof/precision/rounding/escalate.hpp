@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <string>
+
+namespace edgeproof {
+
+/// A budget counted in bits, never in seconds: the same on every machine.
+struct BitBudget {
+    long first = 128;
+    long last = 1L << 20;
+};
+
+/// An enclosure, and whether it is as narrow as was asked.
+struct Escalated {
+    Ball value;
+    bool reached = false;
+    long bits = 0; ///< the working precision of the last attempt
+};
+
+/// Calls f(bits) -> Ball with the precision doubled until `enough(ball)` or the budget ends.
+template <class F, class Enough>
+[[nodiscard]] Escalated try_escalate(const F& f, const Enough& enough, const BitBudget& budget) {
+    Escalated e;
+    for (long bits = budget.first;; bits *= 2) {
+        check_interruption();
+        e.value = f(bits);
+        e.bits = bits;
+        e.reached = enough(e.value);
+        if (e.reached || bits > budget.last / 2) {
+            return e;
+        }
+    }
+}
+
+/// The same; throws BudgetError, saying how far it came, where the budget does not suffice.
+template <class F, class Enough>
+[[nodiscard]] Ball escalate(const F& f, const Enough& enough, const BitBudget& budget = {}) {
+    Escalated e = try_escalate(f, enough, budget);
+    if (!e.reached) {
+        throw BudgetError("the enclosure is still too wide at " + std::to_string(e.bits) +
+                          " bits: " + std::to_string(e.value.relative_accuracy_bits()) +
+                          " bits are certain");
+    }
+    return std::move(e.value);
+}
+
+} // namespace edgeproof

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace edgeproof {
+namespace {
+
+constexpr long max_exponent = 100000;
+
+[[noreturn]] void not_a_number(std::string_view text) {
+    throw InputError("'" + std::string(text.substr(0, 60)) + "' is not a number",
+                     "write a decimal such as 0.4 or 1e-30, or a quotient such as 3/2");
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Digits d_1 d_2 ... with value 0.d_1 d_2 ... x 10^exponent, as mpfr_get_str gives them.
+struct Digits {
+    bool negative = false;
+    std::string digits;
+    long exponent = 0;
+};
+
+Digits digits_of_real(const Real& x, unsigned count, mpfr_rnd_t rounding) {
+    mpfr_exp_t exponent = 0;
+    char* raw = mpfr_get_str(nullptr, &exponent, 10, count, x.backend().data(), rounding);
+    Digits d;
+    d.digits = raw;
+    mpfr_free_str(raw);
+    d.exponent = exponent;
+    if (!d.digits.empty() && d.digits[0] == '-') {
+        d.negative = true;
+        d.digits.erase(0, 1);
+    }
+    return d;
+}
+
+std::string layout(const Digits& d, unsigned digits) {
+    const std::string sign = d.negative ? "-" : "";
+    const long point = d.exponent; // digits before the decimal point
+    if (point > -5 && point <= static_cast<long>(digits)) {
+        if (point <= 0) {
+            return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
+        }
+        const auto before = static_cast<std::size_t>(point);
+        std::string text = sign + d.digits.substr(0, before);
+        if (before < d.digits.size()) {
+            text += "." + d.digits.substr(before);
+        }
+        return text;
+    }
+    std::string text = sign + d.digits.substr(0, 1);
+    if (d.digits.size() > 1) {
+        text += "." + d.digits.substr(1);
+    }
+    const long e = point - 1;
+    const std::string size = std::to_string(e < 0 ? -e : e);
+    return text + "e" + (e < 0 ? "-" : "+") + (size.size() < 2 ? "0" : "") + size;
+}
+
+std::string decimal(const Real& x, unsigned digits, mpfr_rnd_t rounding) {
+    if (digits == 0) {
+        throw DomainError("a number cannot be written to no digits at all");
+    }
+    if (mpfr_zero_p(x.backend().data()) != 0) {
+        return "0";
+    }
+    if (mpfr_number_p(x.backend().data()) == 0) {
+        return mpfr_nan_p(x.backend().data()) != 0 ? "nan" : x > 0 ? "inf" : "-inf";
+    }
+    return layout(digits_of_real(x, digits, rounding), digits);
+}
+
+/// The ends of a ball, exactly: midpoint -+ radius in as many bits as that takes.
+struct Ends {
+    Real lo;
+    Real hi;
+};
+Ends exact_ends(const Ball& x) {
+    Ends e{Real(0), Real(0)};
+    for (const bool upper : {false, true}) {
+        arf_t r;
+        arf_init(r);
+        arf_set_mag(r, arb_radref(x.data()));
+        if (upper) {
+            arf_add(r, arb_midref(x.data()), r, ARF_PREC_EXACT, ARF_RND_DOWN);
+        } else {
+            arf_sub(r, arb_midref(x.data()), r, ARF_PREC_EXACT, ARF_RND_DOWN);
+        }
+        Real& end = upper ? e.hi : e.lo;
+        const slong bits = arf_bits(r);
+        mpfr_set_prec(end.backend().data(), bits < 2 ? 2 : bits);
+        arf_get_mpfr(end.backend().data(), r, MPFR_RNDN);
+        arf_clear(r);
+    }
+    return e;
+}
+
+} // namespace
+
+Rational parse_decimal(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash != std::string_view::npos) {
+        const Rational numerator = parse_decimal(text.substr(0, slash));
+        const std::string_view below = text.substr(slash + 1);
+        if (below.empty() || !is_digit(below[0]) || below.find('/') != std::string_view::npos) {
+            not_a_number(text);
+        }
+        const Rational denominator = parse_decimal(below);
+        if (denominator == 0) {
+            throw InputError("'" + std::string(text.substr(0, 60)) + "' divides by zero",
+                             "write a quotient with a denominator that is not 0");
+        }
+        return numerator / denominator;
+    }
+    std::size_t i = 0;
+    bool negative = false;
+    if (i < text.size() && (text[i] == '-' || text[i] == '+')) {
+        negative = text[i] == '-';
+        ++i;
+    }
+    std::string digits;
+    long scale = 0;
+    bool point = false;
+    for (; i < text.size() && (is_digit(text[i]) || (text[i] == '.' && !point)); ++i) {
+        if (text[i] == '.') {
+            point = true;
+        } else {
+            digits += text[i];
+            scale -= point ? 1 : 0;
+        }
+    }
+    if (digits.empty() || digits.size() > static_cast<std::size_t>(max_exponent)) {
+        not_a_number(text);
+    }
+    if (i < text.size()) {
+        if (text[i] != 'e' && text[i] != 'E') {
+            not_a_number(text);
+        }
+        ++i;
+        bool down = false;
+        if (i < text.size() && (text[i] == '-' || text[i] == '+')) {
+            down = text[i] == '-';
+            ++i;
+        }
+        if (i == text.size()) {
+            not_a_number(text);
+        }
+        long exponent = 0;
+        for (; i < text.size(); ++i) {
+            if (!is_digit(text[i])) {
+                not_a_number(text);
+            }
+            exponent = exponent * 10 + (text[i] - '0');
+            if (exponent > max_exponent) {
+                throw InputError("the exponent of '" + std::string(text.substr(0, 60)) +
+                                     "' is beyond 100000",
+                                 "write a number between 1e-100000 and 1e100000");
+            }
+        }
+        scale += down ? -exponent : exponent;
+    }
+    const std::size_t first = digits.find_first_not_of('0');
+    if (first == std::string::npos) {
+        return 0;
+    }
+    const Integer whole(digits.substr(first));
+    const Integer power = pow(Integer(10), static_cast<unsigned>(scale < 0 ? -scale : scale));
+    Rational q = scale < 0 ? Rational(whole, power) : Rational(whole * power);
+    return negative ? Rational(-q) : q;
+}
+
+std::string to_decimal(const Real& x, unsigned digits) { return decimal(x, digits, MPFR_RNDN); }
+
+std::string to_decimal(const Rational& q, unsigned digits, Rounding mode) {
+    if (mode == Rounding::enclosure) {
+        return "[" + to_decimal(q, digits, Rounding::down) + ", " +
+               to_decimal(q, digits, Rounding::up) + "]";
+    }
+    if (digits == 0) {
+        throw DomainError("a number cannot be written to no digits at all");
+    }
+    if (q == 0) {
+        return "0";
+    }
+    const bool negative = q < 0;
+    const Rational size = negative ? Rational(-q) : q;
+    const auto ten_to = [](long k) { return Integer(pow(Integer(10), static_cast<unsigned>(k))); };
+    // size = n/10^shift, and n has `digits` digits before its point.
+    long shift = static_cast<long>(digits) -
+                 static_cast<long>(boost::multiprecision::numerator(size).str().size()) +
+                 static_cast<long>(boost::multiprecision::denominator(size).str().size());
+    Integer whole;
+    Rational rest;
+    for (;;) {
+        const Rational n =
+            shift >= 0 ? Rational(size * ten_to(shift)) : Rational(size / ten_to(-shift));
+        whole = boost::multiprecision::numerator(n) / boost::multiprecision::denominator(n);
+        rest = n - whole;
+        if (whole < ten_to(static_cast<long>(digits))) {
+            break; // the guess of the shift is right or one too large
+        }
+        --shift;
+    }
+    const Rational half(1, 2);
+    const bool away = mode == Rounding::nearest ? rest > half || (rest == half && whole % 2 != 0)
+                                                : rest != 0 && (mode == Rounding::up) != negative;
+    if (away) {
+        ++whole;
+    }
+    Digits d{negative, whole.str(), 0};
+    d.exponent = static_cast<long>(d.digits.size()) - shift;
+    d.digits.resize(digits, '0'); // 999 -> 1000
+    return layout(d, digits);
+}
+
+std::string bound_text(const Real& x) { return decimal(x, 2, MPFR_RNDU); }
+
+std::string exact_text(const Rational& q) {
+    Integer denominator = boost::multiprecision::denominator(q);
+    unsigned twos = 0;
+    unsigned fives = 0;
+    while (denominator % 2 == 0) {
+        denominator /= 2;
+        ++twos;
+    }
+    while (denominator % 5 == 0) {
+        denominator /= 5;
+        ++fives;
+    }
+    if (denominator != 1) {
+        return q.str();
+    }
+    const unsigned places = twos > fives ? twos : fives;
+    const Integer scaled =
+        boost::multiprecision::numerator(Rational(q * Rational(pow(Integer(10), places))));
+    std::string digits = Integer(abs(scaled)).str();
+    if (digits.size() <= places) {
+        digits.insert(0, places + 1 - digits.size(), '0');
+    }
+    if (places > 0) {
+        digits.insert(digits.size() - places, ".");
+    }
+    return (scaled < 0 ? "-" : "") + digits;
+}
+
+Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
+    if (!x.is_finite()) {
+        return {};
+    }
+    const Ends ends = exact_ends(x);
+    if (mode == Rounding::enclosure) {
+        Rounded r;
+        r.text = "[" + decimal(ends.lo, digits, MPFR_RNDD) + ", " +
+                 decimal(ends.hi, digits, MPFR_RNDU) + "]";
+        const Rounded one = round_ball(x, digits > 1 ? digits - 1 : 1);
+        r.digits = one.digits;
+        r.complete = one.digits + 1 >= digits;
+        return r;
+    }
+    const mpfr_rnd_t rounding = mode == Rounding::nearest ? MPFR_RNDN
+                                : mode == Rounding::down  ? MPFR_RNDD
+                                                          : MPFR_RNDU;
+    for (unsigned k = digits; k > 0; --k) {
+        std::string lo = decimal(ends.lo, k, rounding);
+        if (lo == decimal(ends.hi, k, rounding)) {
+            return {std::move(lo), k, k == digits};
+        }
+    }
+    return {};
+}
+
+std::optional<double> nearest_binary64(const Ball& x) {
+    if (!x.is_finite()) {
+        return {};
+    }
+    const Ends ends = exact_ends(x);
+    // mpfr_get_d rounds once, subnormals included.
+    const double lo = mpfr_get_d(ends.lo.backend().data(), MPFR_RNDN);
+    const double hi = mpfr_get_d(ends.hi.backend().data(), MPFR_RNDN);
+    if (lo == hi) {
+        return lo;
+    }
+    return {};
+}
+
+double nearest_binary64(const Rational& q) {
+    // Cut off far behind the last bit of any binary64, the last bit kept 1 if anything was cut:
+    // that rounds as q does, and is half-way between two only where q is.
+    constexpr mpfr_prec_t bits = 80;
+    Real x;
+    mpfr_set_prec(x.backend().data(), bits);
+    if (mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ) != 0 &&
+        mpfr_min_prec(x.backend().data()) < bits) {
+        if (q > 0) {
+            mpfr_nextabove(x.backend().data());
+        } else {
+            mpfr_nextbelow(x.backend().data());
+        }
+    }
+    return mpfr_get_d(x.backend().data(), MPFR_RNDN);
+}
+
+std::string hexadecimal(double x) {
+    std::array<char, 64> buffer{};
+    const int n = std::snprintf(buffer.data(), buffer.size(), "%a", x);
+    return {buffer.data(), static_cast<std::size_t>(n)};
+}
+
+} // namespace edgeproof

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/quadrature/theta_cells.hpp"
+
+#include <map>
+#include <utility>
+
+namespace edgeproof::quadrature {
+namespace {
+
+/// The rule's nodes and weights on -1 ... 1, enclosed.
+struct Rule {
+    std::vector<Ball> nodes;
+    std::vector<Ball> weights;
+};
+
+const Rule& rule_of(std::size_t n, long bits) {
+    static thread_local std::map<std::pair<std::size_t, long>, Rule> known;
+    Rule& rule = known[{n, bits}];
+    for (std::size_t k = rule.nodes.size(); k < n; ++k) {
+        rule.nodes.emplace_back(0, bits);
+        rule.weights.emplace_back(0, bits);
+        arb_hypgeom_legendre_p_ui_root(rule.nodes.back().data(), rule.weights.back().data(), n, k,
+                                       bits);
+    }
+    return rule;
+}
+
+class Cells {
+public:
+    Cells(const ThetaIntegrand& f, const Ball& centre, const Ball& half_length,
+          const ThetaGoal& goal, long bits)
+        : f_(f), centre_(centre), half_length_(half_length), goal_(goal), bits_(bits),
+          rule_(rule_of(goal.nodes, bits)), most_(f.count()), value_(f.count(), Ball(0, bits)),
+          sum_(f.count(), Ball(0, bits)) {
+        // 64 M/(15 (rho - 1) rho^(2n - 1)) for an interval of length 2, rho = 4.
+        const long power = 2 * (2 * static_cast<long>(goal.nodes) - 1);
+        Ball error = Ball(Rational(64, 45), 64);
+        arb_mul_2exp_si(error.data(), error.data(), -power);
+        rule_error_ = Magnitude(error);
+        acb_init(theta_);
+        acb_init(s_);
+    }
+    ~Cells() {
+        acb_clear(theta_);
+        acb_clear(s_);
+    }
+    Cells(const Cells&) = delete;
+    Cells& operator=(const Cells&) = delete;
+
+    void span(const ThetaSpan& span) {
+        piece_ = span.piece;
+        const Ball from(span.from.midpoint(), bits_);
+        const Ball to(span.to.midpoint(), bits_);
+        if (certainly_less(from, to)) {
+            cell(from, to, 0);
+        }
+        for (const Ball* limit : {&span.from, &span.to}) {
+            const Magnitude radius{Ball(limit->radius(), 64)};
+            if (radius.is_zero()) {
+                continue;
+            }
+            acb_set_arb(theta_, limit->data());
+            if (!bounded()) {
+                failed_ = true;
+                return;
+            }
+            for (std::size_t k = 0; k < sum_.size(); ++k) {
+                sum_[k] += (most_[k] * radius).ball(bits_);
+            }
+        }
+    }
+    [[nodiscard]] std::vector<Ball> sum() {
+        if (failed_) {
+            for (Ball& x : sum_) {
+                arb_indeterminate(x.data());
+            }
+        }
+        return sum_;
+    }
+
+private:
+    /// The bounds over theta_.
+    bool bounded() {
+        acb_cos(s_, theta_, bits_);
+        acb_mul_arb(s_, s_, half_length_.data(), bits_);
+        acb_add_arb(s_, s_, centre_.data(), bits_);
+        return f_.bound(piece_, s_, most_);
+    }
+    [[nodiscard]] bool small(const Magnitude& factor) const {
+        for (std::size_t k = 0; k < most_.size(); ++k) {
+            if (!(most_[k] * factor * goal_.scale[k] <= goal_.tolerance)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    void add(const Magnitude& factor) {
+        for (std::size_t k = 0; k < sum_.size(); ++k) {
+            sum_[k] += (most_[k] * factor).ball(bits_);
+        }
+    }
+    void cell(const Ball& lo, const Ball& hi, int depth) {
+        if (failed_) {
+            return;
+        }
+        Ball middle = (lo + hi) / 2;
+        arb_get_mid_arb(middle.data(), middle.data());
+        const Ball half = (hi - lo) / 2;
+        // The ellipse with rho = 4: its half axes are 17/8 and 15/8 of the half length.
+        acb_set_arb(theta_, middle.data());
+        arb_add_error(acb_realref(theta_), Ball(half * 17 / 8).data());
+        arb_add_error(acb_imagref(theta_), Ball(half * 15 / 8).data());
+        const Magnitude error = rule_error_ * Magnitude(half);
+        if (bounded() && small(error)) {
+            for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
+                const Ball theta = middle + half * rule_.nodes[j];
+                f_.value(piece_, centre_ + half_length_ * cos(theta), value_);
+                const Ball weight = half * rule_.weights[j];
+                for (std::size_t k = 0; k < sum_.size(); ++k) {
+                    arb_addmul(sum_[k].data(), value_[k].data(), weight.data(), bits_);
+                }
+            }
+            add(error);
+            return;
+        }
+        const Magnitude length(Ball(hi - lo));
+        acb_set_arb(theta_, Ball::hull(lo, hi).data());
+        if (bounded() && small(length)) {
+            add(length);
+            return;
+        }
+        if (depth == goal_.depth) {
+            failed_ = true;
+            return;
+        }
+        cell(lo, middle, depth + 1);
+        cell(middle, hi, depth + 1);
+    }
+
+    const ThetaIntegrand& f_;
+    const Ball& centre_;
+    const Ball& half_length_;
+    const ThetaGoal& goal_;
+    long bits_;
+    const Rule& rule_;
+    Magnitude rule_error_;
+    std::vector<Magnitude> most_;
+    std::vector<Ball> value_;
+    std::vector<Ball> sum_;
+    std::size_t piece_ = 0;
+    bool failed_ = false;
+    acb_t theta_;
+    acb_t s_;
+};
+
+} // namespace
+
+std::vector<Ball> integrate_cells(const ThetaIntegrand& f, const std::vector<ThetaSpan>& spans,
+                                  const Ball& centre, const Ball& half_length,
+                                  const ThetaGoal& goal, long bits) {
+    Cells cells(f, centre, half_length, goal, bits);
+    for (const ThetaSpan& span : spans) {
+        cells.span(span);
+    }
+    return cells.sum();
+}
+
+} // namespace edgeproof::quadrature

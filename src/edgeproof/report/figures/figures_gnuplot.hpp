@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/report/figures/figures.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace edgeproof::report {
+
+/// The program `gnuplot` in the folders of PATH, if there is one that can be run.
+[[nodiscard]] std::optional<std::filesystem::path> find_gnuplot();
+
+/// Draws the plot with `gnuplot` in the folder `scratch` (which must exist) and gives the SVG, with
+/// the plot's title and description as its own. Throws Error if gnuplot fails, with what it said.
+[[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
+                                   const std::filesystem::path& scratch);
+
+/// The SVG made part of a page: no prolog, ids of its own, no ground of its own, and black taken
+/// from the text's colour, so that it can be read on a dark page.
+[[nodiscard]] std::string inline_svg(const std::string& svg, const Plot& plot);
+
+} // namespace edgeproof::report

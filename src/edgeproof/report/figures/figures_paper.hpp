@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/report/figures/figures.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::report {
+
+/// The contact of one panel, and from which edge it is looked at.
+struct PanelScene {
+    std::string id;    ///< "fig2a"
+    std::string title; ///< "a) wedge, m = 0"
+    contact::Profile profile;
+    std::string half_width;     ///< a, exactly
+    std::string pressure_unit;  ///< "E*C": what p is divided by, in words
+    std::string pressure_scale; ///< the same as an exact number, in the units of the scene
+    contact::Edge edge = contact::Edge::right;
+    /// Where the panel begins and ends, as fractions of the distance from the edge to the origin.
+    Rational until = 1;
+};
+
+/// Columns: fraction (u over the distance from the edge to the origin: 1 - x/a at the right edge),
+/// x_over_a, p (in the panel's unit), p1 ... p3 (1, 2, 3 terms), e1 ... e3 (|1 - p_n/p|). Values
+/// are good for `figure_digits`; a row at a corner, where p is infinite, is left out.
+[[nodiscard]] Plot error_plot(const PanelScene& scene);
+/// The same columns, over even steps of x, drawn as pressures.
+[[nodiscard]] Plot pressure_plot(const PanelScene& scene);
+
+/// A figure to be made: what it is called, and the panels, each made by a call (in any thread).
+struct FigureRecipe {
+    std::string id;
+    std::string title;
+    std::string caption;
+    std::vector<std::function<Plot()>> plots;
+};
+
+/// Figures 2 to 9 of the paper that the ledger `name` is of; none for a ledger of another source.
+[[nodiscard]] std::vector<FigureRecipe> paper_figures(const std::string& name);
+
+/// The contacts of the paper's figures, one a profile and set of parameters: id, name, scene.
+struct NamedScene {
+    std::string id;
+    std::string name;
+    contact::Profile profile;
+    std::string half_width;
+    std::vector<contact::Edge> edges;
+};
+[[nodiscard]] std::vector<NamedScene> paper_scenes(const std::string& name);
+
+/// The sections of the paper by the first line of each in its source, in ascending order.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::string>>
+paper_sections(const std::string& name);
+
+} // namespace edgeproof::report

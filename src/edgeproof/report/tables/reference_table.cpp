@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/tables/reference_table.hpp"
+
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/report/text/escape.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace edgeproof::report {
+namespace {
+
+constexpr std::string_view checksum_key = "checksum";
+
+std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
+
+/// Of the header and the rows as CSV has them, without notes.
+std::string checksum(const std::vector<std::string>& columns,
+                     const std::vector<const std::vector<std::string>*>& rows) {
+    std::uint64_t hash = io::fnv1a(csv_line(columns));
+    for (const auto* row : rows) {
+        hash = io::fnv1a(csv_line(*row), hash);
+    }
+    return checksum_text(hash);
+}
+
+std::vector<std::string> names_of(const std::vector<Column>& columns) {
+    std::vector<std::string> names;
+    names.reserve(columns.size());
+    for (const Column& column : columns) {
+        names.push_back(column.name);
+    }
+    return names;
+}
+
+const char* rounding_name(Rounding rounding) {
+    return rounding == Rounding::down ? "down" : rounding == Rounding::up ? "up" : "nearest";
+}
+
+/// x as an exact decimal, where a and u are rational.
+std::string exact_place(const conformance::AskedContact& contact, const conformance::Question& q) {
+    const contact::Load& load = contact.scene.load;
+    const bool known = load.kind == contact::Load::Kind::right_edge &&
+                       (q.edge == contact::Edge::right || contact.scene.symmetric());
+    if (!q.u || !known || !load.value.is_rational() || !q.u->is_rational()) {
+        return {};
+    }
+    const Rational x = load.value.rational() - q.u->rational();
+    return exact_text(q.edge == contact::Edge::right ? x : Rational(-x));
+}
+
+} // namespace
+
+std::string csv_line(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+    }
+    return text + "\n";
+}
+
+ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
+    : recipe_(std::filesystem::path(recipe.file).filename().string()), title_(recipe.title),
+      digits_(recipe.digits), keys_(recipe.questions.columns()),
+      tolerances_(recipe.questions.has_tolerances()) {}
+
+ReferenceRows::ReferenceRows(const conformance::RecipeGrid& recipe)
+    : recipe_(std::filesystem::path(recipe.file()).filename().string()), title_(recipe.title()),
+      digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()) {}
+
+std::vector<std::string> ReferenceRows::row(const conformance::Questions& questions, std::size_t i,
+                                            const conformance::Reference& reference) const {
+    const conformance::Question& q = questions.list[i];
+    std::vector<std::string> row{q.id};
+    for (const std::string& key : keys_) {
+        row.push_back(parameter_text(questions.contacts[q.contact], key));
+    }
+    row.push_back(q.wanted.at_edge() ? scene::edge_name(q.edge) : "");
+    if (tolerances_) {
+        row.push_back(q.tolerance ? q.tolerance->text() : "");
+    }
+    row.push_back(q.u ? q.u->text() : "");
+    row.push_back(reference.x ? printed(*reference.x, digits_).text : "");
+    row.push_back(wanted_name(q.wanted));
+    const scene::PrintedValue value = printed(reference.value, digits_);
+    row.push_back(value.text);
+    row.push_back(value.bound);
+    row.push_back(value.binary64     ? fmt::format("{:.17g}", *value.binary64)
+                  : digits_.binary64 ? fmt::format("[{:.17g}, {:.17g}]", value.binary64_between[0],
+                                                   value.binary64_between[1])
+                                     : "");
+    row.push_back(how(reference.value, value));
+    return row;
+}
+
+Table ReferenceRows::table(
+    const std::string& version, std::size_t rows, std::size_t estimates,
+    const std::function<void(const std::function<void(const std::string&)>&)>& lines) const {
+    Table table;
+    table.title = title_;
+    table.columns = {{"id", Column::Kind::text}};
+    for (const std::string& key : keys_) {
+        table.columns.push_back({key, Column::Kind::text, true});
+    }
+    for (const char* name :
+         {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
+        const std::string_view n = name;
+        const bool number = n == "x" || n == "value" || n == "bound" || n == "binary64";
+        if (n != "tolerance" || tolerances_) {
+            table.columns.push_back(
+                {name, number ? Column::Kind::number : Column::Kind::text, true});
+        }
+    }
+    std::uint64_t hash = io::fnv1a(csv_line(names_of(table.columns)));
+    lines([&](const std::string& line) { hash = io::fnv1a(line, hash); });
+    table.facts = {
+        {"recipe", recipe_},
+        {"program", version},
+        {"digits", std::to_string(digits_.count)},
+        {"rounding", rounding_name(digits_.rounding)},
+        {"rows", std::to_string(rows)},
+        {"estimates", std::to_string(estimates)},
+        {std::string(checksum_key), checksum_text(hash)},
+    };
+    table.notes = {
+        "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
+        "of q, from its lowest power on",
+        "|value - exact| <= bound, proved, and every digit is right, unless the route says "
+        "(estimate): then bound and digits are what the quadrature estimates of itself",
+        "binary64: the one nearest to the exact value, in 17 digits",
+    };
+    if (tolerances_) {
+        table.notes.emplace_back(
+            "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
+            "the tolerance; measure_n: the length of all that lies within it");
+    }
+    return table;
+}
+
+Table reference_table(const conformance::Recipe& recipe,
+                      const std::vector<conformance::Reference>& values,
+                      const std::string& version) {
+    const ReferenceRows rows(recipe);
+    std::vector<std::vector<std::string>> cells;
+    std::size_t estimates = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        cells.push_back(rows.row(recipe.questions, i, values[i]));
+        estimates += values[i].value.proved ? 0 : 1;
+    }
+    Table table = rows.table(version, cells.size(), estimates, [&](const auto& take) {
+        for (const auto& row : cells) {
+            take(csv_line(row));
+        }
+    });
+    table.rows = std::move(cells);
+    return table;
+}
+
+Table question_table(const conformance::Questions& questions, const std::string& title) {
+    const std::vector<std::string> keys = questions.columns();
+    Table table;
+    table.title = title;
+    table.facts = {{"questions", std::to_string(questions.list.size())}};
+    table.notes = {"add a column `value` and give the file to `edgeproof check`: what it is held "
+                   "against is computed at the numbers in its row, taken exactly",
+                   "u: distance inwards from the edge; x: place, for reading"};
+    table.columns = {{"id", Column::Kind::text}};
+    for (const std::string& key : keys) {
+        table.columns.push_back({key, Column::Kind::text, true});
+    }
+    const bool tolerances = questions.has_tolerances();
+    for (const char* name : {"quantity", "edge", "tolerance", "u", "x"}) {
+        if (std::string_view(name) != "tolerance" || tolerances) {
+            table.columns.push_back({name, Column::Kind::text, true});
+        }
+    }
+    for (const conformance::Question& q : questions.list) {
+        const conformance::AskedContact& contact = questions.contacts[q.contact];
+        std::vector<std::string> row{q.id};
+        for (const std::string& key : keys) {
+            row.push_back(parameter_text(contact, key));
+        }
+        row.push_back(wanted_name(q.wanted));
+        row.push_back(q.wanted.at_edge() ? scene::edge_name(q.edge) : "");
+        if (tolerances) {
+            row.push_back(q.tolerance ? q.tolerance->text() : "");
+        }
+        row.push_back(q.u ? q.u->text() : "");
+        row.push_back(exact_place(contact, q));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::vector<std::string> table_differences(const io::Csv& old, const Table& made, bool sample) {
+    std::vector<std::string> said;
+    const auto say = [&](std::size_t line, const std::string& what) {
+        said.push_back(fmt::format("{}:{}: {}", old.file, line, what));
+    };
+    const std::vector<std::string> columns = names_of(made.columns);
+    if (old.header.cells != columns) {
+        say(old.header.line, "the columns are not those of the recipe");
+        return said;
+    }
+    std::map<std::string, const io::Csv::Row*, std::less<>> by_id;
+    std::vector<const std::vector<std::string>*> rows;
+    for (const io::Csv::Row& row : old.rows) {
+        rows.push_back(&row.cells);
+        if (!by_id.emplace(row.cells.front(), &row).second) {
+            say(row.line, "row " + row.cells.front() + " occurs twice");
+        }
+    }
+    bool fits = false;
+    for (const std::string& note : old.notes) {
+        fits = fits || note == fmt::format("{}: {}", checksum_key, checksum(columns, rows));
+    }
+    if (!fits) {
+        say(1, "the checksum is not that of the rows");
+    }
+    std::size_t last = 0;
+    std::set<std::string, std::less<>> ids;
+    for (const auto& row : made.rows) {
+        ids.insert(row.front());
+        const auto found = by_id.find(row.front());
+        if (found == by_id.end()) {
+            say(1, "row " + row.front() + " is missing");
+            continue;
+        }
+        const io::Csv::Row& was = *found->second;
+        if (was.line < last) {
+            say(was.line, "row " + row.front() + " is out of order");
+        }
+        last = was.line;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::string cell = i < was.cells.size() ? was.cells[i] : "";
+            if (cell != row[i]) {
+                say(was.line, fmt::format("row {}: {} is {}, made anew {}", row.front(), columns[i],
+                                          cell, row[i]));
+            }
+        }
+        if (was.cells.size() > columns.size()) {
+            say(was.line, "row " + row.front() + " has a cell too many");
+        }
+    }
+    for (const io::Csv::Row& row : old.rows) {
+        if (!sample && !ids.contains(row.cells.front())) {
+            say(row.line, "row " + row.cells.front() + " is not in the recipe");
+        }
+    }
+    return said;
+}
+
+} // namespace edgeproof::report

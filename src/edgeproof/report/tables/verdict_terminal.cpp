@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/tables/verdict_writers.hpp"
+
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/text/text_width.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::report {
+namespace {
+
+std::string padded(const std::string& text, std::size_t width) {
+    const std::size_t n = text_width(text);
+    return n < width ? text + std::string(width - n, ' ') : text;
+}
+
+/// Words laid out in lines of at most `width` columns; a longer word is cut.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+    std::vector<std::string> lines;
+    std::string line;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::size_t end = text.find(' ', at);
+        end = end == std::string::npos ? text.size() : end;
+        std::string word = text.substr(at, end - at);
+        at = end + 1;
+        while (word.size() > width) {
+            if (!line.empty()) {
+                lines.push_back(std::move(line));
+                line.clear();
+            }
+            lines.push_back(word.substr(0, width));
+            word.erase(0, width);
+        }
+        if (!line.empty() && text_width(line) + 1 + text_width(word) > width) {
+            lines.push_back(std::move(line));
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    if (!line.empty() || lines.empty()) {
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+const char* colour_of(audit::Verdict verdict) {
+    switch (verdict) {
+    case audit::Verdict::proved:
+    case audit::Verdict::confirmed:
+        return "\033[32m";
+    case audit::Verdict::refuted:
+        return "\033[31m";
+    case audit::Verdict::imprecise:
+    case audit::Verdict::underspecified:
+    case audit::Verdict::undecided:
+        return "\033[33m";
+    case audit::Verdict::definition:
+        break;
+    }
+    return "\033[2m";
+}
+
+/// What a row says beside its verdict: the figure, then the remark.
+std::string remark(const audit::ClaimResult& r) {
+    std::string text;
+    if (r.outcome.computed) {
+        text = (r.claim.has("quoted") ? r.claim.text("quoted") + " quoted, " : std::string()) +
+               *r.outcome.computed + " computed";
+    }
+    if (!r.outcome.note.empty()) {
+        text += (text.empty() ? "" : "; ") + r.outcome.note;
+    }
+    return printable(text);
+}
+
+/// How many refutations are proved, and which are not.
+std::string refutations_line(const audit::AuditResult& result) {
+    std::size_t refuted = 0;
+    std::string by_estimate;
+    for (const audit::ClaimResult& r : result.claims) {
+        if (r.outcome.verdict == audit::Verdict::refuted) {
+            ++refuted;
+            if (!rests_on_enclosures(r)) {
+                by_estimate += (by_estimate.empty() ? "" : ", ") + r.claim.id;
+            }
+        }
+    }
+    if (refuted == 0) {
+        return "";
+    }
+    return by_estimate.empty()
+               ? "all refutations rest on disjoint enclosures\n"
+               : "refuted by disjoint enclosures, but for these, by estimates: " + by_estimate +
+                     "\n";
+}
+
+} // namespace
+
+std::string verdicts_terminal(const audit::AuditResult& result, std::size_t width, bool colour) {
+    std::size_t id_width = 2;
+    for (const audit::ClaimResult& r : result.claims) {
+        id_width = std::max(id_width, text_width(r.claim.id));
+    }
+    constexpr std::size_t verdict_width = 14;
+    const std::size_t left = id_width + 2 + verdict_width + 2;
+    const std::size_t rest = width > left + 30 ? width - left : 30;
+    const auto paint = [&](audit::Verdict v, const std::string& text) {
+        return colour ? colour_of(v) + text + "\033[0m" : text;
+    };
+    std::string out = padded("id", id_width) + "  " + padded("verdict", verdict_width) +
+                      "  what was found\n" +
+                      std::string(left + std::min<std::size_t>(rest, 60), '-') + "\n";
+    for (const audit::ClaimResult& r : result.claims) {
+        const std::vector<std::string> lines = wrapped(remark(r), rest);
+        std::string first = padded(printable(r.claim.id), id_width) + "  " +
+                            paint(r.outcome.verdict,
+                                  padded(std::string(name_of(r.outcome.verdict)), verdict_width)) +
+                            (lines[0].empty() ? "" : "  " + lines[0]);
+        while (!first.empty() && first.back() == ' ') {
+            first.pop_back();
+        }
+        out += first + "\n";
+        for (std::size_t k = 1; k < lines.size(); ++k) {
+            out += std::string(left, ' ') + lines[k] + "\n";
+        }
+    }
+    bool any = false;
+    for (const audit::ClaimResult& r : result.claims) {
+        if (r.outcome.verdict != audit::Verdict::refuted) {
+            continue;
+        }
+        if (!any) {
+            out += "\nErrata\n" + std::string(6, '-') + "\n";
+            any = true;
+        }
+        out += paint(audit::Verdict::refuted, printable(r.claim.id));
+        if (r.claim.lines.first > 0) { // somebody's own formulas are of no source
+            out += " (lines " + std::to_string(r.claim.lines.first) + "-" +
+                   std::to_string(r.claim.lines.second) + ")";
+        }
+        out += "\n";
+        if (r.claim.has("says")) {
+            out += "  printed  " + printable(r.claim.text("says")) + "\n";
+        }
+        if (r.outcome.correct) {
+            out += "  correct  " + *r.outcome.correct + "\n";
+        }
+        if (r.outcome.computed && r.claim.has("quoted")) {
+            out += "  quoted   " + r.claim.text("quoted") + "\n  computed " + *r.outcome.computed +
+                   "\n";
+        }
+    }
+    out += "\n" + std::to_string(result.claims.size()) + " claims at " +
+           std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
+    return out + refutations_line(result);
+}
+
+} // namespace edgeproof::report

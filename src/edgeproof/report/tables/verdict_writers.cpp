@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/tables/verdict_writers.hpp"
+
+#include "edgeproof/report/text/escape.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace edgeproof::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const audit::EvidenceItem& item);
+
+Json to_json(const audit::Evidence& evidence) {
+    Json object = Json::object();
+    for (const auto& [key, item] : evidence.entries()) {
+        object[key] = to_json(item);
+    }
+    return object;
+}
+
+Json to_json(const audit::EvidenceItem& item) {
+    return std::visit(
+        [](const auto& value) -> Json {
+            using V = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<V, audit::Evidence>) {
+                return to_json(value);
+            } else if constexpr (std::is_same_v<V, std::vector<audit::EvidenceItem>>) {
+                Json list = Json::array();
+                for (const audit::EvidenceItem& part : value) {
+                    list.push_back(to_json(part));
+                }
+                return list;
+            } else {
+                return value;
+            }
+        },
+        item.value());
+}
+
+Json or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+
+std::optional<std::string> quoted(const audit::Claim& claim) {
+    if (!claim.has("quoted")) {
+        return {};
+    }
+    return claim.text("quoted");
+}
+
+/// "5-7"; nothing for a formula of no source.
+std::string lines_text(const audit::Claim& claim) {
+    if (claim.lines.first == 0) {
+        return {};
+    }
+    return claim.lines.first == claim.lines.second
+               ? std::to_string(claim.lines.first)
+               : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
+}
+
+} // namespace
+
+std::array<std::size_t, audit::all_verdicts.size()>
+count_verdicts(const audit::AuditResult& result) {
+    std::array<std::size_t, audit::all_verdicts.size()> counts{};
+    for (const audit::ClaimResult& r : result.claims) {
+        ++counts[static_cast<std::size_t>(
+            std::find(audit::all_verdicts.begin(), audit::all_verdicts.end(), r.outcome.verdict) -
+            audit::all_verdicts.begin())];
+    }
+    return counts;
+}
+
+std::string counts_line(const audit::AuditResult& result) {
+    const auto counts = count_verdicts(result);
+    const auto rounded =
+        std::count_if(result.claims.begin(), result.claims.end(),
+                      [](const audit::ClaimResult& r) { return is_rounded(r.outcome); });
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) {
+            text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " +
+                    std::string(name_of(audit::all_verdicts[i]));
+            if (audit::all_verdicts[i] == audit::Verdict::confirmed && rounded > 0) {
+                text += " (" + std::to_string(rounded) + " of them to the printed digits)";
+            }
+        }
+    }
+    return text;
+}
+
+std::string verdicts_json(const audit::AuditResult& result) {
+    Json root;
+    root["ledger"] = result.ledger;
+    root["digits"] = result.digits;
+    Json claims = Json::array();
+    for (const audit::ClaimResult& r : result.claims) {
+        Json c;
+        c["id"] = r.claim.id;
+        c["verdict"] = std::string(name_of(r.outcome.verdict));
+        c["printed"] = r.claim.printed;
+        c["correct"] = or_null(r.outcome.correct);
+        c["quoted"] = or_null(quoted(r.claim));
+        c["computed"] = or_null(r.outcome.computed);
+        c["note"] = r.outcome.note;
+        Json evidence = Json::object();
+        evidence["lines"] = r.claim.lines.first > 0 ? Json(lines_text(r.claim)) : Json(nullptr);
+        evidence["kind"] = r.claim.kind;
+        if (r.claim.has("says")) {
+            evidence["says"] = r.claim.text("says");
+        }
+        for (const auto& [key, item] : r.outcome.evidence.entries()) {
+            evidence[key] = to_json(item);
+        }
+        c["evidence"] = std::move(evidence);
+        claims.push_back(std::move(c));
+    }
+    root["claims"] = std::move(claims);
+    if (!result.errors.empty()) {
+        Json errors = Json::array();
+        for (const audit::ClaimError& e : result.errors) {
+            errors.push_back({{"id", e.id.empty() ? Json(nullptr) : Json(e.id)},
+                              {"line", e.error.line()},
+                              {"problem", e.error.problem()},
+                              {"instead", e.error.instead()}});
+        }
+        root["errors"] = std::move(errors);
+    }
+    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string verdicts_csv(const audit::AuditResult& result) {
+    std::string out = "id,lines,verdict,quoted,computed,correct,note,printed\n";
+    for (const audit::ClaimResult& r : result.claims) {
+        out += csv_text_cell(r.claim.id) + "," + lines_text(r.claim) + "," +
+               std::string(name_of(r.outcome.verdict)) + "," +
+               csv_text_cell(quoted(r.claim).value_or("")) + "," +
+               csv_text_cell(r.outcome.computed.value_or("")) + "," +
+               csv_text_cell(r.outcome.correct.value_or("")) + "," + csv_text_cell(r.outcome.note) +
+               "," + csv_text_cell(r.claim.printed) + "\n";
+    }
+    return out;
+}
+
+std::string verdicts_markdown(const audit::AuditResult& result) {
+    std::string out = "# " + markdown_text(result.ledger) + "\n\n" + markdown_text(result.source) +
+                      "\n\n" + std::to_string(result.claims.size()) + " claims at " +
+                      std::to_string(result.digits) + " digits: " + counts_line(result) + ".\n\n";
+    out += "| id | lines | verdict | quoted | computed | correct | note |\n"
+           "|---|---|---|---|---|---|---|\n";
+    for (const audit::ClaimResult& r : result.claims) {
+        const auto code = [](const std::optional<std::string>& text) {
+            return text ? markdown_code(*text) : std::string();
+        };
+        out += "| " + markdown_text(r.claim.id) + " | " + lines_text(r.claim) + " | " +
+               std::string(name_of(r.outcome.verdict)) + " | " +
+               markdown_text(quoted(r.claim).value_or("")) + " | " +
+               markdown_text(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
+               " | " + markdown_text(r.outcome.note) + " |\n";
+    }
+    return out;
+}
+
+std::string verdicts_latex(const audit::AuditResult& result) {
+    std::string out = "% " + one_line(result.ledger) + ": " + counts_line(result) + "\n" +
+                      "% needs the package longtable\n"
+                      "\\begin{longtable}{llllp{0.5\\textwidth}}\n"
+                      "claim & lines & verdict & computed & note \\\\ \\hline \\endhead\n";
+    for (const audit::ClaimResult& r : result.claims) {
+        std::string note = latex_text(r.outcome.note);
+        if (r.outcome.correct) {
+            note += (note.empty() ? "" : "; ") + std::string("correct: \\texttt{") +
+                    latex_text(*r.outcome.correct) + "}";
+        }
+        out += latex_text(r.claim.id) + " & " + lines_text(r.claim) + " & " +
+               std::string(name_of(r.outcome.verdict)) + " & " +
+               latex_text(r.outcome.computed.value_or("")) + " & " + note + " \\\\\n";
+    }
+    return out + "\\end{longtable}\n";
+}
+
+} // namespace edgeproof::report

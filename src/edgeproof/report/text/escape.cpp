@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/text/escape.hpp"
+
+#include "edgeproof/report/text/visible_text.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::report {
+namespace {
+
+/// -1/3, +2.5e-7: harmless in a spreadsheet, and read as numbers by scripts.
+bool is_number(std::string_view text) {
+    const std::size_t digits = text.find_first_of("0123456789");
+    return digits <= 1 && text.find_first_not_of("+-.0123456789eE/") == std::string_view::npos;
+}
+
+std::string in_quotes(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c;
+        if (c == '"') {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+} // namespace
+
+std::string one_line(std::string_view text) {
+    std::string out(text);
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    return visible_text(out);
+}
+
+std::string csv_cell(std::string_view text) {
+    const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos;
+    const std::string line = one_line(text);
+    return plain ? line : in_quotes(line);
+}
+
+std::string csv_text_cell(std::string_view text) {
+    constexpr std::string_view begins_a_formula = "=+-@\t\r";
+    const bool formula = !text.empty() &&
+                         begins_a_formula.find(text.front()) != std::string_view::npos &&
+                         !is_number(text);
+    return csv_cell(formula ? "'" + std::string(text) : std::string(text));
+}
+
+std::string markdown_text(std::string_view text) {
+    // An interval, [0.1, 0.2], may stand as it is: only a bracket that is followed up is a link.
+    const bool link = text.find("](") != std::string_view::npos ||
+                      text.find("][") != std::string_view::npos ||
+                      text.find("]:") != std::string_view::npos;
+    const std::string_view marks = link ? "\\|`[]" : "\\|`";
+    std::string out;
+    for (const char c : one_line(text)) {
+        if (c == '<') {
+            out += "&lt;";
+        } else if (c == '&') {
+            out += "&amp;";
+        } else {
+            if (marks.find(c) != std::string_view::npos) {
+                out += '\\';
+            }
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string markdown_code(std::string_view text) {
+    std::string out = "`";
+    for (const char c : one_line(text)) {
+        out += c == '|' ? "\\|" : c == '`' ? "'" : std::string(1, c);
+    }
+    return out + "`";
+}
+
+std::string latex_text(std::string_view text) {
+    std::string out;
+    for (const char c : one_line(text)) {
+        switch (c) {
+        case '\\':
+            out += "\\textbackslash{}";
+            break;
+        case '~':
+            out += "\\textasciitilde{}";
+            break;
+        case '^':
+            out += "\\textasciicircum{}";
+            break;
+        case '_':
+        case '%':
+        case '&':
+        case '#':
+        case '$':
+        case '{':
+        case '}':
+            out += '\\';
+            out += c;
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+} // namespace edgeproof::report

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <string_view>
+
+/// Somebody else's text (names, ids, notes, formulas, file names) as it may stand in each format
+/// that is written, so that it is read there as text and as nothing else: one function a place.
+/// `escape_html` (html_markup.hpp) and `visible_text` are of the same kind, for HTML and a
+/// terminal.
+namespace edgeproof::report {
+
+/// In one line: line ends and tabs become spaces, other control characters and bytes that are no
+/// UTF-8 become \xNN.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// A cell of a CSV row, quoted where it has to be.
+[[nodiscard]] std::string csv_cell(std::string_view text);
+/// The same for a column of text: a cell that begins with =, +, - or @ and is no number gets an
+/// apostrophe in front, or a spreadsheet would take it for a formula and run it.
+[[nodiscard]] std::string csv_text_cell(std::string_view text);
+
+/// Between the marks of a Markdown line or table row: no mark, tag or link of its own.
+[[nodiscard]] std::string markdown_text(std::string_view text);
+/// A Markdown code span in a table row.
+[[nodiscard]] std::string markdown_code(std::string_view text);
+
+/// In a LaTeX paragraph or cell: no command of its own.
+[[nodiscard]] std::string latex_text(std::string_view text);
+
+} // namespace edgeproof::report

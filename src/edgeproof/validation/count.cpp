@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/validation/count.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/validation/count_contact.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+#include <set>
+#include <utility>
+
+namespace edgeproof::validation {
+namespace {
+
+constexpr std::size_t contacts_a_checkpoint = 20;
+
+} // namespace
+
+void CountCell::add(const CountCell& o) {
+    values += o.values;
+    excluded += o.excluded;
+    wrong += o.wrong;
+    wide += o.wide;
+    undecided += o.undecided;
+}
+
+CountResult count_values(const CountOptions& options, CountState& state) {
+    state.seed = options.seed;
+    state.values = options.values;
+    state.digits = options.digits;
+    const std::size_t contacts = (options.values + values_a_contact - 1) / values_a_contact;
+    std::map<std::size_t, std::vector<CountFinding>> findings;
+    std::mutex mutex;
+    std::size_t since = 0;
+    std::size_t done = 0;
+    const auto size_of = [&](std::size_t number) {
+        return number + 1 < contacts ? values_a_contact
+                                     : options.values - number * values_a_contact;
+    };
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < contacts; ++i) {
+        if (state.contacts.contains(i)) {
+            done += size_of(i);
+        } else {
+            left.push_back(i);
+        }
+    }
+    const auto one = [&](std::size_t i) {
+        const std::size_t number = left[i];
+        CountedContact found = count_contact(options, number, size_of(number));
+        const std::lock_guard lock(mutex);
+        state.contacts[number] = std::move(found.cells);
+        findings[number] = std::move(found.findings);
+        done += size_of(number);
+        if (options.progress) {
+            options.progress(done, options.values);
+        }
+        if (options.checkpoint && ++since == contacts_a_checkpoint) {
+            since = 0;
+            options.checkpoint(state);
+        }
+    };
+    tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                               : static_cast<int>(options.threads));
+    try {
+        arena.execute([&] {
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, left.size(), 1),
+                [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        one(i);
+                    }
+                },
+                tbb::simple_partitioner());
+        });
+    } catch (const Interrupted&) {
+        if (options.checkpoint) {
+            options.checkpoint(state);
+        }
+        throw Interrupted("interrupted after " + std::to_string(done) + " of " +
+                          std::to_string(options.values) + " values");
+    }
+    if (options.checkpoint) {
+        options.checkpoint(state);
+    }
+    CountResult result;
+    for (const auto& [number, cells] : state.contacts) {
+        for (const auto& [cell, found] : cells) {
+            result.cells.at(cell / sampled_regimes.size())
+                .at(cell % sampled_regimes.size())
+                .add(found);
+            result.total.add(found);
+        }
+    }
+    for (auto& [number, list] : findings) {
+        for (CountFinding& f : list) {
+            result.findings.push_back(std::move(f));
+        }
+    }
+    return result;
+}
+
+} // namespace edgeproof::validation

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/validation/asked_value.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::validation {
+
+/// A value that is hard to get right, and why.
+struct HardCase {
+    std::string name;
+    std::string family;
+    std::string reason; ///< one line
+    /// Why no ball decides it, where none can; empty where one must.
+    std::string undecided;
+    scene::Scene scene;
+    AskedValue asked;
+    std::size_t line = 0;
+};
+
+/// Reads a file of cases:
+///
+///     [cases.hertz-40]                 # any name
+///     class = "u = 1e-40 a"
+///     reason = "..."
+///     undecided = "..."                # only where no ball can enclose it, and why
+///     quantity = "pressure"            # see asked_value.hpp
+///     edge = "right"
+///     u = "1e-40"                      # where the quantity has a place
+///     n = 1                            # which coefficient, or how many terms
+///     tolerance = "1%"                 # of an extent
+///     profile = { kind = "power-law", m = "1", C = "1" }   # as in a scene
+///     load = { a = "1", contact_modulus = "1" }
+///     shear = { Q = "0.3" }            # where there is one
+///
+/// Throws InputError with file and line for whatever is malformed.
+[[nodiscard]] std::vector<HardCase> parse_hard_cases(std::string_view text,
+                                                     const std::string& file);
+
+} // namespace edgeproof::validation

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/validation/asked_value.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::validation {
+
+/// Numbers that are the same on every machine: SplitMix64 (Steele, Lea & Flood 2014).
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : state_(seed) {}
+    [[nodiscard]] std::uint64_t next();
+    /// 0 ... n - 1.
+    [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+    /// least ... most.
+    [[nodiscard]] int between(int least, int most) {
+        return least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1));
+    }
+    /// A decimal of up to `digits` digits, from 1 up to 10 (but not 10), times 10^exponent.
+    [[nodiscard]] std::string decimal(unsigned digits, int exponent);
+
+private:
+    std::uint64_t state_;
+};
+
+inline constexpr std::array<std::string_view, 6> sampled_profiles{
+    "power-law",          "flat-and-rounded",  "tilted-wedge", "tilted-flat-and-rounded",
+    "piecewise (linear)", "piecewise (curved)"};
+
+/// Where a value lies: by its distance u from the edge in units of a, or what else it is.
+inline constexpr std::array<std::string_view, 8> sampled_regimes{
+    "u < 1e-12 a", "u < 1e-3 a",   "u < a",   "beyond u = a",
+    "by a knot",   "coefficients", "P and b", "shear"};
+
+struct SampledValue {
+    AskedValue asked;
+    std::size_t regime = 0; ///< of sampled_regimes
+};
+
+/// A contact with the values that are asked of it.
+struct SampledContact {
+    std::size_t profile = 0; ///< of sampled_profiles
+    std::string text;        ///< the scene as TOML: all that it takes to see a failure again
+    scene::Scene scene;
+    std::vector<SampledValue> values;
+};
+
+/// How many values a contact is asked for: the last one of a count fewer.
+inline constexpr std::size_t values_a_contact = 50;
+
+/// The contact of that number, the same for the same seed whatever else is drawn. It has `values`
+/// values. Kinds of profile, sizes from 1e-3 to 1e3, loads by a and by P, edges, regimes and
+/// quantities are drawn; one contact in 400, the last of each, has a curved g', whose integrals
+/// take minutes.
+[[nodiscard]] SampledContact sampled_contact(std::uint64_t seed, std::size_t number,
+                                             std::size_t values = values_a_contact);
+
+} // namespace edgeproof::validation

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/validation/independent_extent.hpp"
+#include "edgeproof/validation/textbook_formula.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::validation {
+namespace {
+
+using Kind = AskedValue::Kind;
+
+constexpr unsigned most_extra = 6000;
+/// Digits beyond those asked for, for a coefficient far below its natural size.
+constexpr unsigned cancelled = 25;
+/// Divided differences are taken at this many decades below the radius of convergence.
+constexpr unsigned step_decades = 12;
+
+Real power_of_ten(int k) { return pow(Real(10), k); }
+
+contact::NormalContact contact_of(const scene::Scene& scene, unsigned digits) {
+    if (!scene.profile) {
+        throw DomainError("the tilt is not given");
+    }
+    return {*scene.profile, scene.contact_modulus, scene.load, digits};
+}
+
+SecondRoute relative(std::string route, const Real& value, const Real& error) {
+    return {std::move(route), value, Real(abs(value) * error)};
+}
+
+SecondRoute pressure_by(const scene::Scene& scene, const AskedValue& asked, unsigned digits,
+                        contact::Route route) {
+    const contact::Estimated p = contact_of(scene, digits).pressure(asked.edge, *asked.u, route);
+    const PrecisionScope scope(p.working_digits);
+    return relative(route_name(route), p.value, p.estimate);
+}
+
+SecondRoute tilt_difference_by(const scene::Scene& scene, const AskedValue& asked, unsigned digits,
+                               contact::Route route) {
+    const scene::Scene other = upright(scene);
+    for (unsigned extra = 32;; extra *= 2) {
+        const SecondRoute p = pressure_by(scene, asked, digits + extra, route);
+        const SecondRoute q = pressure_by(other, asked, digits + extra, route);
+        const PrecisionScope scope(digits + extra + 20);
+        const Real d = p.value - q.value;
+        const Real error = p.error + q.error;
+        if (error <= abs(d) * power_of_ten(-static_cast<int>(digits)) || extra >= most_extra) {
+            return {p.route, d, error};
+        }
+    }
+}
+
+SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const Real c = contact_of(scene, digits + cancelled).expansion(asked.edge, asked.n + 1).back();
+    const PrecisionScope scope(c.precision());
+    return relative("series", c, power_of_ten(-static_cast<int>(digits)));
+}
+
+/// c_n from p/sqrt(u) at u = delta, 2 delta, ..., delta being 1e-12 of the radius of convergence:
+/// Newton's divided differences, expanded about u = 0.
+SecondRoute by_differences(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const auto n = static_cast<unsigned>(asked.n);
+    const unsigned natural = digits + cancelled;
+    const unsigned count = n + (natural + 15) / (step_decades - 1) + 2;
+    const unsigned working = natural + step_decades * n + 40;
+    const contact::NormalContact contact = contact_of(scene, working);
+    const PrecisionScope scope(working + 60);
+    const Real delta =
+        contact.convergence_radius(asked.edge) * power_of_ten(-static_cast<int>(step_decades));
+    std::vector<Real> f;
+    for (unsigned j = 1; j <= count; ++j) {
+        const Real u = delta * j;
+        f.push_back(contact.pressure(asked.edge, u, contact::Route::singular_integral).value /
+                    sqrt(u));
+    }
+    for (unsigned order = 1; order < count; ++order) {
+        for (unsigned j = count; j-- > order;) {
+            f[j] = (f[j] - f[j - 1]) / order;
+        }
+    }
+    std::vector<Real> polynomial{f[count - 1]}; // in t = u/delta, by Horner at t = j
+    for (unsigned j = count - 1; j-- > 0;) {
+        polynomial.insert(polynomial.begin(), Real(0));
+        for (std::size_t k = 0; k + 1 < polynomial.size(); ++k) {
+            polynomial[k] -= polynomial[k + 1] * (j + 1);
+        }
+        polynomial[0] += f[j];
+    }
+    const Real c = polynomial[n] / pow(delta, static_cast<int>(n));
+    return relative("divided-differences", c, power_of_ten(-static_cast<int>(digits)));
+}
+
+Real sum_of(const std::vector<Real>& c, const Real& u, std::size_t from) {
+    Real sum = c.back();
+    for (std::size_t k = c.size() - 1; k-- > from;) {
+        sum = sum * u + c[k];
+    }
+    return sum * pow(u, static_cast<int>(from)) * sqrt(u);
+}
+
+/// 1 - (n terms)/p, by the singular integral with as many digits as it loses.
+SecondRoute residual_directly(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    for (unsigned working = digits + 32;;) {
+        const contact::NormalContact contact = contact_of(scene, working);
+        const auto c = contact.expansion(asked.edge, asked.n);
+        const PrecisionScope scope(working + 20);
+        const Real p =
+            contact.pressure(asked.edge, *asked.u, contact::Route::singular_integral).value;
+        const Real value = 1 - sum_of(c, asked.u->to<Real>(), 0) / p;
+        const Real error = power_of_ten(-static_cast<int>(working));
+        if (error <= abs(value) * power_of_ten(-static_cast<int>(digits)) || working > most_extra) {
+            return {"singular-integral", value, error};
+        }
+        working = value == 0 ? 2 * working
+                             : digits + 32 + static_cast<unsigned>(ceil(-log10(abs(value))));
+    }
+}
+
+/// The terms left out, over p.
+SecondRoute residual_by_tail(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits + 10);
+    const PrecisionScope scope(digits + 30);
+    const Real u = asked.u->to<Real>();
+    const Real ratio = u / contact.convergence_radius(asked.edge);
+    if (!(ratio < Real(1) / 4)) {
+        throw DomainError("the point is too far from the edge for the tail of the series");
+    }
+    const unsigned more = static_cast<unsigned>(ceil((digits + 10) / -log10(ratio))) + 1;
+    const auto c = contact.expansion(asked.edge, asked.n + more);
+    const Real p =
+        contact.pressure(asked.edge, *asked.u, contact::Route::barber_mossakovskii).value;
+    return relative("series-tail", Real(sum_of(c, u, asked.n) / p),
+                    power_of_ten(-static_cast<int>(digits)));
+}
+
+/// The printed formula with so many digits that twice as many give the same.
+SecondRoute by_formula(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    unsigned working = digits + 100;
+    if (asked.u) {
+        const PrecisionScope scope(50);
+        const Real small = -log10(asked.u->to<Real>());
+        working += small > 0 ? 2 * static_cast<unsigned>(ceil(small)) : 0;
+    }
+    std::optional<Real> before;
+    for (;; working *= 2) {
+        const PrecisionScope scope(working);
+        const Real now = TextbookFormula<Real>(scene).value(asked);
+        if (before) {
+            const Real change = abs(now - *before);
+            if (change <= abs(now) * power_of_ten(-static_cast<int>(digits)) ||
+                working > most_extra) {
+                return {"printed-formula", now, change};
+            }
+        }
+        before = now;
+    }
+}
+
+SecondRoute by_shear(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits + 10);
+    const contact::ShearTraction shear(contact, scene.shear.value());
+    const contact::EstimatedTraction t = asked.kind == Kind::shear
+                                             ? shear.traction(asked.edge, *asked.u)
+                                             : shear.expansion(asked.edge, asked.n + 1).back();
+    return {"full-stick", t.value, t.error};
+}
+
+SecondRoute by_law(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits);
+    const Real x = asked.kind == Kind::load ? contact.force() : contact.b();
+    const PrecisionScope scope(x.precision());
+    return relative("contact-law", x, power_of_ten(-static_cast<int>(digits + 8)));
+}
+
+SecondRoute by_library_scan(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::Extents e =
+        within_tolerance(contact_of(scene, digits), asked.edge, asked.n, asked.tolerance.value());
+    const PrecisionScope scope(e.length.precision());
+    return relative("scan", e.first_exit,
+                    Real(e.estimate + power_of_ten(-static_cast<int>(digits))));
+}
+
+} // namespace
+
+std::vector<SecondRoute> second_routes(const scene::Scene& scene, const AskedValue& asked,
+                                       unsigned digits) {
+    switch (asked.kind) {
+    case Kind::pressure:
+        return {pressure_by(scene, asked, digits, contact::Route::barber_mossakovskii),
+                pressure_by(scene, asked, digits, contact::Route::singular_integral)};
+    case Kind::tilt_difference:
+        return {tilt_difference_by(scene, asked, digits, contact::Route::barber_mossakovskii),
+                tilt_difference_by(scene, asked, digits, contact::Route::singular_integral)};
+    case Kind::coefficient:
+        return {by_series(scene, asked, digits), by_differences(scene, asked, digits)};
+    case Kind::residual:
+        return {residual_directly(scene, asked, digits), residual_by_tail(scene, asked, digits)};
+    case Kind::shear:
+    case Kind::shear_coefficient:
+        return {by_shear(scene, asked, digits), by_formula(scene, asked, digits)};
+    case Kind::load:
+    case Kind::left_edge:
+        return {by_law(scene, asked, digits), by_formula(scene, asked, digits)};
+    case Kind::extent:
+        break;
+    }
+    return {by_library_scan(scene, asked, digits), {independent_extent(scene, asked, digits)}};
+}
+
+} // namespace edgeproof::validation

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/audit/contact_formula.hpp"
+#include "tests/audit/small_ledger.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::small_ledger;
+
+namespace {
+
+Sample tilted_sample(Edge edge, const char* fraction) {
+    Sample sample;
+    sample.scene.family = "tilted";
+    sample.scene.profile = "tilted-flat-and-rounded";
+    for (const auto& [name, text] : std::map<std::string, const char*>{{"alpha", "pi/100"},
+                                                                       {"t", "1/2"},
+                                                                       {"R", "3"},
+                                                                       {"a", "5/4"},
+                                                                       {"Es", "7/3"},
+                                                                       {"Q", "3/10"},
+                                                                       {"sig0", "-2/7"}}) {
+        sample.scene.parameters.emplace(name, Exact::parse(text));
+    }
+    sample.fraction = Exact::parse(fraction);
+    sample.edge = edge;
+    return sample;
+}
+
+/// The route in Real must lie in the ball, but for its own error, and the ball must be narrow.
+std::string fault_of(const std::string& text, const Sample& sample) {
+    const unsigned digits = 40;
+    const Expr e = contact_formula(text);
+    const EvaluatedScene scene_values(sample.scene, digits);
+    const Place place = scene_values.place(sample.edge, *sample.fraction);
+    const Real value = scene_values.evaluate(e, &place).value;
+    const Enclosed ball = enclosed(e, sample, digits);
+    if (!ball.ball) {
+        return text + ": " + ball.problem;
+    }
+    const PrecisionScope scope(digits + 20);
+    const Real slack = abs(value) * pow(Real(10), -static_cast<int>(digits) + 3);
+    if (disjoint(*ball.ball, Ball::around(value, slack, 400))) {
+        return text + " = " + value_text(value, 30) + " is not in " + ball_text(*ball.ball, 30);
+    }
+    return ball.ball->relative_accuracy_bits() < bits_for(digits) ? text + " is wide" : "";
+}
+
+const Evidence& enclosures_of(const ClaimResult& r) {
+    const EvidenceItem* item = r.outcome.evidence.find("enclosures");
+    REQUIRE(item != nullptr);
+    return std::get<Evidence>(item->value());
+}
+
+std::string value_claim(const std::string& says) {
+    return "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n";
+}
+
+} // namespace
+
+TEST_CASE("a sample's names and functions in balls hold the values found in Real") {
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        for (const char* fraction : {"1e-20", "1/7", "2/3"}) {
+            const Sample sample = tilted_sample(edge, fraction);
+            CAPTURE(sample.text());
+            for (const char* text : {"a",
+                                     "b",
+                                     "L",
+                                     "x",
+                                     "u",
+                                     "P",
+                                     "M",
+                                     "P1",
+                                     "P2",
+                                     "P3",
+                                     "P5",
+                                     "b1",
+                                     "b2",
+                                     "b3",
+                                     "right_c0",
+                                     "right_c2",
+                                     "left_c0",
+                                     "left_c3",
+                                     "right_s0",
+                                     "left_s1",
+                                     "p(x)",
+                                     "p(a - u/3)",
+                                     "q(x)",
+                                     "g1(x)",
+                                     "right_local(2, x)",
+                                     "left_local(3, x)",
+                                     "Pof(a*9/10)",
+                                     "P1of(a*11/10)",
+                                     "bof(a)",
+                                     "bof(a + u/3)",
+                                     "Pof(a*(1 + b1/7))",
+                                     "P1of(L)",
+                                     "binv(b)",
+                                     "binv(b*21/20 + u/9)",
+                                     "bof(binv(b + u/8) + a/9)"}) {
+                CHECK(fault_of(text, sample) == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint balls") {
+    const ClaimResult right = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)"));
+    CHECK(right.outcome.verdict == Verdict::confirmed);
+    CHECK(enclosures_of(right).find("digits_proved")->text() == "34.0");
+    CHECK_FALSE(std::get<bool>(enclosures_of(right).find("disjoint")->value()));
+    const ClaimResult wrong = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-25)"));
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(std::get<bool>(enclosures_of(wrong).find("disjoint")->value()));
+    CHECK(rests_on_enclosures(wrong));
+    CHECK_FALSE(rests_on_enclosures(right));
+}
+
+TEST_CASE("a refutation that the enclosures do not bear out is none") {
+    Outcome outcome;
+    outcome.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
+    const Ball third(Rational(1, 3), 100);
+    add_pair("printed", {third, ""}, "exact", {third, ""}, "anywhere", 20, outcome);
+    CHECK(outcome.verdict == Verdict::undecided);
+    Outcome without;
+    without.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
+    add_pair("printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere", 20,
+             without);
+    CHECK(without.verdict == Verdict::refuted);
+    CHECK(std::get<Evidence>(without.evidence.find("enclosures")->value()).find("none")->text() ==
+          "no closed form");
+}
+
+TEST_CASE("a confirmation that the enclosures contradict is none") {
+    // Within what is asked of the digits, and yet certainly another number.
+    const ClaimResult near = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-32)"));
+    CHECK(near.outcome.verdict == Verdict::undecided);
+    CHECK(near.outcome.note == "the estimates have it agree, the enclosures do not");
+    CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));
+}
+
+TEST_CASE("where the value is zero, digits are proved relative to the claim's scale") {
+    const std::string zero = "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = "
+                             "\"integral(g1(s)/sqrt(a^2-s^2), s, -a, a)\"\n";
+    const ClaimResult result = result_of(zero + "scale = \"C*a\"\n");
+    const Evidence& scaled = enclosures_of(result);
+    CHECK(scaled.find("digits_proved")->text() == "34.0");
+    CHECK(scaled.find("samples")->text() == "2");
+}
+
+TEST_CASE("integrals of the contact are proved to the digits of the run, never rounded up") {
+    const ClaimResult force = result_of(
+        value_claim("Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(force.outcome.verdict == Verdict::confirmed);
+    CHECK(std::stod(enclosures_of(force).find("digits_proved")->text()) > 30);
+    const ClaimResult wrong =
+        result_of(value_claim("Es/2*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(rests_on_enclosures(wrong));
+}
+
+TEST_CASE("past 100 digits an integral is held to 100 everywhere, and to all at some samples") {
+    const std::string of_pressure = "kind = \"value\"\nover = \"nine\"\nof = \"P\"\nsays = \"";
+    const ClaimResult right = result_of(of_pressure + "integral(p(s), s, -a, a)\"\n", 130);
+    CHECK(right.outcome.verdict == Verdict::confirmed);
+    CHECK(right.outcome.evidence.find("digits")->text() == "100.0");
+    const auto& all = std::get<Evidence>(right.outcome.evidence.find("all_digits")->value());
+    CHECK(std::stod(all.find("digits")->text()) > 125);
+    CHECK(all.find("samples")->text() == "6");
+    CHECK(right.outcome.evidence.find("samples")->text() == "9");
+    const ClaimResult wrong =
+        result_of(of_pressure + "integral(p(s), s, -a, a)*(1 + 1e-115)\"\n", 130);
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(rests_on_enclosures(wrong));
+}
+
+TEST_CASE("a ball's text holds all of the ball") {
+    const Ball ball = Ball::around(Real(2) / 3, Real("0.001"), 200);
+    CHECK(ball_text(ball, 2) == "0.67 +- 0.0044");
+    CHECK(ball_text(Ball(5, 100), 3) == "5.00 +- 0");
+}
+
+TEST_CASE("a ball's text shows no digit that the ball does not know") {
+    const Real thousandth = Real(1) / 1000;
+    CHECK(ball_text(Ball::around(Real(1) / 8, Real(2), 200), 50) == "0 +- 2.2");
+    const std::string wide = ball_text(Ball::around(Real(2) / 3, thousandth, 200), 50);
+    CHECK(wide.substr(0, 10) == "0.6667 +- ");
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n";
+const std::string hertz_cells = ",power-law,1,1,1,1,";
+
+bool have_python() { return std::system("python3 -c '' >/dev/null 2>&1") == 0; }
+
+std::string third_party(const char* file) {
+    return "'" + (source_dir() / "examples" / "third-party" / file).string() + "'";
+}
+
+} // namespace
+
+TEST_CASE("check: pass and fail against a target, the worst case of each regime named") {
+    const Folder folder;
+    // 0.3 and 0.4 by 3-4-5; the second is wrong in its seventh digit.
+    folder.write("a.csv", header + "one" + hertz_cells + "p,right,0.2,0.3\ntwo" + hertz_cells +
+                              "p,left,0.4,0.40000004\n");
+    const Outcome pass = run(folder, "check a.csv --digits 6.9");
+    CHECK(pass.code == 0);
+    CHECK(pass.err.empty());
+    CHECK(lines(pass.out).back() == "pass: 2 answers, 0 failures");
+    const Outcome fail = run(folder, "check a.csv --digits 7.1 --junit j.xml");
+    CHECK(fail.code == 1);
+    CHECK(lines(fail.out).front() == "a.csv:3: two: 7.0 digits, 7.2e+08 ulps: 0.40000004 for "
+                                     "0.40000000000000000000 (condition number 2.9: which does not "
+                                     "explain it)");
+    CHECK(lines(fail.out).back() == "FAIL: 2 answers, 1 failure");
+    CHECK(has(fail.out, "interior          2       1          0"));
+    const std::string junit = file_text(folder.path() / "j.xml");
+    CHECK(has(junit, "tests=\"3\" failures=\"1\""));
+    CHECK(has(junit, "name=\"two\">\n    <failure message=\"7.0 digits"));
+    CHECK(run(folder, "check a.csv --ulps 1").code == 1);
+    // Without a target a wrong number fails all the same: 12 digits are the least.
+    const Outcome none = run(folder, "check a.csv");
+    CHECK(none.code == 1);
+    CHECK(has(none.out, "target: 12 digits, or an error that the conditioning explains (none is "
+                        "stated: --digits or --ulps)"));
+}
+
+TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors caps the list") {
+    const Folder folder;
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2,nan\n2" + hertz_cells +
+                              "p,right,0.4,-inf\n3" + hertz_cells + "p,left,0.4,\n4" + hertz_cells +
+                              "p,left,0.2,0.3 MPa\n5" + hertz_cells +
+                              "P,,,0.785398163397448\nAborted\n");
+    const Outcome o = run(folder, "check a.csv");
+    CHECK(o.code == 1);
+    for (const char* line :
+         {"a.csv:2: 1: nan\n", "a.csv:3: 2: inf\n", "a.csv:4: 3: missing: the value is empty\n",
+          "a.csv:5: 4: garbage: \"0.3 MPa\"\n",
+          "a.csv:7: garbage: 1 cells, not 10: \"Aborted\"\n"}) {
+        CAPTURE(line);
+        CHECK(has(o.out, line));
+    }
+    CHECK(lines(o.out).back() == "FAIL: 5 answers, 4 failures, 1 fault of the rows or the "
+                                 "program");
+    CHECK(has(run(folder, "check a.csv --errors 2").out, "and 3 more"));
+}
+
+TEST_CASE("check: what stands beside a number never passes, and the report is whole") {
+    const Folder folder;
+    const char* const spoilt[] = {
+        "\"0.3\"999", "\"0.3\" NaN (diverged)", "++0.3", "+-0.3", "0.3\"", "\"0.3", "0.3 0.3"};
+    for (const char* value : spoilt) {
+        CAPTURE(value);
+        folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2," + value + "\n");
+        const Outcome o = run(folder, "check a.csv");
+        CHECK(o.code != 0);
+        CHECK_FALSE(has(o.out, "pass:"));
+    }
+    // Bytes that would cut the report off, clear the screen or feign a line of it.
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2,0.3" + std::string(1, '\0') +
+                              "\n2" + hertz_cells + "p,right,0.4,\"\x1b[2J\npass: all\xff\"\n" +
+                              "3\x1b[2J" + hertz_cells + "p,right,0.4,0.4\n");
+    const Outcome o = run(folder, "check a.csv --junit j.xml");
+    CHECK(o.code == 1);
+    CHECK(has(o.out, "a.csv:2: 1: garbage: \"0.3\\x00\"\n"));
+    CHECK(has(o.out, "a.csv:3: 2: garbage: \"\\x1B[2J\\x0Apass: all\\xFF\"\n"));
+    CHECK(o.out.find('\0') == std::string::npos);
+    CHECK(o.out.find('\x1b') == std::string::npos);
+    CHECK(lines(o.out).back() == "FAIL: 3 answers, 2 failures");
+    const std::string junit = file_text(folder.path() / "j.xml");
+    CHECK(junit.find('\x1b') == std::string::npos);
+    CHECK(has(junit, "\\x1B[2J\\x0Apass: all\\xFF"));
+}
+
+TEST_CASE("check: the counts of the last line add up to what was asked") {
+    const Folder folder;
+    folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"0.75\", \"1\"]\nquantities = "
+                           "[\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = "
+                           "\"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
+    // One right (in the last place asked, but first), one wrong, one garbage, one missing; one
+    // twice, one that was not asked.
+    folder.write("a.csv", "id,value\nh:right:u=1:p,0.5\nh:right:u=0.25:p,0.4\nh:right:u=0.5:p,x\n"
+                          "h:right:u=1:p,0.5\nh:right:u=7:p,1\n");
+    const Outcome o = run(folder, "check a.csv --recipe r.toml");
+    CHECK(o.code == 1);
+    CHECK(
+        has(o.out, "2 rows stand in another order than asked: their ids tell what they answer\n"));
+    CHECK(lines(o.out).back() ==
+          "FAIL: 3 answers, 2 failures, 1 missing, 2 faults of the rows or the program");
+    folder.write("b.csv", header + "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells +
+                              "p,right,2.5,0\n3" + hertz_cells + "p,left,0.4,0.5\n");
+    const Outcome outside = run(folder, "check b.csv");
+    CHECK(outside.code == 1);
+    CHECK(has(outside.out, "b.csv:3: 2: nothing to compare with: u = 2.5 from the right edge: "));
+    CHECK(lines(outside.out).back() == "FAIL: 3 answers, 1 failure, 1 without a reference");
+}
+
+TEST_CASE("check: a file as a spreadsheet saves it") {
+    const Folder folder;
+    folder.write("a.csv", "\xEF\xBB\xBFid;kind;m;C;a;contact_modulus;quantity;edge;u;value\r\n"
+                          "1;power-law;1;1;1;1;p;right;0,2;0,3\r\n"
+                          "2;power-law;1;1;1;1;p;left;0,4;4E-01\r\n");
+    const Outcome o = run(folder, "check a.csv");
+    CHECK(o.code == 0);
+    CHECK(lines(o.out).back() == "pass: 2 answers, 0 failures");
+}
+
+TEST_CASE("check: bad input is one line; exit 2; no file") {
+    const Folder folder;
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,2.5,0.3\n");
+    folder.write("b.csv", "id,answer\n1,2\n");
+    struct Bad {
+        const char* command;
+        const char* said;
+    };
+    for (const Bad& bad : {
+             Bad{"check nowhere.csv", "nowhere.csv: there is no such file; "},
+             Bad{"check a.csv", "a.csv:2: u = 2.5 from the right edge: "},
+             Bad{"check b.csv", "b.csv:1: there is no column value; "},
+             Bad{"check a.csv --digits -1", "edgeproof: --digits -1 is out of range; "},
+             Bad{"check a.csv --ulps x", "edgeproof: --ulps x: "},
+             Bad{"check a.csv --recipe nowhere.toml", "nowhere.toml: there is no such file; "},
+         }) {
+        CAPTURE(bad.command);
+        const Outcome o = run(folder, std::string(bad.command) + " --junit j.xml");
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        REQUIRE(lines(o.err).size() == 1);
+        CHECK(o.err.rfind(bad.said, 0) == 0);
+        CHECK(folder.files() == 2);
+    }
+}
+
+TEST_CASE("a program in Python: its closed forms hold in double, and the faults of the other one "
+          "are found") {
+    if (!have_python()) {
+        MESSAGE("no python3 here");
+        return;
+    }
+    const Folder folder;
+    const std::string recipe = third_party("questions.toml");
+    const auto answers_of = [&](const char* script, const char* file) {
+        REQUIRE(run(folder, "points " + recipe + " --out q.csv").code == 0);
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && PYTHONDONTWRITEBYTECODE=1 python3 " +
+                                    third_party(script) + " <q.csv >" + file;
+        REQUIRE(std::system(command.c_str()) == 0);
+    };
+    answers_of("closed_forms.py", "right.csv");
+    const Outcome right = run(folder, "check right.csv --digits 13");
+    CHECK(right.code == 0);
+    CHECK(lines(right.out).back() == "pass: 220 answers, 0 failures");
+    CHECK(run(folder, "check right.csv --digits 17").code == 1); // a double has no 17 digits
+
+    answers_of("wrong_on_purpose.py", "wrong.csv");
+    const Outcome wrong =
+        run(folder, "check wrong.csv --errors 100 --digits 13 --recipe " + recipe);
+    CHECK(wrong.code == 1);
+    for (const char* part :
+         {"P: yours are 2 times ours, to 15.", "c_1: yours are minus ours, to 15.",
+          ": wedge:C=0.1:contact_modulus=1:right:u=0.999:p: nan\n",
+          "wrong.csv: wedge:C=0.1:contact_modulus=1:right:u=0.9:p: missing\n",
+          ": wedge:C=0.1:contact_modulus=1:left:c_0 is answered twice, first in line 10\n",
+          ": flat:t=0.4:R=1:left:u=0.1:p: 7."}) {
+        CAPTURE(part);
+        CHECK(has(wrong.out, part));
+    }
+    CHECK_FALSE(has(wrong.out, ": flat:t=0.4:R=1:right:u=0.1:p: "));
+}
+
+TEST_CASE("check --exec: the program is run and asked; however it ends, the check stands") {
+    const Folder folder;
+    folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\nquantities = [\"p\"]\n"
+                           "[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                           "[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
+    // p = sqrt(u (2 - u))/2: sqrt(7)/8, sqrt(3)/4, 1/2
+    folder.write("good.sh", "while read -r row; do case $row in\n"
+                            "id,*) echo id,value;;\n"
+                            "*u=0.25*) echo h:right:u=0.25:p,0.3307189138830738;;\n"
+                            "*u=0.5*) echo h:right:u=0.5:p,0.4330127018922193;;\n"
+                            "*u=1:*) echo h:right:u=1:p,0.5;;\nesac; done\n");
+    const auto check = [&](const std::string& command) {
+        return run(folder, "check r.toml --digits 15 --timeout 20 --exec '" + command + "'");
+    };
+    const Outcome good = check("sh good.sh");
+    CHECK(good.code == 0);
+    CHECK(lines(good.out).back() == "pass: 3 answers, 0 failures");
+    // The ids tell which answer is which.
+    const Outcome turned = check("sh good.sh >all; head -n 1 all; tail -n 3 all | sort -r");
+    CHECK(turned.code == 0);
+    CHECK(has(turned.out, "2 rows stand in another order than asked"));
+    struct Bad {
+        const char* command;
+        const char* said;
+    };
+    for (const Bad& bad : {
+             Bad{"sh good.sh; kill -SEGV $$", "the program was ended by signal 11"},
+             Bad{"sh good.sh; exit 3", "the program ended with exit code 3"},
+             Bad{"exit 0", "the program:1: there is no header line"},
+             Bad{"echo no questions please", "the program:1: there is no column id"},
+             Bad{"sh good.sh | head -n 2", "the program: h:right:u=0.5:p: missing"},
+             Bad{"sh good.sh; echo Bus error", "the program:5: garbage: 1 cells, not 2"},
+             Bad{"sh good.sh | sed s/0.5$/inf/", "the program:4: h:right:u=1:p: inf"},
+         }) {
+        CAPTURE(bad.command);
+        const Outcome o = check(bad.command);
+        CAPTURE(o.out);
+        CHECK(o.code == 1);
+        CHECK(has(o.out, bad.said));
+    }
+    // What it says on its standard error is shown, and cut where it does not end.
+    const Outcome loud = check("head -c 300000 /dev/zero >&2; sh good.sh");
+    CHECK(loud.code == 0);
+    CHECK(loud.err.size() > 65536);
+    CHECK(loud.err.size() < 66000);
+    CHECK(has(loud.err, "the program\'s messages beyond 65536 bytes are left out"));
+    CHECK(check("yes").code == 1);
+    const Outcome slow = run(folder, "check r.toml --timeout 0.3 --exec 'sleep 60'");
+    CHECK(slow.code == 1);
+    CHECK(has(slow.out, "the program was stopped: it took longer than --timeout allows"));
+}

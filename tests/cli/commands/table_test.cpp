@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/csv.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+using namespace edgeproof::test;
+
+namespace {
+
+// p = sqrt(u (2 - u))/2: 3-4-5 at u = 1/5 and 2/5; P = pi/4; c_0 = sqrt(2)/2, c_1 = -sqrt(2)/8.
+const std::string hertz_recipe = R"(title = "Hertz"
+digits = 20
+[scenes.hertz]
+edges = ["right", "left"]
+u = ["1/5", "2/5"]
+quantities = ["p", "P", "c_0", "c_1", "b", "M"]
+[scenes.hertz.profile]
+kind = "power-law"
+m = "1"
+C = "1"
+[scenes.hertz.load]
+a = "1"
+contact_modulus = "1"
+)";
+
+std::map<std::string, std::string> by_id(const std::string& csv, const char* column) {
+    const Csv table = parse_csv(csv, "table");
+    std::map<std::string, std::string> values;
+    for (const Csv::Row& row : table.rows) {
+        values[row.cells.at(0)] = row.cells.at(table.column(column).value());
+    }
+    return values;
+}
+
+/// A digit in the middle of the row's value, changed.
+std::string spoilt(std::string text, const std::string& id) {
+    const std::size_t row = text.find("\n" + id + ",");
+    const std::size_t at = text.find("0.4000", row) + 7;
+    text[at] = text[at] == '0' ? '1' : '0';
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("table: Hertz by hand, every value correctly rounded with its bound and binary64") {
+    const Folder folder;
+    folder.write("h.toml", hertz_recipe);
+    const Outcome o = run(folder, "table h.toml");
+    CHECK(o.code == 0);
+    CHECK(o.err.empty());
+    auto values = by_id(o.out, "value");
+    REQUIRE(values.size() == 11);
+    CHECK(values["hertz:right:u=1/5:p"] == "0.30000000000000000000");
+    CHECK(values["hertz:left:u=2/5:p"] == "0.40000000000000000000");
+    CHECK(values["hertz:P"] == "0.78539816339744830962");         // pi/4
+    CHECK(values["hertz:right:c_0"] == "0.70710678118654752440"); // sqrt(2)/2
+    CHECK(values["hertz:left:c_1"] == "-0.17677669529663688110"); // -sqrt(2)/8
+    CHECK(values["hertz:b"] == "1.0000000000000000000");
+    CHECK(values["hertz:M"] == "0");
+    CHECK(by_id(o.out, "binary64")["hertz:P"] == "0.78539816339744828");
+    CHECK(by_id(o.out, "x")["hertz:left:u=2/5:p"] == "-0.60000000000000000000");
+    for (const auto& row : by_id(o.out, "bound")) {
+        CAPTURE(row.first);
+        CHECK(std::stod(row.second) <= 5e-20);
+    }
+    for (const char* note : {"# Hertz", "# recipe: h.toml", "# program: edgeproof ", "# digits: 20",
+                             "# rounding: nearest", "# rows: 11", "# checksum: fnv1a-64 "}) {
+        CHECK(o.out.find(note) != std::string::npos);
+    }
+}
+
+TEST_CASE("table: the same bytes on any number of threads, every format, written whole") {
+    const Folder folder;
+    folder.write("h.toml", hertz_recipe);
+    const std::string one = run(folder, "table h.toml --threads 1").out;
+    CHECK(one == run(folder, "table h.toml --threads 2").out);
+    CHECK(run(folder, "table h.toml --out new/h.csv").code == 0);
+    CHECK(file_text(folder.path() / "new" / "h.csv") == one);
+    const auto json = nlohmann::json::parse(run(folder, "table h.toml --format json").out);
+    REQUIRE(json["rows"].size() == 11);
+    CHECK(json["rows"][0]["value"] == by_id(one, "value")["hertz:P"]);
+    CHECK(run(folder, "table h.toml --format md").out.find("0.70710678118654752440") !=
+          std::string::npos);
+    CHECK(run(folder, "table h.toml --format tex").out.find("\\bottomrule") != std::string::npos);
+}
+
+TEST_CASE("table: rounded down and up") {
+    const Folder folder;
+    folder.write("h.toml", "rounding = \"down\"\n" + hertz_recipe);
+    CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:P"] == "0.78539816339744830961");
+    folder.write("h.toml", "rounding = \"up\"\n" + hertz_recipe);
+    CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:left:c_1"] ==
+          "-0.17677669529663688110");
+}
+
+TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are named") {
+    const Folder folder;
+    folder.write("h.toml", hertz_recipe);
+    CHECK(run(folder, "table h.toml --out h.csv").code == 0);
+    const std::string good = file_text(folder.path() / "h.csv");
+    REQUIRE(lines(good).size() > 11);
+    const Outcome same = run(folder, "table h.toml --check");
+    CHECK(same.code == 0);
+    CHECK(same.out == "h.csv: 11 of 11 rows made anew, every digit the same\n");
+    CHECK(run(folder, "table h.toml --check --every 4").out ==
+          "h.csv: 3 of 11 rows made anew, every digit the same\n");
+    const auto said = [&](const std::string& text) {
+        folder.write("h.csv", text);
+        const Outcome o = run(folder, "table h.toml --check");
+        CHECK(o.code == 1);
+        CHECK(o.out.empty());
+        return o.err;
+    };
+    const std::string digit = said(spoilt(good, "hertz:left:u=2/5:p"));
+    CHECK(digit.find("row hertz:left:u=2/5:p: value is 0.4000010000") != std::string::npos);
+    CHECK(digit.find("the checksum is not that of the rows") != std::string::npos);
+    auto all = lines(good);
+    const auto joined = [](const std::vector<std::string>& list) {
+        std::string text;
+        for (const std::string& line : list) {
+            text += line + "\n";
+        }
+        return text;
+    };
+    auto fewer = all;
+    const std::string lost = fewer.back().substr(0, fewer.back().find(','));
+    fewer.pop_back();
+    CHECK(said(joined(fewer)).find("row " + lost + " is missing") != std::string::npos);
+    auto more = all;
+    more.push_back("another" + all.back().substr(lost.size()));
+    CHECK(said(joined(more)).find("row another is not in the recipe") != std::string::npos);
+    auto moved = all;
+    std::swap(moved[all.size() - 1], moved[all.size() - 2]);
+    CHECK(said(joined(moved)).find("is out of order") != std::string::npos);
+    auto twice = all;
+    twice.push_back(all.back());
+    CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
+    // A table of other digits is refused by its rows alone.
+    folder.write("h.toml", std::string(hertz_recipe).replace(hertz_recipe.find("20"), 2, "21"));
+    CHECK(said(good).find("row hertz:P: value is 0.78539816339744830962, made anew "
+                          "0.785398163397448309616") != std::string::npos);
+}
+
+TEST_CASE("table and points: bad input is one line with file and line; exit 2; no file") {
+    const Folder folder;
+    folder.write("h.toml", hertz_recipe);
+    folder.write("far.toml",
+                 std::string(hertz_recipe).replace(hertz_recipe.find("\"2/5\""), 5, "\"5/2\""));
+    struct Bad {
+        const char* command;
+        const char* said;
+    };
+    for (const Bad& bad : {
+             Bad{"table nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
+             Bad{"table far.toml --out t.csv", "far.toml:5: u = 5/2 from the right edge: "},
+             Bad{"table h.toml --out t.csv --threads 0",
+                 "edgeproof: --threads 0 is out of range; "},
+             Bad{"table h.toml --out t.csv --format xls", "edgeproof: --format xls is no format; "},
+             Bad{"table h.toml --check --out t.csv", "t.csv: there is no such file; "},
+             Bad{"table h.toml --every 3", "edgeproof: --every 3 takes a sample of a check; "},
+             Bad{"points nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
+         }) {
+        CAPTURE(bad.command);
+        const Outcome o = run(folder, bad.command);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        REQUIRE(lines(o.err).size() == 1);
+        CHECK(o.err.rfind(bad.said, 0) == 0);
+        CHECK(folder.files() == 2);
+    }
+}
+
+namespace {
+
+/// Every recipe under reference/ against the table beside it.
+std::size_t check_reference_tables(const std::string& options) {
+    const Folder folder;
+    std::size_t rows = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_dir() / "reference")) {
+        auto beside = entry.path();
+        const bool has_table = std::filesystem::exists(beside.replace_extension(".csv"));
+        if (entry.path().extension() != ".toml" || !has_table) {
+            continue;
+        }
+        const Outcome o = run(folder, "table '" + entry.path().string() + "' --check" + options);
+        CAPTURE(o.err);
+        CHECK(o.code == 0);
+        auto table = entry.path();
+        rows += parse_csv(file_text(table.replace_extension(".csv")), "table").rows.size();
+    }
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("the reference tables: a sample made anew") {
+    CHECK(check_reference_tables(" --every 7") >= 5000);
+}
+
+TEST_CASE("the reference tables: all rows made anew" * doctest::test_suite("slow")) {
+    CHECK(check_reference_tables("") >= 5000);
+}

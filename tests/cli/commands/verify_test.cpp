@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string& head = hertz_head;
+const std::string& right = hertz_right;
+const std::string& wrong = hertz_wrong;
+
+/// The head with one line written otherwise, and a claim that is right.
+std::string with(const std::string& line, const std::string& instead) {
+    std::string text = head + hertz_claim("one", "Es*C/2*sqrt(a^2-x^2)");
+    return text.replace(text.find(line), line.size(), instead);
+}
+
+} // namespace
+
+TEST_CASE("verify: the table, the files, and the JSON that other programs read") {
+    const Folder folder;
+    folder.write("own.toml", head + right + wrong);
+    const Outcome o = run(folder, "verify own.toml --out out");
+    CHECK(o.code == 0); // nothing is recorded beside the ledger
+    CHECK(o.err.empty());
+    for (const char* file :
+         {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex", "report.html"}) {
+        CAPTURE(file);
+        CHECK(std::filesystem::file_size(folder.path() / "out" / file) > 0);
+    }
+    const auto json = nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json"));
+    CHECK(json.at("ledger") == "own");
+    CHECK(json.at("digits") == 50);
+    const auto& claims = json.at("claims");
+    REQUIRE(claims.size() == 2);
+    CHECK(claims[0].at("id") == "right");
+    CHECK(claims[0].at("verdict") == "confirmed");
+    CHECK(claims[0].at("correct").is_null());
+    CHECK(claims[0].at("quoted").is_null());
+    CHECK(claims[0].at("computed").is_null());
+    CHECK(claims[1].at("verdict") == "refuted");
+    CHECK(claims[1].at("printed") == "Es*C/3*sqrt(a^2-x^2)");
+    CHECK(claims[1].at("correct") == "Es*C/2*sqrt(a^2 - x^2)");
+    CHECK(claims[1].at("evidence").at("ratio") == "2/3");
+    CHECK(file_text(folder.path() / "out/report.html").find("id=\"erratum-wrong\"") !=
+          std::string::npos);
+}
+
+TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they differ") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    REQUIRE(run(folder, "verify own.toml --record").code == 0);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    folder.write("own.toml", head + hertz_claim("right", "Es*C/3*sqrt(a^2-x^2)"));
+    const Outcome changed = run(folder, "verify own.toml");
+    CHECK(changed.code == 1);
+    CHECK(changed.out.find("differs from own.expected.csv: right") != std::string::npos);
+    folder.write("own.toml", head + right + hertz_claim("new", "Es*C/2*sqrt(a^2-x^2)"));
+    CHECK(run(folder, "verify own.toml").code == 1); // a claim without a recorded verdict
+}
+
+TEST_CASE("verify: what is malformed is named by file and line, with what to write; exit 2") {
+    struct Bad {
+        std::string ledger;
+        const char* line;
+    };
+    // What a family's scenes turn out to be is told at the family; what a line says, at the line.
+    const Bad all[] = {
+        {head + hertz_claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
+        {head + hertz_claim("one", "Es*C/"), "own.toml:22: "},
+        {head + hertz_claim("one", "Es", "quotd = \"1\"\n"), "own.toml:23: "},
+        {head + "[[claim]]\nid = \"one\"\nkind = \"guess\"\nlines = [1, 1]\nprinted = \"x\"\n",
+         "own.toml:17: unknown kind 'guess'"},
+        {head + hertz_claim("one", "Es", "where = \"x >\"\n"), "own.toml:23: "},
+        {head + "[[claim]\n", "own.toml:15: "},
+        {head + hertz_claim("one", "Es*(C/2"), "own.toml:22: "},
+        {with("m = [\"1\"]", "m = [\"-1\"]"),
+         "own.toml:4: the power-law exponent m = -1 is negative; "},
+        {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:11: unknown name 'nan'"},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"0\"]"), "own.toml:4: a = 0 is not positive; "},
+        {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:13: unknown name 'inf'"},
+        {with("Es = [\"7/3\"]", "Es = [\"-7/3\"]"), "own.toml:4: Es = -7/3 is not positive; "},
+        {with("m = [\"1\"]", "m = [0.12345678901234567]"),
+         "own.toml:11: m = 0.12345678901234567 has more than 15 significant digits as a float; "
+         "quote "
+         "it: \"0.12345678901234567\""},
+    };
+    for (const Bad& bad : all) {
+        CAPTURE(bad.ledger);
+        const Folder folder;
+        folder.write("own.toml", bad.ledger);
+        const Outcome o = run(folder, "verify own.toml --out out");
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        REQUIRE(lines(o.err).size() == 1);
+        CHECK(o.err.substr(0, std::string(bad.line).size()) == bad.line);
+        CHECK(o.err.find("; ") != std::string::npos);
+        CHECK(folder.files() == 1);
+    }
+}
+
+TEST_CASE("verify: a claim that cannot be read is named, the others are judged; exit 2") {
+    const Folder folder;
+    const std::string good = hertz_claim("good", "Es*C/2*sqrt(a^2-x^2)");
+    folder.write("own.toml", head + good + hertz_claim("unknown", "Es*K") + wrong +
+                                 hertz_claim("key", "Es", "quotd = \"1\"\n") + good +
+                                 hertz_claim("cut", "Es*(C/2") + hertz_claim("below", "tau_max") +
+                                 hertz_claim("slides", "mu*P") + hertz_claim("ball", "sphere(x)"));
+    for (const char* command : {"verify own.toml --out out", "check --ledger own.toml"}) {
+        CAPTURE(std::string(command));
+        const Outcome o = run(folder, command);
+        CHECK(o.code == 2);
+        CHECK(o.out.find("good") != std::string::npos);
+        CHECK(o.out.find("refuted") != std::string::npos);
+        const std::vector<std::string> all = lines(o.err);
+        REQUIRE(all.size() == 7);
+        for (const std::string& line : all) {
+            CAPTURE(line);
+            CHECK(line.starts_with("own.toml:"));
+            CHECK(line.find("; ") != std::string::npos);
+        }
+        CHECK(all[0].find("unknown name 'K'") != std::string::npos);
+        CHECK(all[2].find("the id good stands twice") != std::string::npos);
+        CHECK(all[4].find("stress below the surface is outside what Edgeproof computes") !=
+              std::string::npos);
+        CHECK(all[5].find("friction is outside what") != std::string::npos);
+        CHECK(all[6].find("point contact is outside what") != std::string::npos);
+    }
+    const auto json = nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json"));
+    CHECK(json.at("claims").size() == 2);
+    REQUIRE(json.at("errors").size() == 7);
+    CHECK(json.at("errors")[0].at("id") == "unknown");
+    CHECK(json.at("errors")[0].at("line") == 30);
+    CHECK(run(folder, "verify own.toml --only good").code == 2);  // the id stands twice
+    CHECK(run(folder, "verify own.toml --only wrong").code == 0); // of the claims asked for none
+    CHECK(run(folder, "verify own.toml --record").code == 2);
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "own.expected.csv"));
+}
+
+TEST_CASE("verify --strict: 1 where a claim does not hold, recorded or not") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    CHECK(run(folder, "verify own.toml --strict").code == 0);
+    folder.write("own.toml", head + right + wrong);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    CHECK(run(folder, "verify own.toml --strict").code == 1);
+    CHECK(run(folder, "verify own.toml --strict --only right").code == 0);
+    CHECK(run(folder, "verify own.toml --record").code == 0);
+    CHECK(run(folder, "verify own.toml").code == 0);
+    CHECK(run(folder, "verify own.toml --strict").code == 1);
+}
+
+TEST_CASE("verify: options that make no sense are refused before any work") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    folder.write("taken", "a file where a folder is wanted");
+    for (const char* arguments :
+         {"verify own.toml --digits 0", "verify own.toml --digits 1000000000",
+          "verify own.toml --digits 5", "verify own.toml --digits 1e9", "verify missing.toml",
+          "verify own.toml --only nothing-like-this", "verify own.toml --out taken/out", "verify",
+          "verify own.toml --record --only right"}) {
+        CAPTURE(arguments);
+        const Outcome o = run(folder, arguments);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        CHECK(lines(o.err).size() == 1);
+        CHECK(folder.files() == 2);
+    }
+}

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/answers/agreement.hpp"
+#include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+const std::string agreement_header =
+    "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
+// Hertz, a = 1: p = sqrt(u (2 - u))/2, so 0.3 at u = 0.2 and 0.4 at u = 0.4 by 3-4-5.
+const std::string hertz_cells = ",power-law,1,1,,,1,1,";
+
+Answers answered(const std::string& rows) {
+    return echoed_answers(parse_csv(agreement_header + rows, "a.csv"));
+}
+
+Agreements held(const Answers& answers, const Target& target = {}) {
+    return compare(answers, target, {});
+}
+
+Answer::State state(const std::string& text) { return read_answer(text).state; }
+
+} // namespace
+
+TEST_CASE("what counts as a number, and what is said of anything else") {
+    CHECK(read_answer("-1.5e-3").value == Rational(-3, 2000));
+    CHECK(read_answer("+0.25").value == Rational(1, 4));
+    CHECK(read_answer("1.5D-01").value == Rational(3, 20)); // Fortran
+    CHECK(read_answer("0x1.8p-1").value == Rational(3, 4)); // C's %a
+    CHECK(read_answer("-0x1p+3").value == Rational(-8));
+    CHECK(state("") == Answer::State::missing);
+    for (const char* text : {"nan", "-NaN", "nan(0x1)"}) {
+        CHECK(state(text) == Answer::State::nan);
+    }
+    for (const char* text : {"inf", "-Infinity", "+INF"}) {
+        CHECK(state(text) == Answer::State::infinite);
+    }
+    for (const char* text : {"0.3 MPa", "3/2", "1,5", "0x", "e5", "None", "1.2.3"}) {
+        CAPTURE(text);
+        CHECK(state(text) == Answer::State::garbage);
+    }
+}
+
+TEST_CASE("digits and ulps by hand") {
+    const Answers answers = answered("exact" + hertz_cells +
+                                     "p,right,0.2,0.3\n"
+                                     "millionth" +
+                                     hertz_cells +
+                                     "p,left,0.2,0.3000003\n"
+                                     "ulp" +
+                                     hertz_cells +
+                                     "p,right,0.4,0.40000000000000005551115123125783\n"
+                                     "half" +
+                                     hertz_cells +
+                                     "p,right,0.4,0.2\n"
+                                     "zero" +
+                                     hertz_cells +
+                                     "M,,,1e-12\n"
+                                     "nan" +
+                                     hertz_cells + "p,right,0.4,nan\n");
+    REQUIRE(answers.faults.empty());
+    const Agreements a = held(answers, {6.0, {}});
+    REQUIRE(a.cases.size() == 6);
+    CHECK(a.cases[0].digits == a.digits);
+    CHECK(a.cases[0].ulps == 0);
+    CHECK(a.cases[1].digits == doctest::Approx(6).epsilon(1e-9));
+    CHECK(a.cases[1].pass);                                      // 1e-6 is within 10^-6
+    CHECK(a.cases[2].ulps == doctest::Approx(1).epsilon(1e-12)); // 2^-54
+    CHECK(a.cases[3].digits == doctest::Approx(std::log10(2.0)));
+    CHECK_FALSE(a.cases[3].pass);
+    // P = pi/4 and a + b = 2: 1e-12 of pi/2
+    CHECK(a.cases[4].digits == doctest::Approx(12 + std::log10(std::acos(-1.0) / 2)));
+    CHECK(a.cases[4].pass);
+    CHECK_FALSE(a.cases[5].pass);
+    CHECK(held(answers, {{}, 0.99}).cases[2].pass == false);
+    CHECK(held(answers, {{}, 1.01}).cases[2].pass);
+    CHECK_FALSE(held(answers, {6.001, {}}).cases[1].pass);
+}
+
+TEST_CASE("the unit in the last place of a power of two, whose ball reaches below it") {
+    // p = C sqrt(u (2 - u))/2: 0.6 C/2 at u = 0.2, 0.8 C/2 at 0.4 and 0.28 C/2 at 0.04; 1/2 + 2^-53
+    // is the double after 1/2, one unit off.
+    const std::string next = "0.50000000000000011102230246251565404236316680908203125\n";
+    const Answers answers = answered("1,power-law,1,5/3,,,1,1,p,right,0.2," + next +
+                                     "2,power-law,1,5/4,,,1,1,p,right,0.4," + next +
+                                     "3,power-law,1,25/7,,,1,1,p,left,0.04," + next +
+                                     "4,power-law,1,5/7,,,1,7/3,p,left,0.2," + next);
+    REQUIRE(answers.faults.empty());
+    for (const CaseAgreement& held_case : held(answers).cases) {
+        CHECK(held_case.ulps == doctest::Approx(1).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("the reference is computed at what the row says, to the last bit") {
+    // u a little larger than 0.2, as binary64 has it: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
+    const Answers answers =
+        answered("u" + hertz_cells +
+                 "p,right,0.200000000000000011102230246251565404236316680908203125," + "0.3\n");
+    const Agreements a = held(answers);
+    // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18 of 0.3
+    CHECK(a.cases[0].digits == doctest::Approx(-std::log10(7.401486830834377e-18 / 0.3)));
+}
+
+TEST_CASE("regimes") {
+    const std::string wedge = ",tilted-wedge,,,0.2,0.1,1,1,";
+    const Agreements a = held(answered("1" + wedge +
+                                       "p,right,1e-4,1\n" // L = 1 + b, b < 1
+                                       "2" +
+                                       wedge +
+                                       "p,right,0.5,1\n"
+                                       "3" +
+                                       wedge +
+                                       "p,right,0.999,1\n"
+                                       "4" +
+                                       wedge +
+                                       "c_2,left,,1\n"
+                                       "5" +
+                                       wedge +
+                                       "b,,,1\n"
+                                       "6,power-law,1,1,,,1,1,p,right,1.9999,1\n"));
+    const Regime expected[] = {Regime::near_edge,   Regime::interior, Regime::apex,
+                               Regime::coefficient, Regime::contact,  Regime::near_edge};
+    for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(a.cases[i].regime == expected[i]);
+    }
+}
+
+TEST_CASE(
+    "rows that answer nothing, twice, or are garbage are named; they may stand in any order") {
+    const Recipe recipe = parse_recipe("[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\n"
+                                       "quantities = [\"p\"]\n[scenes.h.profile]\n"
+                                       "kind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                                       "[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                                       "r.toml");
+    const auto faults = [&](const std::string& rows) {
+        return answers_to(recipe.questions, parse_csv("id,value\n" + rows, "a.csv")).faults;
+    };
+    using Faults = std::vector<std::string>;
+    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.5:p,1\nh:right:u=1:p,1\n").empty());
+    const Answers turned = answers_to(
+        recipe.questions,
+        parse_csv("id,value\nh:right:u=1:p,3\nh:right:u=0.5:p,2\nh:right:u=0.25:p,1\n", "a.csv"));
+    CHECK(turned.faults.empty());
+    CHECK(turned.out_of_order == 2);
+    for (int i = 0; i < 3; ++i) {
+        CHECK(turned.given[static_cast<std::size_t>(i)].value == i + 1);
+    }
+    CHECK(faults("h:right:u=0.25:p,0,4\n") ==
+          Faults{"a.csv:2: garbage: 3 cells, not 2: \"h:right:u=0.25:p\" (decimal commas? write "
+                 "points, or separate by semicolons)"});
+    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.25:p,1\n") ==
+          Faults{"a.csv:3: h:right:u=0.25:p is answered twice, first in line 2"});
+    CHECK(faults("h:right:u=7:p,1\n") == Faults{"a.csv:2: 'h:right:u=7:p' was not asked"});
+    CHECK(faults("Segmentation fault\n") ==
+          Faults{"a.csv:2: garbage: 1 cells, not 2: \"Segmentation fault\""});
+    const Answers missing =
+        answers_to(recipe.questions, parse_csv("id,value\nh:right:u=0.5:p,1\n", "a.csv"));
+    CHECK(missing.given[0].state == Answer::State::missing);
+    CHECK(missing.given[0].line == 0);
+    CHECK(missing.given[1].state == Answer::State::number);
+    CHECK(echoed_answers(parse_csv("# questions: 3\n" + agreement_header + "1" + hertz_cells +
+                                       "p,right,0.2,0.3\n",
+                                   "a.csv"))
+              .faults == Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe says "
+                                "which are missing)"});
+    CHECK(echoed_answers(parse_csv(agreement_header + "1" + hertz_cells + "p,right,0.2,0.3\n1" +
+                                       hertz_cells + "p,right,0.2,0.3\n",
+                                   "a.csv"))
+              .faults == Faults{"a.csv:3: 1 is answered twice, first in line 2"});
+}
+
+TEST_CASE("a question that is none is bad input, with its line") {
+    const auto refusal = [](const std::string& rows) {
+        try {
+            const Answers answers = answered(rows);
+            (void)held(answers);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const std::string good = "1" + hertz_cells + "p,right,0.2,0.3\n";
+    CHECK(refusal(good + "2" + hertz_cells + "p,right,zero,0.3\n")
+              .rfind("a.csv:3: u = 'zero' is no", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "p,top,0.1,0.3\n")
+              .rfind("a.csv:3: there is no edge", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "z,right,0.1,0.3\n")
+              .rfind("a.csv:3: unknown quantity", 0) == 0);
+    CHECK(refusal(good + "2,power-law,-3,1,,,1,1,p,right,0.1,0.3\n").rfind("a.csv:3: ", 0) == 0);
+    CHECK(refusal(good + "2" + hertz_cells + "q,right,0.1,0.3\n")
+              .rfind("a.csv:3: q is asked for", 0) == 0);
+    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,value\n1,2\n", "a.csv")), InputError);
+    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,kind,quantity\n1,2,3\n", "a.csv")),
+                    InputError);
+}
+
+TEST_CASE("a point outside the contact is a row without a reference, and the others are compared") {
+    const Answers answers = answered(
+        "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "p,right,2.5,0\n3" + hertz_cells +
+        "p,left,0,0\n4" + hertz_cells + "p,left,-1,0\n5" + hertz_cells + "p,left,2,0\n6" +
+        hertz_cells + "p,left,1e-300,1\n7" + hertz_cells + "p,left,0.4,0.4\n");
+    const Agreements a = held(answers);
+    REQUIRE(a.cases.size() == 7);
+    for (const std::size_t i : {1U, 2U, 3U, 4U}) {
+        CHECK(a.cases[i].regime == Regime::outside);
+        CHECK_FALSE(a.cases[i].no_reference.empty());
+        CHECK_FALSE(a.cases[i].pass);
+        CHECK_FALSE(a.cases[i].explained);
+    }
+    CHECK(a.cases[0].pass);
+    CHECK(a.cases[5].regime == Regime::near_edge);
+    CHECK(a.cases[5].no_reference.empty());
+    CHECK(a.cases[6].pass);
+    CHECK(infer_conventions(answers, a, {}).empty());
+    // Where none is inside there is nothing to check.
+    CHECK_THROWS_WITH_AS(
+        (void)held(answered("1" + hertz_cells + "p,right,2.5,0.3\n")),
+        "a.csv:2: u = 2.5 from the right edge: the point lies outside the contact; "
+        "give distances from the edge, 0 < u < a + b, off every corner",
+        InputError);
+}
+
+TEST_CASE("the same answers in the dress of a spreadsheet are the same answers") {
+    for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+        for (const std::string point : {".", ","}) {
+            for (const char separator : {';', '\t'}) {
+                std::string text =
+                    mark + agreement_header + "i,d" + hertz_cells + "p,right,0.2,3e-1\n";
+                text.replace(text.find("i,d"), 3, "id");
+                std::replace(text.begin(), text.end(), ',', separator);
+                text.replace(text.find("0.2"), 3, "0" + point + "2");
+                text.replace(text.find("3e-1"), 4, "0" + point + "3E+00");
+                CAPTURE(text);
+                const Answers answers =
+                    echoed_answers(parse_csv(text, "a.csv", {.keep_faults = true}));
+                CHECK(answers.faults.empty());
+                CHECK(answers.given.at(0).value == Rational(3, 10));
+                CHECK(answers.questions.list.at(0).u->rational() == Rational(1, 5));
+                CHECK(held(answers).cases.at(0).pass);
+            }
+        }
+    }
+    // Where commas separate, a comma within a number is none of ours to read.
+    const Answers comma = answered("1" + hertz_cells + "p,right,0.2,\"0,3\"\n");
+    CHECK(comma.given.at(0).state == Answer::State::garbage);
+    CHECK_THROWS_AS(
+        (void)echoed_answers(parse_csv("id,quantity,kind,value,value\n1,P,x,1,2\n", "a")),
+        InputError);
+}
+
+TEST_CASE("a row that repeats another contact, u or tolerance than was asked is a fault") {
+    const Questions asked =
+        answered("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n").questions;
+    const auto faults = [&](const std::string& rows) {
+        return answers_to(asked, parse_csv(agreement_header + rows, "a.csv")).faults.size();
+    };
+    CHECK(faults("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n") == 0);
+    // Rounded, as %.8g writes a number, is the same question; another value is not.
+    CHECK(faults("1,power-law,1,1.0000000000000001,,,1,1,p,right,0.20000000298,0.3\n") == 0);
+    CHECK(faults("1,power-law,1,2,,,1,1,p,right,0.2,0.6\n") == 1);
+    CHECK(faults("1,power-law,1,1,,,1,1.001,p,right,0.2,0.3\n") == 1);
+    CHECK(faults("2,power-law,1,1,,,2,1,P,,,1\n") == 1);
+    CHECK(faults("1" + hertz_cells + "p,right,0.2001,0.3\n") == 1);
+    CHECK(faults("1" + hertz_cells + "p,left,0.2,0.3\n") == 1);
+}
+
+namespace {
+
+/// Points of a tilted wedge at both edges, answered by f(reference, reference at the other edge).
+template <class F> std::vector<Convention> conventions_of(const F& f) {
+    const std::string wedge = ",tilted-wedge,,,0.2,0.05,1,1,p,";
+    const char* const points[] = {"0.001", "0.01", "0.1", "0.2"};
+    std::string rows;
+    for (const char* edge : {"right", "left"}) {
+        for (const char* u : points) {
+            rows += std::string(edge) + u + wedge + edge + "," + u + ",0\n";
+        }
+    }
+    const Agreements exact = held(answered(rows));
+    const auto value = [&](std::size_t i) {
+        return exact.references[i].value.value.midpoint().convert_to<double>();
+    };
+    rows.clear();
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::string edge = i < 4 ? "right" : "left";
+        char text[40];
+        std::snprintf(text, sizeof text, "%.17g", f(edge, value(i), value((i + 4) % 8)));
+        rows += edge + std::to_string(i) + wedge + edge + "," + points[i % 4] + "," + text + "\n";
+    }
+    const Answers answers = answered(rows);
+    return infer_conventions(answers, held(answers), {});
+}
+
+} // namespace
+
+TEST_CASE("another convention is recognised and said, with how far it holds") {
+    const double pi = std::acos(-1.0);
+    const auto only = [](const std::vector<Convention>& found) {
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].digits > 14);
+        return found[0].of + ": " + found[0].relation + " in " + std::to_string(found[0].rows);
+    };
+    using S = const std::string&;
+    CHECK(conventions_of([](S, double p, double) { return p; }).empty());
+    CHECK(only(conventions_of([](S, double p, double) { return 2 * p; })) ==
+          "p: 2 times ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return p / 2; })) ==
+          "p: 1/2 times ours in 8");
+    CHECK(only(conventions_of([&](S, double p, double) { return p * pi; })) ==
+          "p: pi times ours in 8");
+    CHECK(only(conventions_of([&](S, double p, double) { return -p * pi / 180; })) ==
+          "p: -pi/180 times ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return -p; })) == "p: minus ours in 8");
+    CHECK(only(conventions_of([](S, double p, double) { return 1.37 * p; })) ==
+          "p: 1.37 times ours in 8");
+    CHECK(only(conventions_of([](S, double, double other) { return other; })) ==
+          "p: ours at the other edge in 8");
+    CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
+          "p, left edge: minus ours in 4");
+    // Values that are simply wrong have no convention.
+    CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
+}

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/answers/program_driver.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+using Cells = std::vector<std::string>;
+using State = Answer::State;
+
+namespace {
+
+/// u = 1/10, ..., 16/10, one question each.
+Questions sixteen() {
+    return parse_recipe("[scenes.h]\nu = { from = \"0.1\", to = \"1.6\", points = 16 }\n"
+                        "quantities = [\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\n"
+                        "m = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = "
+                        "\"1\"\n",
+                        "r.toml")
+        .questions;
+}
+
+Answers asked(
+    const std::string& command,
+    const std::function<void(ProgramDriverOptions&)>& change = [](ProgramDriverOptions&) {}) {
+    ProgramDriverOptions options;
+    options.command = command;
+    options.seconds = 20;
+    options.write_csv = [](const Questions& part) {
+        std::string text = "id\n";
+        for (const Question& q : part.list) {
+            text += q.id + "\n";
+        }
+        return text;
+    };
+    change(options);
+    static const Questions questions = sixteen();
+    return interview(questions, options);
+}
+
+long count(const Answers& answers, State state) {
+    return std::count_if(answers.given.begin(), answers.given.end(),
+                         [&](const Answer& a) { return a.state == state; });
+}
+
+/// Answers 1 to everything; `at` is done when a line holds :u=0.7: or :u=1.2:.
+std::string program(const std::string& at) {
+    return "while read -r row; do case $row in id) echo id,value;; *:u=0.7:*|*:u=1.2:*|"
+           "*:u=7/10:*|*:u=6/5:*) " +
+           at + ";; *) echo $row,1;; esac; done";
+}
+
+} // namespace
+
+TEST_CASE("an interview: every question is answered, in one batch or in many") {
+    for (const std::size_t batch : {1U, 5U, 16U, 100U}) {
+        const Answers a = asked(program("echo $row,1"), [&](auto& o) { o.batch = batch; });
+        CAPTURE(batch);
+        CHECK(a.faults.empty());
+        CHECK(count(a, State::number) == 16);
+    }
+}
+
+TEST_CASE("an interview: the questions that end a program are found, and none other suffers") {
+    struct Bad {
+        std::string command;
+        std::string said;
+    };
+    for (const Bad& bad : {
+             Bad{program("kill -SEGV $$"), "was ended by signal 11"},
+             Bad{program("exit 3"), "ended with exit code 3"},
+             // One that keeps its answers until the end, as buffered output does.
+             Bad{"out=$(" + program("kill -KILL $$") + "); echo \"$out\"", "was ended by signal 9"},
+         }) {
+        const Answers a = asked(bad.command);
+        CAPTURE(bad.command);
+        CHECK(a.faults.empty());
+        CHECK(count(a, State::number) == 14);
+        CHECK(a.given[6].state == State::died);
+        CHECK(a.given[11].state == State::died);
+        CHECK(a.given[6].text.rfind(bad.said, 0) == 0);
+    }
+    const Answers slow = asked(program("sleep 50"), [](auto& o) { o.seconds = 0.4; });
+    CHECK(count(slow, State::number) == 14);
+    CHECK(slow.given[6].text == "was stopped: it took longer than --timeout allows");
+}
+
+TEST_CASE("an interview: a program that never answers is given up, and so is one past its runs") {
+    const Answers never = asked("exit 1");
+    CHECK(count(never, State::missing) + count(never, State::died) == 16);
+    REQUIRE(never.faults.size() == 1);
+    CHECK(never.faults[0].rfind("the program is given up after 4 runs that answered nothing", 0) ==
+          0);
+    const Answers past = asked(program("exit 1"), [](auto& o) {
+        o.batch = 4;
+        o.runs = 2;
+    });
+    CHECK(count(past, State::number) == 6);
+    REQUIRE(past.faults.size() == 1);
+    CHECK(past.faults[0].rfind("the program is given up after 2 runs (--runs)", 0) == 0);
+}
+
+namespace {
+
+/// u = 1/100, ..., 64/100.
+const Questions& sixty_four() {
+    static const Questions questions =
+        parse_recipe("[scenes.h]\nu = { from = \"0.01\", to = \"0.64\", points = 64 }\n"
+                     "quantities = [\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\n"
+                     "m = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = "
+                     "\"1\"\n",
+                     "r.toml")
+            .questions;
+    return questions;
+}
+
+/// A program that is sent numbers of questions; it answers `when` and ends itself by the bad ones.
+Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string& begin,
+                         const std::string& one, const std::string& end) {
+    std::string ends;
+    for (const std::size_t i : bad) {
+        ends += (ends.empty() ? "" : "|") + sixty_four().list[i].id;
+    }
+    ProgramDriverOptions options;
+    options.seconds = 20;
+    options.write_csv = [](const Questions& part) {
+        std::string text;
+        for (const Question& q : part.list) {
+            text += q.id + "\n";
+        }
+        return text;
+    };
+    options.command = begin + " while read -r row; do case $row in " + ends +
+                      ") kill -SEGV $$;; *) " + one + ";; esac; done; " + end;
+    return interview(sixty_four(), options);
+}
+
+} // namespace
+
+TEST_CASE("an interview: the questions that end a program are found wherever they stand, whatever "
+          "it had written by then") {
+    struct Way {
+        const char* what;
+        std::string begin;
+        std::string one;
+        std::string end;
+    };
+    const Way ways[] = {
+        {"as it goes", "echo id,value;", "echo $row,1", ":"},
+        {"all at the end", "all=;", "all=\"$all$row,1\n\"", "printf \"id,value\\n$all\""},
+        // A buffer of three lines, the last of which is written in halves.
+        {"by a buffer", "echo id,value; n=0; all=;",
+         "n=$((n+1)); all=\"$all$row,\"; if [ $n = 3 ]; then printf \"$all\"; n=0; "
+         "all=\"123\\n\"; else all=\"${all}123\\n\"; fi",
+         "printf \"$all\""},
+    };
+    for (const Way& way : ways) {
+        for (const std::vector<std::size_t>& bad :
+             {std::vector<std::size_t>{0}, {63}, {32}, {0, 63}, {5, 6, 40}, {31, 32}}) {
+            CAPTURE(way.what);
+            CAPTURE(bad.front());
+            CAPTURE(bad.back());
+            const Answers a = asked_of_numbers(bad, way.begin, way.one, way.end);
+            CHECK(a.faults.empty());
+            CHECK(count(a, State::number) == 64 - static_cast<long>(bad.size()));
+            for (const std::size_t i : bad) {
+                CHECK(a.given[i].state == State::died);
+            }
+            for (const Answer& answer : a.given) {
+                // Never half of a number.
+                const bool whole = answer.text == "1" || answer.text == "123";
+                CHECK((whole || answer.state == State::died));
+            }
+        }
+    }
+}
+
+TEST_CASE("an interview: what a run writes is bounded in rows and in bytes") {
+    const Answers rows = asked("echo id,value; head -c 100000 /dev/zero | tr '\\0' '\\n' | sed "
+                               "s/^/x,1/");
+    CHECK(rows.faults.size() <= 1000 + 2 * 16 + 1);
+    CHECK(rows.faults.back() ==
+          "the program: more than 1032 rows to 16 questions; the rest is not read");
+    for (const std::string endless : {"yes", "yes id,value", "cat /dev/zero"}) {
+        CAPTURE(endless);
+        const Answers a = asked(endless);
+        CHECK(count(a, State::number) == 0);
+        REQUIRE(a.faults.size() < 20'000);
+        CHECK(a.faults.back().find("it wrote without end") != std::string::npos);
+    }
+}
+
+TEST_CASE("a program: nothing that it leaves behind runs on, or is waited for") {
+    // The child keeps the output open; its number is what the program writes.
+    for (const char* left : {"sleep 1000 & echo $!", "(sleep 1000 & echo $!)",
+                             "(sleep 1000 </dev/null >/dev/null 2>&1 & echo $!)",
+                             "(trap '' HUP TERM INT; sleep 1000) & echo $!"}) {
+        CAPTURE(left);
+        const auto begun = std::chrono::steady_clock::now();
+        const ProgramRun run = run_program(shell_call(left));
+        CHECK(run.ending().empty());
+        CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(100)); // hang guard
+        const int child = std::stoi(run.output);
+        REQUIRE(child > 1);
+        // Killed; what reaps orphans may take a moment for it.
+        bool runs = true;
+        for (int n = 0; runs && n < 1000; ++n) {
+            std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+            std::string text;
+            std::getline(stat, text);
+            const std::size_t name_end = text.rfind(')');
+            runs = name_end != std::string::npos && text.compare(name_end, 3, ") Z") != 0;
+            std::this_thread::sleep_for(std::chrono::milliseconds(runs ? 5 : 0));
+        }
+        CHECK_FALSE(runs);
+    }
+}
+
+TEST_CASE("a program: its standard error is handed on or dropped, and never stops it") {
+    ProgramCall call = shell_call("head -c 3000000 /dev/zero >&2; echo done");
+    CHECK(run_program(call).output == "done\n");
+    std::size_t bytes = 0;
+    call.said = [&](std::string_view text) { bytes += text.size(); };
+    CHECK(run_program(call).output == "done\n");
+    CHECK(bytes == 3'000'000);
+    call = shell_call("cat /dev/zero >&2");
+    call.seconds = 0.3;
+    CHECK(run_program(call).timed_out);
+    call = shell_call("exec cat");
+    call.input = std::string(5'000'000, 'x');
+    CHECK(run_program(call).output == call.input);
+    call.most_output = 1000;
+    const ProgramRun cut = run_program(call);
+    CHECK(cut.too_much);
+    CHECK(cut.output == std::string(1000, 'x'));
+    call.arguments = {"/nowhere/at/all"};
+    CHECK_THROWS_AS((void)run_program(call), Error);
+}
+
+TEST_CASE("JSON lines: a value given twice is garbage, and only the object's own count") {
+    const auto cells = [](const std::string& line) {
+        return parse_json_lines(line + "\n", "out").rows.at(0).cells.size();
+    };
+    CHECK(cells(R"({"id": "a", "value": 0.4, "value": 999})") == 1);
+    CHECK(cells(R"({"id": "a", "id": "b", "value": 0.4})") == 1);
+    CHECK(cells(R"({"id": "a", "value": 0.4} 5)") == 1);
+    CHECK(cells(R"([{"id": "a", "value": 0.4}])") == 1);
+    CHECK(cells(R"({"more": {"id": "b", "value": 999}, "id": "a", "value": 0.4})") == 2);
+    for (const char* value : {"[0.4]", "{\"value\": 0.4}", "true", "\"0.4 MPa\"", "\"++0.4\""}) {
+        const Csv csv =
+            parse_json_lines(std::string(R"({"id": "a", "value": )") + value + "}\n", "o");
+        CAPTURE(value);
+        CHECK(read_answer(csv.rows.at(0).cells.at(1)).state == State::garbage);
+    }
+    CHECK(parse_json_lines("1\n2\n3\n", "out", 2).cut);
+}
+
+TEST_CASE("JSON lines: questions as objects, answers with every digit as written") {
+    const std::string lines = json_lines(sixteen());
+    CHECK(std::count(lines.begin(), lines.end(), '\n') == 16);
+    CHECK(lines.substr(0, lines.find('\n')) ==
+          R"({"id":"h:right:u=0.1:p","kind":"power-law","m":"1","C":"1","a":"1",)"
+          R"("contact_modulus":"1","quantity":"p","edge":"right","u":"0.1"})");
+    const Csv csv = parse_json_lines("{\"id\": \"a\", \"value\": 0.12345678901234567890123}\n"
+                                     "\n"
+                                     "{\"value\": \"1e-3\", \"id\": \"b\", \"more\": [1, {}]}\n"
+                                     "{\"id\": \"c\", \"value\": NaN}\n"
+                                     "{\"id\": \"d\", \"value\": -Infinity}\n"
+                                     "{\"id\": \"e\", \"value\": null}\n"
+                                     "{\"id\": \"f\", \"value\": 7}\n"
+                                     "Segmentation fault\n"
+                                     "{\"id\": \"g\"}\n",
+                                     "out");
+    REQUIRE(csv.rows.size() == 8);
+    CHECK(csv.rows[0].cells == Cells{"a", "0.12345678901234567890123"});
+    CHECK(csv.rows[1].cells == Cells{"b", "1e-3"});
+    CHECK(csv.rows[1].line == 3);
+    CHECK(csv.rows[2].cells == Cells{"c", "NaN"});
+    CHECK(csv.rows[3].cells == Cells{"d", "-Infinity"});
+    CHECK(csv.rows[4].cells == Cells{"e", ""});
+    CHECK(csv.rows[5].cells == Cells{"f", "7"});
+    CHECK(csv.rows[6].cells.size() == 1);
+    CHECK(csv.rows[7].cells.size() == 1);
+}

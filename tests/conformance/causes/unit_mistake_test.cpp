@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/convention.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+namespace {
+
+constexpr double half_turn = 3.14159265358979323846;
+
+/// p of the contacts that `cells` begin, at points of the right edge (and what else is asked of
+/// them), answered by f(a, u); what is recognised.
+std::vector<std::string> found(const std::string& keys, const std::vector<std::string>& contacts,
+                               const std::string& quantity,
+                               const std::function<double(std::size_t, double)>& f,
+                               const char* format = "%.17g") {
+    std::string text = "id," + keys + ",quantity,edge,u,value\n";
+    const bool point = quantity == "p";
+    std::size_t id = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        for (const char* u : point ? std::vector<const char*>{"0.125", "0.25", "0.375"}
+                                   : std::vector<const char*>{""}) {
+            char value[64];
+            std::snprintf(value, sizeof value, format, f(c, point ? std::atof(u) : 0));
+            text += std::to_string(id++) + "," + contacts[c] + "," + quantity +
+                    (point ? ",right," : ",,") + u + "," + value + "\n";
+        }
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    std::vector<std::string> said;
+    for (const Convention& k : infer_conventions(answers, compare(answers, {}, {}), {})) {
+        said.push_back(k.of + ": " + k.relation);
+    }
+    return said;
+}
+
+using Said = std::vector<std::string>;
+
+double wedge_pressure(double a, double u) { return std::acosh(a / (a - u)) / half_turn; }
+double hertz_pressure(double a, double u) { return std::sqrt(u * (2 * a - u)) / 2; }
+
+const std::vector<std::string> wedges{"power-law,0,1,1,1", "power-law,0,1,2,1"};
+const std::vector<std::string> hertzes{"power-law,1,1,1,1", "power-law,1,1,2,1"};
+const std::string keys = "kind,m,C,a,contact_modulus";
+
+double a_of(std::size_t contact) { return contact == 0 ? 1 : 2; }
+
+} // namespace
+
+TEST_CASE("a question read otherwise is recognised and said") {
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(a_of(c), u);
+          }).empty());
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(a_of(c) / 2, u);
+          }) == Said{"p: ours with a taken for the whole width"});
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(2 * a_of(c), u);
+          }) == Said{"p: ours with a doubled"});
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return hertz_pressure(a_of(c), a_of(c) - u);
+          }) == Said{"p: ours with u taken for x"});
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return 2 * hertz_pressure(a_of(c), u);
+          }) == Said{"p, right edge: 2 times ours"});
+}
+
+TEST_CASE("however many rows fail, all are held to what is said of them, and counted") {
+    // p of the wedge at 70 points (60 are looked at first) with a taken for the whole width; four
+    // that follow no convention stand behind them.
+    std::string text = "id," + keys + ",quantity,edge,u,value\n";
+    for (int i = 1; i <= 74; ++i) {
+        const double u = i / 256.0;
+        char row[160];
+        std::snprintf(row, sizeof row, "%d,%s,p,right,%.17g,%.17g\n", i, wedges[0].c_str(), u,
+                      wedge_pressure(0.5, u) * (i > 70 ? 1 + i / 7.0 : 1));
+        text += row;
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    const auto found = infer_conventions(answers, compare(answers, {}, {}), {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].relation == "ours with a taken for the whole width");
+    CHECK(found[0].rows == 70);
+    CHECK(found[0].failing == 74);
+}
+
+TEST_CASE("a mean pressure for a force, and the gap's constant for the slope's") {
+    // P = E* C a of the wedge; a third contact, since one row each is too few to tell.
+    std::vector<std::string> three = wedges;
+    three.emplace_back("power-law,0,1,3,1");
+    const auto a = [](std::size_t c) { return static_cast<double>(c) + 1; };
+    CHECK(found(keys, three, "P", [&](auto c, double) { return a(c) / (2 * a(c)); }) ==
+          Said{"P: ours over a + b"});
+    // m = 0 has the same constant; m = 1 and 2 have 2 and 3 times it.
+    std::vector<std::string> powers{"power-law,1,1,1,1", "power-law,2,1,1,1", "power-law,1,1,2,1"};
+    // P = E* C a^(m + 1) I(m): pi/4 and 2/3.
+    const double right[] = {half_turn / 4, 2.0 / 3, half_turn};
+    CHECK(found(keys, powers, "P", [&](auto c, double) { return right[c] * (c == 1 ? 3 : 2); }) ==
+          Said{"P: ours with C taken for the gap's constant, g = C x^(m + 1)"});
+}
+
+TEST_CASE("angles in degrees, and the moduli of one body") {
+    const std::string tilted = "kind,phi,alpha,a,contact_modulus";
+    // Untilted: C = phi, so that p = phi acosh(a/x)/pi; phi in degrees is a factor with a name.
+    CHECK(found(tilted, {"tilted-wedge,0.2,0,1,1", "tilted-wedge,0.2,0,2,1"}, "p",
+                [](auto c, double u) {
+                    return 0.2 * half_turn / 180 * wedge_pressure(a_of(c), u);
+                }) == Said{"p, right edge: pi/180 times ours"});
+    const std::string bodies = "kind,m,C,a,E1,nu1,E2,nu2";
+    const std::vector<std::string> two{"power-law,0,1,1,2,0.25,3,0.5", "power-law,0,1,2,5,0.5,3,0"};
+    const double one_body[] = {2 / (1 - 0.0625), 5 / (1 - 0.25)};
+    const double no_nu[] = {6.0 / 5, 15.0 / 8};
+    CHECK(found(bodies, two, "p", [&](auto c, double u) {
+              return one_body[c] * wedge_pressure(a_of(c), u);
+          }) == Said{"p: ours with E/(1 - nu^2) of one body for the contact modulus"});
+    CHECK(found(bodies, two, "p", [&](auto c, double u) {
+              return no_nu[c] * wedge_pressure(a_of(c), u);
+          }) == Said{"p: ours with Poisson's ratio left out"});
+}
+
+TEST_CASE("single precision is named as such, and so are answers cut when written") {
+    const auto single = [](auto c, double u) {
+        return static_cast<double>(static_cast<float>(wedge_pressure(a_of(c), u)));
+    };
+    CHECK(found(keys, wedges, "p", single) == Said{"p: in single precision (binary32)"});
+    CHECK(found(keys, wedges, "p", single, "%.9g") == Said{"p: in single precision (binary32)"});
+    CHECK(found(
+              keys, wedges, "p", [](auto c, double u) { return wedge_pressure(a_of(c), u); },
+              "%.8g") == Said{"p: right, and cut to 8 digits when written"});
+    CHECK(found(keys, wedges, "p", [](auto c, double u) {
+              return wedge_pressure(a_of(c), u) * (1 + 1e-7);
+          }).empty());
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+const std::string grid = R"(digits = 20
+[scenes.hertz]
+edges = ["left", "right"]
+u = ["1/2", "1e-3"]
+quantities = ["p", "P", "c_1"]
+[scenes.hertz.profile]
+kind = "power-law"
+m = ["1", "2"]
+C = "1"
+[scenes.hertz.load]
+a = ["1", "3/2"]
+contact_modulus = "1"
+)";
+
+std::string refusal(const std::string& text) {
+    try {
+        (void)parse_recipe(text, "r.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+} // namespace
+
+TEST_CASE("a grid becomes questions in a fixed order, with ids that say what they ask") {
+    const Recipe recipe = parse_recipe(grid, "r.toml");
+    CHECK(recipe.digits.count == 20);
+    CHECK(recipe.questions.contacts.size() == 4);
+    // in each contact: P; left: c_1, p, p; right: c_1, p, p
+    REQUIRE(recipe.questions.list.size() == 28);
+    const char* const first[] = {
+        "hertz:m=1:a=1:P",
+        "hertz:m=1:a=1:left:c_1",
+        "hertz:m=1:a=1:left:u=1/2:p",
+        "hertz:m=1:a=1:left:u=1e-3:p",
+        "hertz:m=1:a=1:right:c_1",
+        "hertz:m=1:a=1:right:u=1/2:p",
+        "hertz:m=1:a=1:right:u=1e-3:p",
+        "hertz:m=1:a=3/2:P",
+    };
+    for (std::size_t i = 0; i < 8; ++i) {
+        CHECK(recipe.questions.list[i].id == first[i]);
+    }
+    CHECK(recipe.questions.list.back().id == "hertz:m=2:a=3/2:right:u=1e-3:p");
+    CHECK(recipe.questions.columns() ==
+          std::vector<std::string>{"kind", "m", "C", "a", "contact_modulus"});
+}
+
+namespace {
+
+/// The rows that the pieces hold, each question as the whole list has it; or what is wrong.
+std::string pieces_against_list(const std::string& text) {
+    const RecipeGrid pieces = RecipeGrid::parse(text, "r.toml");
+    const Questions all = pieces.questions();
+    std::vector<std::size_t> held(pieces.rows(), 0);
+    for (std::size_t p = 0; p < pieces.pieces(); ++p) {
+        const RecipeGrid::Piece piece = pieces.piece(p);
+        for (std::size_t k = 0; k < piece.rows.size(); ++k) {
+            const std::size_t row = piece.rows[k];
+            const Question& q = piece.questions.list[k];
+            ++held[row];
+            if (q.id != all.list[row].id || pieces.piece_of(row) != p ||
+                parameter_text(piece.questions.contacts[q.contact], "m") !=
+                    parameter_text(all.contacts[all.list[row].contact], "m") ||
+                (k > 0 && !(piece.rows[k - 1] < row))) {
+                return "row " + std::to_string(row);
+            }
+        }
+    }
+    for (const std::size_t times : held) {
+        if (times != 1) {
+            return "a row is held " + std::to_string(times) + " times";
+        }
+    }
+    return std::to_string(pieces.rows()) + " rows, " + std::to_string(pieces.pieces()) + " pieces";
+}
+
+} // namespace
+
+TEST_CASE("the pieces of a recipe hold every row once, as the whole list has it") {
+    // 7 questions a contact: 2 contacts to a piece.
+    CHECK(pieces_against_list(grid) == "28 rows, 2 pieces");
+    const std::string many = replaced(grid, "m = [\"1\", \"2\"]",
+                                      "m = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\", \"7\"]");
+    CHECK(pieces_against_list(many) == "98 rows, 7 pieces");
+    // 203 questions a contact: 3 without a point in one piece, 200 points in 5.
+    const std::string long_ones = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
+                                           "u = { from = \"1/1000\", to = \"1/2\", points = 100 }");
+    CHECK(pieces_against_list(long_ones) == "812 rows, 24 pieces");
+    CHECK(pieces_against_list(replaced(many, "[scenes.hertz.load]",
+                                       "[scenes.other]\nquantities = [\"c_0\"]\n"
+                                       "[scenes.other.profile]\nkind = \"power-law\"\nm = \"1\"\n"
+                                       "C = \"1\"\n[scenes.other.load]\na = \"1\"\n"
+                                       "contact_modulus = \"1\"\n[scenes.hertz.load]")) ==
+          "99 rows, 8 pieces");
+}
+
+TEST_CASE("a recipe of a hundred million rows is read at once, and any piece of it") {
+    std::string big = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
+                               "u = { from = \"1/1000000\", to = \"1/2\", points = 20000 }");
+    std::string values;
+    for (int i = 1; i <= 625; ++i) {
+        values += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "\"";
+    }
+    big = replaced(big, "C = \"1\"", "C = [" + values + "]");
+    CHECK_THROWS_AS((void)parse_recipe(big, "r.toml"), InputError);
+    const RecipeGrid pieces = RecipeGrid::parse(big, "r.toml");
+    CHECK(pieces.rows() == std::size_t{2} * 625 * 2 * (3 + 2 * 20000));
+    const RecipeGrid::Piece last = pieces.piece(pieces.pieces() - 1);
+    CHECK(last.rows.back() == pieces.rows() - 1);
+    CHECK(last.questions.list.back().id == "hertz:m=2:C=625:a=3/2:right:u=1/2:p");
+}
+
+TEST_CASE("what is wrong with a recipe is told with its own line") {
+    CHECK(refusal(grid) == "accepted");
+    CHECK(
+        refusal(replaced(grid, "\"c_1\"", "\"c1\"")).rfind("r.toml:5: unknown quantity 'c1'", 0) ==
+        0);
+    CHECK(refusal(replaced(grid, "\"c_1\"", "\"q\""))
+              .rfind("r.toml:5: q is asked for and there is no shear", 0) == 0);
+    CHECK(refusal(replaced(grid, "m = [\"1\", \"2\"]", "m = [\"1\", \"-2\"]"))
+              .rfind("r.toml:8: ", 0) == 0);
+    CHECK(refusal(replaced(grid, "kind =", "knid =")).rfind("r.toml:7: unknown key 'knid'", 0) ==
+          0);
+    CHECK(refusal(replaced(grid, "a = [\"1\", \"3/2\"]", "a = []"))
+              .rfind("r.toml:11: there is no value of a", 0) == 0);
+    CHECK(refusal(replaced(grid, "\"3/2\"", "\"1\""))
+              .find("the question hertz:m=1:a=1:P is asked twice") != std::string::npos);
+    CHECK(refusal(replaced(grid, "\"1e-3\"", "\"0\""))
+              .rfind("r.toml:4: u = 0 is not inside the contact", 0) == 0);
+    CHECK(refusal(replaced(grid, "\"left\"", "\"top\""))
+              .rfind("r.toml:3: there is no edge 'top'", 0) == 0);
+    CHECK(refusal("digits = 20\n").rfind("r.toml:", 0) == 0);
+}
+
+TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
+    const Questions asked = rounded_to_binary64(
+        parse_recipe(replaced(grid, "\"1e-3\"", "\"0.1\""), "r.toml").questions);
+    CHECK(asked.list[2].u->text() == "0.5");
+    // 0.1 in binary64: 3602879701896397/2^55
+    CHECK(asked.list[3].u->text() == "0.1000000000000000055511151231257827021181583404541015625");
+    CHECK(asked.list[3].id == "hertz:m=1:a=1:left:u=0.1:p");
+}

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <memory>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+constexpr long asked_bits = 262;
+
+struct Asked {
+    Profile profile;
+    Load load;
+    Edge edge;
+    std::size_t n;
+    const char* tolerance;
+    ExtentRange range = {};
+};
+
+template <class C> EnclosedExtents enclosed(const Asked& asked, long bits = asked_bits) {
+    std::map<long, std::unique_ptr<C>> made;
+    BallExtentSearch search(
+        [&](long b) -> const ProvedPressure& {
+            auto& slot = made[b];
+            if (!slot) {
+                slot = std::make_unique<C>(asked.profile, exact("7/3"), asked.load, b);
+            }
+            return *slot;
+        },
+        asked.edge, asked.n, exact(asked.tolerance), asked.range);
+    return search.at(bits);
+}
+
+/// What is wrong with an enclosure beside another one, to so many digits, or nothing.
+std::string fault(const Ball& x, const Ball& y) {
+    if (!overlaps(x, y)) {
+        return "apart";
+    }
+    // 10 units of the 40th digit.
+    return x.relative_accuracy_bits() > 130 ? "" : "wide: " + x.radius().str(3);
+}
+
+std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
+    if (x.crossings.size() != y.crossings.size() || x.leaves != y.leaves) {
+        return "other crossings";
+    }
+    for (std::size_t i = 0; i < x.crossings.size(); ++i) {
+        if (!overlaps(x.crossings[i], y.crossings[i])) {
+            return "crossing " + std::to_string(i) + " apart";
+        }
+    }
+    return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
+}
+
+/// Against the scan in Real, 18 digits of it.
+std::string fault_beside_scan(const Asked& asked) {
+    const EnclosedExtents x = enclosed<IntegratedContact>(asked);
+    const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
+    const Extents y =
+        within_tolerance(contact, asked.edge, asked.n, exact(asked.tolerance), asked.range);
+    const auto near = [](const Real& value) {
+        return Ball::around(value, Real(abs(value) * pow(Real(10), -18)), asked_bits);
+    };
+    if (x.crossings.size() != y.crossings.size() || x.leaves != y.leaves) {
+        return "other crossings";
+    }
+    return fault(x.first_exit, near(y.first_exit)) + fault(x.measure, near(y.measure));
+}
+
+/// Against pressures in Real: off by the tolerance at the first exit, and by less on the way there.
+std::string fault_beside_pressures(const Asked& asked) {
+    const EnclosedExtents x = enclosed<IntegratedContact>(asked);
+    const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
+    const PrecisionScope scope(50);
+    const std::vector<Real> c = contact.expansion(asked.edge, asked.n);
+    const Real tolerance = exact(asked.tolerance).to<Real>();
+    const auto error = [&](const Real& u) {
+        Real sum = c.back();
+        for (std::size_t k = c.size() - 1; k-- > 0;) {
+            sum = sum * u + c[k];
+        }
+        const Real p = contact.pressure(asked.edge, Exact::parse(u.str(40))).value;
+        return Real(abs(Real(sum * sqrt(u) / p - 1)) / tolerance);
+    };
+    const Real first = x.first_exit.midpoint();
+    for (int k = 1; k < 12; ++k) {
+        if (!(error(Real(first * k / 12)) < 1)) {
+            return "beyond the tolerance before the first exit";
+        }
+    }
+    return abs(Real(error(first) - 1)) < pow(Real(10), -9) ? fault(x.first_exit, x.first_exit)
+                                                           : "no crossing";
+}
+
+/// 2 x^m as one's own formula against the kind that has a closed form.
+std::string fault_beside_power_law(const std::string& m) {
+    const Profile own = Profile::piecewise_symmetric({}, {parse("2*x^(" + m + ")", Symbols{"x"})});
+    if (BallContact::has_closed_form(own)) {
+        return "no curved formula";
+    }
+    const Profile power = Profile::power_law(exact("2"), Exact::parse(m));
+    const Load load = Load::right_edge(exact("3/2"));
+    return fault(enclosed<IntegratedContact>({own, load, Edge::right, 2, "1/50"}),
+                 enclosed<BallContact>({power, load, Edge::right, 2, "1/50"}));
+}
+
+Profile own_tilted_profile() {
+    const Symbols x{"x"};
+    return Profile::piecewise({exact("0"), exact("1/3")},
+                              {parse("-1/10 + sinh(x)", x), parse("x^2 + x/7", x),
+                               parse("1/9 + 1/21 + tanh(x - 1/3)", x)});
+}
+
+} // namespace
+
+// Integrals and Cauchy's bounds against logarithms and their derivatives.
+TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
+    const Load unit = Load::right_edge(exact("1"));
+    const std::vector<Asked> all = {
+        {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, Edge::right, 2, "1/20"},
+        {Profile::flat_and_rounded(exact("2/5"), exact("1")), Load::force(exact("1/5")), Edge::left,
+         1, "1/100"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), unit, Edge::left, 2, "1/100"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), Load::force(exact("1/10")),
+         Edge::right, 3, "1e-9"},
+        {Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")),
+         Load::right_edge(exact("3")), Edge::left, 2, "1/20"},
+        {Profile::flat_and_rounded(exact("4/5"), exact("1")),
+         unit,
+         Edge::right,
+         1,
+         "1/100",
+         {exact("1/1000"), exact("1/2")}}};
+    for (const Asked& asked : all) {
+        CAPTURE(asked.profile.kind_name());
+        CHECK(fault(enclosed<IntegratedContact>(asked), enclosed<BallContact>(asked)) == "");
+    }
+}
+
+// The same contact by a formula that is not seen to be a straight line, or a power: Hertz's, with
+// one term 1/sqrt(1 - s) - 1 too large at s = u/(2a); and Gauss's 2F1.
+TEST_CASE("a straight slope in disguise, and a cube as one's own formula") {
+    const Symbols x{"x"};
+    const Load load = Load::right_edge(exact("3/2"));
+    const Profile straight =
+        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    REQUIRE_FALSE(BallContact::has_closed_form(straight));
+    const EnclosedExtents hertz =
+        enclosed<IntegratedContact>({straight, load, Edge::right, 1, "1/100"});
+    const Ball k(Rational(101, 100), 600);
+    CHECK(fault(hertz.first_exit, (k * k - 1) / (k * k) * 3) == "");
+    CHECK(hertz.crossings.size() == 1);
+    CHECK(fault_beside_power_law("3") == "");
+}
+
+// Beside the knot of a root there is no Taylor series.
+TEST_CASE("a root at the origin: extents are those of the power law" *
+          doctest::test_suite("slow")) {
+    CHECK(fault_beside_power_law("3/2") == "");
+    CHECK(fault_beside_power_law("7/4") == "");
+}
+
+TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
+          doctest::test_suite("slow")) {
+    const Contact own = own_symmetric();
+    const Profile tilted = own_tilted_profile();
+    const Load a = Load::right_edge(exact("4/5"));
+    const Profile root = Profile::piecewise_symmetric({}, {parse("sqrt(1 + x) - 1", Symbols{"x"})});
+    CHECK(fault_beside_scan({root, a, Edge::right, 2, "1/50"}) == "");
+    const std::vector<Asked> all = {{own.profile, own.load, Edge::right, 1, "1/100"},
+                                    {own.profile, own.load, Edge::right, 3, "1e-6"},
+                                    {tilted, a, Edge::right, 2, "1/20"},
+                                    {tilted, a, Edge::left, 1, "1/100"},
+                                    {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
+    for (const Asked& asked : all) {
+        CAPTURE(asked.n);
+        CHECK(fault_beside_pressures(asked) == "");
+    }
+}
+
+TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b on a knot") {
+    const Symbols x{"x"};
+    const Profile straight =
+        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    // One term of Hertz is off by 1 at 3/4 of the contact.
+    CHECK_THROWS_AS((void)enclosed<IntegratedContact>({straight,
+                                                       Load::right_edge(exact("1")),
+                                                       Edge::right,
+                                                       1,
+                                                       "1",
+                                                       {exact("0"), exact("3/4")}}),
+                    BudgetError);
+    // b = 1 = a since g' = x in the contact, with a bend at -1: exact algebra tells that; c_0 of
+    // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
+    const Expr inside = parse("((1 + x)^2 - 1 - x^2)/2", x);
+    const Profile bent =
+        Profile::piecewise({exact("-1"), exact("0")}, {parse("2*x + 1", x), inside, inside});
+    const IntegratedContact odd(bent, exact("1"), Load::right_edge(exact("1")), 200);
+    CHECK(odd.known(Edge::left).has_value());
+    CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
+    // That sinh is (e^x - e^-x)/2 is none of what it knows.
+    const Profile hidden = Profile::piecewise(
+        {exact("-1"), exact("0")},
+        {parse("sinh(x) + x + 1", x), parse("(exp(x) - exp(-x))/2", x), parse("sinh(x)", x)});
+    const IntegratedContact on_knot(hidden, exact("1"), Load::right_edge(exact("1")), 200);
+    CHECK(contains(on_knot.b(), Rational(1)));
+    CHECK(on_knot.edge_may_be_on_knot());
+    CHECK_FALSE(on_knot.expansion(Edge::left, 1)[0].is_finite());
+    CHECK_THROWS_AS((void)enclosed<IntegratedContact>(
+                        {hidden, Load::right_edge(exact("1")), Edge::left, 1, "1/100"}),
+                    BudgetError);
+}
+
+// Values over intervals, by disks and beside bends, against the integrals at points in them.
+TEST_CASE("a pressure over an interval holds those at its points, and so do its derivatives") {
+    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+                              200);
+    const auto ball = [](const char* u) { return Ball(exact(u).rational(), 200); };
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        for (const char* u : {"1e-6", "0.01", "0.2", "0.45", "0.5", "0.7"}) {
+            CAPTURE(std::string(u));
+            const Ball wide = Ball::hull(ball(u), ball(u) * Ball(Rational(1001, 1000), 200));
+            const BallSeries over = c.pressure_series(edge, wide, 8);
+            const BallSeries at = c.pressure_series(edge, ball(u), 2);
+            CHECK(overlaps(over[0], at[0]));
+            CHECK(overlaps(over[1], at[1]));
+            CHECK(over[0].relative_accuracy_bits() > 5);
+            CHECK(over[7].is_finite());
+            CHECK(overlaps(c.pressure(edge, wide), c.pressure(edge, ball(u))));
+        }
+    }
+    // The bend at 1/3 is at u = 7/15, the corner at u = 4/5.
+    const Ball bend = Ball(Rational(7, 15), 200);
+    const Ball beside = Ball::hull(bend - ball("1e-5"), bend + ball("1e-5"));
+    const Ball p = c.pressure(Edge::right, beside);
+    CHECK(contains(p, c.pressure(Edge::right, exact("7/15"))));
+    CHECK(p.relative_accuracy_bits() > 6);
+    const Ball corner = Ball::hull(ball("0.8") - ball("1e-9"), ball("0.8") + ball("1e-9"));
+    CHECK_FALSE(c.pressure(Edge::right, corner).is_finite());
+    const Ball least = c.least_pressure(Edge::right, corner);
+    CHECK(certainly_less(Ball(least.lower(), 200), c.pressure(Edge::right, exact("0.8 + 1e-9"))));
+    CHECK(certainly_less(c.pressure(Edge::right, exact("0.801")), Ball(least.lower(), 200)));
+}
+
+TEST_CASE("the majorant of a curved slope is above its coefficients") {
+    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+                              200);
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const Ball rho = c.reach(edge) / 2;
+        REQUIRE(certainly_positive(rho));
+        const Ball most = c.majorant(edge, rho);
+        Ball scale(1, 200);
+        for (const Ball& x : c.expansion(edge, 6)) {
+            CHECK(certainly_less(abs(x) * scale, most));
+            scale *= rho;
+        }
+        CHECK_FALSE(c.majorant(edge, rho * 3).is_finite());
+    }
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/routes/extent.hpp"
+
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/contact/scenes.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using scenes::exact;
+
+namespace {
+
+/// The contacts of one scene at every number of bits.
+class Contacts {
+public:
+    Contacts(Profile profile, Load load) : profile_(std::move(profile)), load_(std::move(load)) {}
+    const BallContact& operator()(long bits) {
+        auto& slot = made_[bits];
+        if (!slot) {
+            slot = std::make_unique<BallContact>(profile_, exact("1"), load_, bits);
+        }
+        return *slot;
+    }
+    [[nodiscard]] NormalContact real(unsigned digits) const {
+        return {Profile(profile_), exact("1"), Load(load_), digits};
+    }
+
+private:
+    Profile profile_;
+    Load load_;
+    std::map<long, std::unique_ptr<BallContact>> made_;
+};
+
+EnclosedExtents enclosed(Contacts& contacts, Edge edge, std::size_t n, const char* tolerance,
+                         const ExtentRange& range = {}, long bits = 400) {
+    BallExtentSearch search([&](long b) -> const BallContact& { return contacts(b); }, edge, n,
+                            exact(tolerance), range);
+    return search.at(bits);
+}
+
+} // namespace
+
+// p = C sqrt(u (2a - u)): with s = u/(2a), one term exceeds it by 1/sqrt(1-s), two terms by
+// (1 - s/2)/sqrt(1-s).
+TEST_CASE("Hertz: the enclosed exits hold the roots of a linear and a quadratic") {
+    Contacts hertz(Profile::power_law(exact("1"), exact("1")), Load::right_edge(exact("3/2")));
+    for (const char* tol : {"1/100", "1/20", "1e-12", "1e-30", "3"}) {
+        CAPTURE(std::string(tol));
+        const EnclosedExtents one = enclosed(hertz, Edge::right, 1, tol);
+        const EnclosedExtents two = enclosed(hertz, Edge::left, 2, tol);
+        const Ball k = 1 + Ball(exact(tol).rational(), 600);
+        const Ball excess = k * k - 1;
+        const Ball s1 = excess / (k * k);
+        const Ball s2 = (sqrt(excess * excess + excess) - excess) * 2;
+        CHECK(overlaps(one.first_exit, s1 * 3));
+        CHECK(overlaps(one.measure, s1 * 3));
+        CHECK(overlaps(two.first_exit, s2 * 3));
+        CHECK(one.first_exit.relative_accuracy_bits() > 180);
+        CHECK(two.first_exit.relative_accuracy_bits() > 180);
+        CHECK(one.crossings.size() == 1);
+        CHECK(two.crossings.size() == 1);
+        CHECK(one.leaves);
+    }
+    const EnclosedExtents inner =
+        enclosed(hertz, Edge::right, 1, "1/100", {exact("1/1000"), exact("1/500")});
+    CHECK_FALSE(inner.leaves);
+    CHECK(contains(inner.measure, Rational(3, 1000)));
+    CHECK(inner.measure.relative_accuracy_bits() > 180);
+}
+
+TEST_CASE("enclosed extents hold what the scan in Real finds, for every profile") {
+    struct Asked {
+        Profile profile;
+        Load load;
+        std::size_t n;
+        const char* tolerance;
+    };
+    const auto unit = Load::right_edge(exact("1"));
+    const std::vector<Asked> all = {
+        {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, 1, "1/100"},
+        {Profile::flat_and_rounded(exact("4/5"), exact("1")), unit, 3, "1/100"},
+        {Profile::flat_and_rounded(exact("1"), exact("1")), Load::right_edge(exact("1 + 1e-20")), 1,
+         "1/100"},
+        {Profile::power_law(exact("1"), exact("0")), unit, 2, "1/10"},
+        {Profile::power_law(exact("1"), exact("5/8")), unit, 2, "1/100"},
+        {Profile::power_law(exact("1"), exact("10")), unit, 3, "1/50"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), unit, 2, "1/100"},
+        {Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")),
+         Load::right_edge(exact("3")), 2, "1/20"},
+        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), Load::force(exact("1/10")), 1,
+         "1e-9"}};
+    for (const Asked& asked : all) {
+        Contacts contacts(asked.profile, asked.load);
+        const NormalContact real = contacts.real(25);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            CAPTURE(asked.profile.kind_name());
+            CAPTURE(std::string(asked.tolerance));
+            const EnclosedExtents balls = enclosed(contacts, edge, asked.n, asked.tolerance);
+            const Extents scan = within_tolerance(real, edge, asked.n, exact(asked.tolerance));
+            const auto holds = [](const Ball& ball, const Real& value) {
+                const Real slack = abs(value) * pow(Real(10), -22);
+                return overlaps(ball, Ball::around(value, slack, 400)) &&
+                       ball.relative_accuracy_bits() > 166;
+            };
+            CHECK(holds(balls.first_exit, scan.first_exit));
+            CHECK(holds(balls.measure, scan.measure));
+            CHECK(balls.leaves == scan.leaves);
+            CHECK(balls.crossings.size() == scan.crossings.size());
+        }
+    }
+}
+
+TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left undecided") {
+    // The logarithm matters within e^(-10^6) of the corner only.
+    Contacts faint(Profile::piecewise({exact("0")}, {parse("x - 1e-9", Symbols{"x"}),
+                                                     parse("x + 1e-9", Symbols{"x"})}),
+                   Load::right_edge(exact("1")));
+    const EnclosedExtents e = enclosed(faint, Edge::right, 40, "1/100", {exact("0"), exact("3/4")});
+    CHECK(e.measure.lower() > 1);
+    REQUIRE(e.crossings.size() >= 2);
+    const auto is_one = [](const Ball& x) {
+        return contains(x, Rational(1)) && x.relative_accuracy_bits() > 166;
+    };
+    CHECK(is_one(e.crossings[0]));
+    CHECK(is_one(e.crossings[1]));
+    // One term is above the tolerance on both sides of it: down to -1 and up again, four times.
+    const EnclosedExtents above =
+        enclosed(faint, Edge::right, 1, "1/100", {exact("0"), exact("3/4")});
+    REQUIRE(above.crossings.size() == 5);
+    CHECK(certainly_less(above.crossings[0], Ball(1, 400) / 20));
+    CHECK(is_one(above.crossings[1]));
+    CHECK(is_one(above.crossings[4]));
+    CHECK(overlaps(above.measure, above.first_exit));
+    // Hertz, one term, the tolerance that its error reaches at 3/4 of the contact, the range's end.
+    Contacts hertz(Profile::power_law(exact("1"), exact("1")), Load::right_edge(exact("1")));
+    CHECK_THROWS_AS((void)enclosed(hertz, Edge::right, 1, "1", {exact("0"), exact("3/4")}),
+                    BudgetError);
+    const Ball exit = enclosed(hertz, Edge::right, 1, "1").first_exit;
+    CHECK(contains(exit, Rational(3, 2)));
+    CHECK(exit.relative_accuracy_bits() > 166);
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/exact_edges.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+Profile pieces(const std::vector<std::string>& knots, const std::vector<std::string>& slopes) {
+    std::vector<Exact> places;
+    std::vector<Expr> exprs;
+    for (const std::string& knot : knots) {
+        places.push_back(Exact::parse(knot));
+    }
+    for (const std::string& slope : slopes) {
+        exprs.push_back(parse(slope, Symbols{"x"}));
+    }
+    return Profile::piecewise(places, exprs);
+}
+
+Profile punch(const char* alpha, const char* t, const char* R) {
+    return Profile::tilted_flat_and_rounded(Exact::parse(alpha), Exact::parse(t), Exact::parse(R));
+}
+
+} // namespace
+
+// A corner, a bend and the end of an arc at the left edge; the right one given or by P. By hand:
+// within |x| < d these are Hertz's contact, a = b = d and P = pi E* d^2/(4 R).
+TEST_CASE("an edge on a knot exactly: a and b are proved by symbols") {
+    const Exact modulus = Exact::parse("1");
+    const struct {
+        Profile profile;
+        Load load;
+        const char* d;
+    } cases[] = {
+        {pieces({"-1", "1"}, {"2*x", "x", "2*x"}), Load::right_edge(Exact::parse("1")), "1"},
+        {pieces({"-1"}, {"x/5 - 1/2", "x/5"}), Load::right_edge(Exact::parse("1")), "1"},
+        {pieces({"-1"}, {"x/5 + (x + 1)", "x/5"}), Load::force(Exact::parse("pi/20")), "1"},
+        {pieces({"-1", "1"}, {"2*x", "x", "2*x"}), Load::force(Exact::parse("pi/4")), "1"},
+        {punch("0.1", "0.5", "2"), Load::force(Exact::parse("pi*0.005")), "1/5"},
+        {punch("pi/16", "1", "2"), Load::right_edge(Exact::parse("pi/8")), "pi/8"},
+        {punch("pi/16", "1", "2"), Load::force(Exact::parse("pi^3/512")), "pi/8"},
+        {punch("1/20", "1/2", "70"), Load::right_edge(Exact::parse("7/2")), "7/2"},
+        {Profile::flat_and_rounded(Exact::parse("0"), Exact::parse("2")),
+         Load::force(Exact::parse("pi/8")), nullptr},
+    };
+    for (const auto& c : cases) {
+        if (c.d == nullptr) {
+            continue;
+        }
+        CAPTURE(c.d);
+        const Expr d = parse(c.d);
+        CHECK(odd_within(c.profile, d));
+        const BallContact contact(c.profile, modulus, c.load, 160);
+        REQUIRE(contact.known(Edge::right));
+        REQUIRE(contact.known(Edge::left));
+        CHECK(proved_zero(contact.known(Edge::right)->expr() - d));
+        CHECK(proved_zero(contact.known(Edge::left)->expr() - d));
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const auto c012 = contact.expansion(edge, 3);
+            for (const Ball& x : c012) {
+                CHECK(x.is_finite());
+            }
+        }
+    }
+}
+
+TEST_CASE("zeros that the algebra proves, and what it leaves alone") {
+    const auto zero = [](const char* text) { return proved_zero(parse(text, Symbols{"x"})); };
+    for (const char* text :
+         {"pi/8 - 2*pi/16", "sqrt(8) - 2*sqrt(2)", "sqrt(2)*sqrt(3) - sqrt(6)",
+          "1/sqrt(2) - sqrt(2)/2", "(sqrt(5) - 1)*(sqrt(5) + 1) - 4", "acos(-1/3) + acos(1/3) - pi",
+          "acos(1/2) - pi/3", "acos(sqrt(3)/2) - pi/6", "sqrt(pi^2/4) - pi/2",
+          "acos((pi/8)/(pi/4)) - pi/3", "(x + 1)*(x - 1) - x^2 + 1", "sqrt(x + 1)^2 - x - 1"}) {
+        CAPTURE(text);
+        CHECK(zero(text));
+    }
+    // Not zero, by less than any small number of digits; not proved; no value.
+    for (const char* text :
+         {"pi - 3141592653589793238462643383279502884197/10^39", "sqrt(2) - 99/70",
+          "acos(1/3) - atan(sqrt(8))", "sqrt(x^2) - x", "1/(sqrt(2) - sqrt(2))*0"}) {
+        CAPTURE(text);
+        CHECK_FALSE(zero(text));
+    }
+    CHECK(decided_sign(parse("sqrt(2) - 99/70")) == -1);
+    CHECK(decided_sign(parse("pi/8 - 2*pi/16")) == 0);
+    CHECK_FALSE(decided_sign(parse("acos(1/3) - atan(sqrt(8))")).has_value());
+}
+
+// Nothing but digits is known here: b is -1e-300 or 0 beside the knot for all they tell.
+TEST_CASE(
+    "routes in Real: an edge that no digits tell from a knot is taken to be on it, and said") {
+    const NormalContact contact(punch("0.1", "0.5", "2"), Exact::parse("1"),
+                                Load::force(Exact::parse("pi*0.005")), 30);
+    CHECK(contact.edge_taken_on_knot());
+    const PrecisionScope scope(40);
+    // Hertz: p = sqrt(u (2/5 - u))/4, so c_0 = sqrt(2/5)/4 and c_1 = -(5/4) c_0.
+    const Real c0 = sqrt(Real(2) / 5) / 4;
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const auto c = contact.expansion(edge, 2);
+        CHECK(abs(Real(c[0] - c0)) < Real("1e-30"));
+        CHECK(abs(Real(c[1] + c0 * 5 / 4)) < Real("1e-30"));
+    }
+    const NormalContact beside(punch("0.1", "0.5", "2"), Exact::parse("1"),
+                               Load::force(Exact::parse("pi*0.005 + 1e-60")), 30);
+    CHECK_FALSE(beside.edge_taken_on_knot());
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/contact/route_agreement.hpp"
+
+#include "edgeproof/contact/routes/pressure_routes.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+/// Integrals of a pressure over its contact, the pressure asked for anew at every node: the way
+/// back from p to what it was made from. `weight(point)` multiplies p.
+struct Forward {
+    const Contact& scene;
+    ContactLaw<Real> law;
+    Extent<Real> e;
+
+    explicit Forward(const Contact& c)
+        : scene(c), law(c.profile, c.modulus.to<Real>()), e(law.extent(c.load.value.to<Real>())) {}
+
+    [[nodiscard]] Real pressure(const Point<Real>& at) const {
+        return scene.profile.piecewise_linear() ? logarithmic_closed_form(law, e, at).value
+                                                : singular_integral(law, e, at, 25).value;
+    }
+    /// integral of f(point) over the contact, cut at the knots and at `also` (a distance from -b).
+    template <class F> [[nodiscard]] Real integrate(const F& f, const Real& also = Real(0)) const {
+        std::vector<Real> left{Real(0)};
+        for (const Real& knot : law.slope().knots()) {
+            if (knot < e.a && -knot < e.b) {
+                left.push_back(Real(e.b + knot));
+            }
+        }
+        if (also > 0) {
+            left.push_back(also);
+        }
+        left.push_back(e.length());
+        std::sort(left.begin(), left.end());
+        std::vector<Real> lengths;
+        for (std::size_t i = 0; i + 1 < left.size(); ++i) {
+            lengths.push_back(left[i + 1] - left[i]);
+        }
+        const auto at = [&](std::size_t i, const Real& lo, const Real& hi) {
+            const Real from_left = left[i] + lo;
+            const Real from_right = e.length() - left[i + 1] + hi;
+            const Point<Real> point{from_right, from_left,
+                                    from_left < from_right ? Real(from_left - e.b)
+                                                           : Real(e.a - from_right)};
+            // So near a cut the point rounds onto it; p grows as a logarithm there at most, and
+            // the weight of what is left out is 1e-45.
+            return (lo < hi ? lo : hi) < e.length() * Real("1e-45") ? Real(0)
+                                                                    : Real(f(i, lo, hi, point));
+        };
+        const auto r = integrate_pieces<Real>(at, lengths, Real(0), Real(0), {.target_digits = 22});
+        REQUIRE(r.converged);
+        return r.value;
+    }
+};
+
+/// g'(x) = (2/(pi E*)) PV of p(s)/(x - s) ds (Barber, Contact Mechanics, the normal displacement of
+/// two half-planes), made regular by subtracting p(x).
+void check(const Contact& c) {
+    CAPTURE(c.name);
+    const PrecisionScope scope(50);
+    const Forward forward(c);
+    const Extent<Real>& e = forward.e;
+    const Real P = forward.integrate([&](std::size_t, const Real&, const Real&,
+                                         const Point<Real>& at) { return forward.pressure(at); });
+    CHECK(common_digits(P, forward.law.force(e)) >= 20);
+    if (!c.profile.symmetric()) {
+        const Real M =
+            forward.integrate([&](std::size_t, const Real&, const Real&, const Point<Real>& at) {
+                return Real(at.x * forward.pressure(at));
+            });
+        CHECK(common_digits(M, forward.law.moment(e)) >= 19);
+    }
+    for (const char* fraction : {"0.17", "0.61", "0.93"}) {
+        const Real left = e.length() * Real(fraction);
+        const Point<Real> x{Real(e.length() - left), left, Real(left - e.b)};
+        const Real at_x = forward.pressure(x);
+        const Real regular = forward.integrate(
+            [&](std::size_t, const Real&, const Real&, const Point<Real>& s) {
+                // The distance from x has lost its digits only where the quotient no longer
+                // matters: the weight there is as small.
+                const Real d = x.left - s.left;
+                return d == 0 ? Real(0) : Real((forward.pressure(s) - at_x) / d);
+            },
+            left);
+        const Real found =
+            2 / (pi<Real>() * c.modulus.to<Real>()) * (regular + at_x * log(x.left / x.right));
+        const Real expected = forward.law.slope().value(forward.law.slope().piece_at(x.x), x.x);
+        const Real size =
+            abs(forward.law.slope().value(forward.law.slope().pieces().size() - 1, e.a));
+        CHECK(abs(found - expected) < size * Real("1e-18"));
+    }
+}
+
+} // namespace
+
+TEST_CASE("the pressure put back gives g', P and M again") {
+    const auto s = symmetric();
+    check(s[0]);
+    check(s[6]);
+    check(s[8]);
+    for (const Contact& c : tilted()) {
+        check(c);
+    }
+}
+
+TEST_SUITE_BEGIN("slow");
+TEST_CASE("... also where the pressure is itself a quadrature") {
+    check(symmetric()[2]);
+    check(own_symmetric());
+}
+TEST_SUITE_END();

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/routes/shear_traction.hpp"
+
+#include "edgeproof/contact/law/forward.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using scenes::agree;
+using scenes::all_signs;
+using scenes::exact;
+using scenes::ShearCase;
+
+TEST_CASE("full stick: the integral equation gives the tension back, the resultant gives Q") {
+    const PrecisionScope scope(50);
+    for (const Extent<Real>& e :
+         {Extent<Real>{Real(3) / 2, Real(3) / 2}, Extent<Real>{Real(7) / 3, Real(1) / 5},
+          Extent<Real>{Real("1e-6"), Real(40)}}) {
+        for (const ShearCase& c : all_signs) {
+            const ShearLoad<Real> load{exact(c.Q).to<Real>(), exact(c.sigma).to<Real>()};
+            const auto q = [&](const Point<Real>& at) { return full_stick_traction(at, load); };
+            CAPTURE(c.Q);
+            CAPTURE(c.sigma);
+            // Of the size of what is integrated: the tension's own resultant is zero.
+            const Real size = abs(load.Q) + abs(load.bulk_tension) * e.length();
+            const auto Q = resultant(e, q, 40);
+            REQUIRE(Q.converged);
+            CHECK(abs(Real(Q.value - load.Q)) < size * Real("1e-38"));
+            for (const char* fraction : {"1e-3", "0.2", "0.5", "0.77", "0.999"}) {
+                const Real u = exact(fraction).to<Real>() * e.length();
+                const Point<Real> at = point_at(e, Edge::right, u);
+                const auto strain = principal_value(e, at, q, 34);
+                REQUIRE(strain.converged);
+                const Real expected = pi<Real>() * load.bulk_tension / 4;
+                const Real around = size / sqrt(Real(at.right * at.left)) *
+                                    (e.length() / (at.right < at.left ? at.right : at.left));
+                CHECK(abs(Real(strain.value - expected)) < around * Real("1e-31"));
+            }
+        }
+    }
+}
+
+TEST_CASE("the same code in every arithmetic") {
+    const auto check = [](auto zero, double tolerance) {
+        using std::abs;
+        using std::sqrt;
+        using T = decltype(zero);
+        const Extent<T> e{T(3), T(1)};
+        const ShearLoad<T> load{T(2), T(-1)};
+        const Point<T> at = point_at(e, Edge::left, T(T(1) / T(8)));
+        // By hand: x = -7/8, r = 31/8, l = 1/8: (2/pi + 15/32)/(sqrt(31)/8).
+        const T expected = (T(2) / pi<T>() + T(15) / T(32)) * T(8) / sqrt(T(31));
+        CHECK(static_cast<double>(abs(T(full_stick_traction(at, load) - expected))) < tolerance);
+        const auto s = full_stick_expansion(e.length(), load, Edge::right, 3);
+        // K_II = (Q/pi + sigma_0 (a+b)/8)/sqrt(a+b)
+        CHECK(static_cast<double>(abs(T(s[0] - (T(2) / pi<T>() - T(1) / T(2)) / T(2)))) <
+              tolerance);
+    };
+    check(0.0, 1e-15);
+    check(0.0L, 1e-18);
+    check(Float128(0), 1e-32);
+    const PrecisionScope scope(80);
+    check(Real(0), 1e-78);
+}
+
+// From (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ..., by hand.
+TEST_CASE("the brackets over the rationals") {
+    const Rational Q(3);
+    const Rational sigma(5);
+    const Rational D(7);
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const Rational s(edge == Edge::right ? 1 : -1);
+        const auto k = full_stick_brackets<Rational>(Q, sigma, D, edge, 4);
+        const Rational lead = Q + s * sigma * D / 8;
+        CHECK(k[0] == lead);
+        CHECK(k[1] == lead / (2 * D) - s * sigma / 4);
+        CHECK(k[2] == lead * 3 / (8 * D * D) - s * sigma / (8 * D));
+        CHECK(k[3] == lead * 5 / (16 * D * D * D) - s * sigma * 3 / (32 * D * D));
+    }
+    CHECK(full_stick_brackets<Rational>(Q, sigma, D, Edge::left, 0).empty());
+}
+
+TEST_CASE("expansions converge to the traction; a mirror changes the sign of the tension") {
+    const PrecisionScope scope(60);
+    const Extent<Real> e{Real(7) / 3, Real(1) / 5};
+    for (const ShearCase& c : all_signs) {
+        const ShearLoad<Real> load{exact(c.Q).to<Real>(), exact(c.sigma).to<Real>()};
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const auto s = full_stick_expansion(e.length(), load, edge, 40);
+            const Real u = e.length() / 1000;
+            Real sum = 0;
+            for (std::size_t k = s.size(); k-- > 0;) {
+                sum = sum * u + s[k];
+            }
+            CHECK(agree(Real(sum / sqrt(u)), full_stick_traction(point_at(e, edge, u), load), 55));
+            const auto mirrored = full_stick_expansion(
+                e.length(), ShearLoad<Real>{load.Q, Real(-load.bulk_tension)}, opposite(edge), 40);
+            CHECK(s == mirrored);
+        }
+    }
+}
+
+TEST_CASE("the loading at which a coefficient vanishes, and at which edge") {
+    // r_k = (2k - 1)/(2k + 1), from the ratio 2k/(2k - 1) of neighbouring binomials.
+    for (std::size_t k = 0; k < 30; ++k) {
+        const int n = static_cast<int>(2 * k);
+        CHECK(vanishing_ratio(k) == Rational(n - 1, n + 1));
+    }
+    const PrecisionScope scope(60);
+    const Real D = Real(7) / 5;
+    for (std::size_t k = 0; k < 6; ++k) {
+        for (const int Q : {2, -2}) {
+            for (const int sense : {1, -1}) {
+                const Real r = from_rational<Real>(vanishing_ratio(k));
+                const Real sigma = 8 / pi<Real>() * abs(r) * Q * sense / D;
+                const ShearLoad<Real> load{Real(Q), sigma};
+                const Edge edge = vanishing_edge(k, sense > 0);
+                const auto here = full_stick_expansion(D, load, edge, k + 1);
+                const auto there = full_stick_expansion(D, load, opposite(edge), k + 1);
+                CHECK(abs(here[k]) < Real("1e-57"));
+                CHECK(abs(there[k]) > Real("1e-3"));
+            }
+        }
+    }
+}
+
+TEST_CASE("equal signs at both edges, for both signs of Q and of the tension") {
+    const PrecisionScope scope(40);
+    const Real D = 3;
+    const Real limit = 8 / pi<Real>() / D;
+    for (const int Q : {1, -1}) {
+        for (const int sense : {1, -1}) {
+            for (const char* part : {"0.5", "0.999999", "1.000001", "3"}) {
+                const ShearLoad<Real> load{Real(Q), Real(limit * exact(part).to<Real>() * sense)};
+                const Real right = full_stick_expansion(D, load, Edge::right, 1)[0];
+                const Real left = full_stick_expansion(D, load, Edge::left, 1)[0];
+                CHECK(same_sign_at_both_edges(D, load) == (right * left > 0));
+            }
+        }
+    }
+    CHECK_FALSE(same_sign_at_both_edges(D, ShearLoad<Real>{Real(0), Real(1)}));
+}
+
+TEST_CASE("the traction of an exact contact, with what cancels made good") {
+    const NormalContact contact(Profile::power_law(exact("1"), exact("1")), exact("1"),
+                                Load::right_edge(exact("1")), 40);
+    // K_II at the left edge vanishes but for 1e-45 of it: sigma_0 (a+b) = 8 Q/pi (1 - 1e-45).
+    const ShearTraction q(contact,
+                          {exact("pi"), exact("4*(1 - 1e-45)"), LoadingPath::normal_first});
+    const PrecisionScope scope(80);
+    const auto left = q.expansion(Edge::left, 3);
+    CHECK(agree(left[0].value, Real(Real("1e-45") / sqrt(Real(2))), 39));
+    CHECK(left[0].error < Real("1e-85"));
+    CHECK(
+        agree(q.expansion(Edge::right, 1)[0].value, Real((2 - Real("1e-45")) / sqrt(Real(2))), 39));
+
+    // Near the left edge: q = (l - 1 - (1 - l)(1 - 1e-45)...) by hand with l + r = 2.
+    const Exact u = exact("1e-50");
+    const auto near = q.traction(Edge::left, u);
+    const PrecisionScope wide(200);
+    const Real l = u.to<Real>();
+    const Real exactly = (1 + exact("1 - 1e-45").to<Real>() * (l - 1)) / sqrt(Real(l * (2 - l)));
+    CHECK(agree(near.value, exactly, 39));
+    CHECK(near.error < abs(near.value) * Real("1e-40"));
+
+    // Zero in the middle, to all the digits there are.
+    const ShearTraction tension(contact, {exact("0"), exact("1"), LoadingPath::normal_first});
+    const auto middle = tension.traction(Edge::right, exact("1"));
+    CHECK(middle.value == 0);
+    CHECK(middle.error < Real("1e-400"));
+    // The point near the other edge.
+    const auto far = tension.traction(Edge::right, exact("2 - 1e-60"));
+    CHECK(agree(far.value, Real(-tension.traction(Edge::right, exact("1e-60")).value), 39));
+}
+
+TEST_CASE("P and Q that grow together: the sum of increments is similar to the pressure") {
+    for (const auto& c : {scenes::symmetric()[4], scenes::tilted()[0], scenes::tilted()[5]}) {
+        CAPTURE(c.name);
+        const NormalContact contact(c.profile, c.modulus, c.load, 20);
+        const ShearTraction q(contact, {exact("-0.7"), exact("0"), LoadingPath::together});
+        CHECK(q.leading_half_powers() == 1);
+        const PrecisionScope scope(50);
+        const ContactLaw<Real> law(c.profile, c.modulus.to<Real>());
+        const Extent<Real> e{contact.a(), contact.b()};
+        const Real u = e.a / 30; // no knot is met on the way
+        // Increments dQ/(pi w) while the edge goes from x to a; Q(s) = (Q/P) P(s).
+        const Real x = e.a - u;
+        const Real rate = Real(-7) / 10 / law.force(e);
+        std::vector<Real> lengths{u};
+        const auto sum = integrate_one_sided<Real>(
+            [&](const Real& lo, const Real&) {
+                const Extent<Real> then = law.extent(Real(x + lo));
+                const Point<Real> at{lo, Real(x + then.b), x};
+                return full_stick_traction(
+                    at, ShearLoad<Real>{Real(rate * law.force_rate(then)), Real(0)});
+            },
+            u, Real(0), true, {.target_digits = 25});
+        REQUIRE(sum.converged);
+        CHECK(agree(sum.value, q.traction(Edge::right, u).value, 20));
+        const auto s = q.expansion(Edge::left, 2);
+        const auto p = contact.expansion(Edge::left, 2);
+        CHECK(agree(Real(s[1].value / s[0].value), Real(p[1] / p[0]), 20));
+        CHECK_THROWS_AS(ShearTraction(contact, {exact("1"), exact("1/2"), LoadingPath::together}),
+                        InputError);
+    }
+}
+
+TEST_CASE("the shear depends on nothing of the profile but a and b") {
+    // A wedge and a punch brought to the same right edge have other left edges; the traction from
+    // a and b alone.
+    for (const auto& c : scenes::tilted()) {
+        const NormalContact contact(c.profile, c.modulus, c.load, 30);
+        const ShearTraction q(contact, {exact("0.2"), exact("-3"), LoadingPath::normal_first});
+        const PrecisionScope scope(50);
+        const Extent<Real> e{contact.a(), contact.b()};
+        const Real u = e.length() / 7;
+        const Real x = u - e.b;
+        const Real w = sqrt(Real((e.a - x) * (x + e.b)));
+        const Real direct = Real(1) / 5 / (pi<Real>() * w) - 3 * (2 * x + e.b - e.a) / (8 * w);
+        CHECK(agree(q.traction(Edge::left, u).value, direct, 29));
+    }
+}

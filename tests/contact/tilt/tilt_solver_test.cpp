@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/law/forward.hpp"
+#include "edgeproof/contact/tilt/ball_tilt.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/contact/scenes.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using scenes::agree;
+using scenes::exact;
+
+namespace {
+
+Exact exactly(const Real& x) {
+    Rational q;
+    mpfr_get_q(q.backend().data(), x.backend().data());
+    return Exact::of(q);
+}
+
+/// A contact under P at the tilt found has the force and the moment.
+void check_carries(const TiltedPunch& punch, const char* modulus, const Exact& P, const Exact& M,
+                   unsigned digits) {
+    CAPTURE(P.text());
+    CAPTURE(M.text());
+    const SolvedTilt tilt = solve_tilt(punch, exact(modulus), P, M, digits);
+    CAPTURE(tilt.alpha.text());
+    // Looked at with many more digits: what was found must hold, not only look so.
+    const NormalContact contact(tilt.profile, exact(modulus), Load::force(P), 3 * digits + 60);
+    const PrecisionScope scope(3 * digits + 100);
+    const int d = static_cast<int>(digits);
+    CHECK(agree(contact.force(), P.to<Real>(), d + 20));
+    if (M.sign() == 0) {
+        CHECK(abs(contact.moment()) < Real("1e-150"));
+    } else {
+        CHECK(agree(contact.moment(), M.to<Real>(), d));
+    }
+}
+
+/// What is wrong with the enclosure of the tilt of a punch under P and M.
+std::string fault_of_enclosure(const TiltedPunch& punch, const char* P, const char* M) {
+    const Exact modulus = exact("7/3");
+    const EnclosedTilt tilt = enclose_tilt(punch, modulus, exact(P), exact(M), 340);
+    const SolvedTilt other = solve_tilt(punch, modulus, exact(P), exact(M), 40);
+    const PrecisionScope scope(200);
+    if (!agree(other.alpha.to<Real>(), tilt.alpha.midpoint(), 30)) {
+        return "not the tilt found in Real";
+    }
+    if (tilt.alpha.relative_accuracy_bits() < 120) {
+        return "too wide";
+    }
+    // A contact of every tilt in the ball, P being held, has a moment around M.
+    const BallContact contact(tilt.near, tilt.alpha, modulus, Load::force(exact(P)), 340);
+    if (!overlaps(contact.moment(), enclosed_constant(exact(M), 340))) {
+        return "another moment";
+    }
+    return overlaps(contact.mirrored().force(), contact.force()) ? "" : "another force in a mirror";
+}
+
+} // namespace
+
+TEST_CASE("the tilt of a wedge is found again from its force and moment") {
+    for (const char* alpha : {"pi/20", "-pi/20", "0.001", "pi/16 - 1e-6"}) {
+        CAPTURE(alpha);
+        const NormalContact contact(Profile::tilted_wedge(exact("pi/16"), exact(alpha)),
+                                    exact("7/3"), Load::right_edge(exact("3/2")), 70);
+        const SolvedTilt tilt = solve_tilt(TiltedPunch::wedge(exact("pi/16")), exact("7/3"),
+                                           exactly(contact.force()), exactly(contact.moment()), 50);
+        const PrecisionScope scope(80);
+        CHECK(agree(tilt.alpha.to<Real>(), exact(alpha).to<Real>(), 50));
+    }
+}
+
+// moore-hills.tex line 303: gamma = b/a is known from alpha, P = E* phi sqrt(gamma) a. The moment
+// by integration of x p over the contact: nothing of the solver's.
+TEST_CASE("the moment is the integral of x p") {
+    const Exact P = exact("2/7");
+    const Exact M = exact("-3/11");
+    const SolvedTilt tilt = solve_tilt(TiltedPunch::wedge(exact("1/5")), exact("3"), P, M, 30);
+    const NormalContact contact(tilt.profile, exact("3"), Load::force(P), 40);
+    const PrecisionScope scope(60);
+    const Extent<Real> e{contact.a(), contact.b()};
+    const Real sine = sin(Real(pi<Real>() * tilt.alpha.to<Real>() / 2 * 5));
+    const Real gamma = (1 - sine) / (1 + sine);
+    CHECK(agree(Real(e.b / e.a), gamma, 29));
+    CHECK(agree(P.to<Real>(), Real(Real(3) / 5 * sqrt(gamma) * e.a), 29));
+    // Cut at the apex, where p has a logarithm.
+    Real sum = 0;
+    for (const bool right : {true, false}) {
+        const Real length = right ? e.a : e.b;
+        const auto part = integrate_one_sided<Real>(
+            [&](const Real& from_edge, const Real& from_apex) {
+                if (from_apex < length * Real("1e-40")) {
+                    return Real(0);
+                }
+                const Real p = contact.pressure(right ? Edge::right : Edge::left, from_edge).value;
+                return Real((right ? from_apex : Real(-from_apex)) * p);
+            },
+            length, Real(0), true, {.target_digits = 25});
+        REQUIRE(part.converged);
+        sum += part.value;
+    }
+    CHECK(agree(sum, M.to<Real>(), 24));
+}
+
+TEST_CASE("force and moment over extreme ratios: the wedge") {
+    const TiltedPunch punch = TiltedPunch::wedge(exact("pi/16"));
+    for (const char* M : {"-1e12", "1e-30", "0.7", "0"}) {
+        check_carries(punch, "7/3", exact("2"), exact(M), 40);
+    }
+    check_carries(punch, "2.1e11", exact("1e-12"), exact("1e-20"), 40);
+    check_carries(punch, "2.1e11", exact("1e12"), exact("-1e25"), 20);
+}
+
+TEST_CASE("force and moment over extreme ratios: the flat-and-rounded punch") {
+    const TiltedPunch punch = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    // M from -t P (upright) to 0 (the flat lifts off); P from a sliver beside the flat to a contact
+    // that dwarfs it.
+    for (const char* P : {"1e-9", "0.3", "1e4"}) {
+        for (const char* part : {"-1 + 1e-25", "-0.999", "-1/2", "-1e-3", "-1e-25"}) {
+            const Exact M(exact(P).expr() * exact(part).expr());
+            check_carries(punch, "7/3", exact(P), M, 40);
+        }
+    }
+    // Upright itself.
+    const SolvedTilt upright = solve_tilt(punch, exact("7/3"), exact("0.3"), exact("-0.3"), 30);
+    CHECK(upright.alpha.sign() == 0);
+    CHECK(upright.profile.kind() == Profile::Kind::tilted_flat_and_rounded);
+}
+
+TEST_CASE("the paper's punch comes back from its force and moment") {
+    for (const char* a : {"0.5", "3"}) {
+        const NormalContact contact(
+            Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")), exact("1"),
+            Load::right_edge(exact(a)), 70);
+        const SolvedTilt tilt =
+            solve_tilt(TiltedPunch::flat_and_rounded(exact("1"), exact("2")), exact("1"),
+                       exactly(contact.force()), exactly(contact.moment()), 50);
+        const PrecisionScope scope(80);
+        CHECK(agree(tilt.alpha.to<Real>(), exact("pi/16").to<Real>(), 48));
+    }
+}
+
+TEST_CASE("where no tilt exists, the error says why") {
+    const auto fails = [](const TiltedPunch& punch, const char* P, const char* M,
+                          const char* words) {
+        try {
+            (void)solve_tilt(punch, exact("1"), exact(P), exact(M), 20);
+            FAIL("no error");
+        } catch (const InputError& error) {
+            CHECK(std::string(error.what()).find(words) != std::string::npos);
+        }
+    };
+    const TiltedPunch punch = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    fails(punch, "1", "-1.5", "mirror the scene");
+    fails(punch, "1", "0", "between -t P and 0");
+    fails(punch, "1", "1/2", "between -t P and 0");
+    fails(punch, "0", "-1/2", "the normal force P = 0 is not positive");
+    fails(punch, "-1", "-1/2", "the normal force P = -1 is not positive");
+    fails(TiltedPunch::flat_and_rounded(exact("0"), exact("2")), "1", "0", "t = 0");
+    fails(TiltedPunch::flat_and_rounded(exact("1"), exact("-2")), "1", "0",
+          "the radius R = -2 is not positive");
+    fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi = 0 is not");
+}
+
+TEST_CASE("the tilt is enclosed, narrowly, and the enclosure holds what it was made from") {
+    // A wedge of known tilt: its force and moment are constants of the balls of another contact, so
+    // they are put in as what the Real route rounds them to, and the tilt must come back as near.
+    const NormalContact leaning(Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), exact("7/3"),
+                                Load::right_edge(exact("3/2")), 70);
+    const EnclosedTilt back =
+        enclose_tilt(TiltedPunch::wedge(exact("pi/16")), exact("7/3"), exactly(leaning.force()),
+                     exactly(leaning.moment()), 340);
+    const Ball expected = Ball::pi(400) / 20;
+    CHECK(certainly_less(abs(Ball(back.alpha - expected)), Ball(Real("1e-68"), 400)));
+    CHECK(back.alpha.relative_accuracy_bits() > 200);
+    const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    CHECK(fault_of_enclosure(TiltedPunch::wedge(exact("pi/16")), "2", "-0.7") == "");
+    CHECK(fault_of_enclosure(flat, "0.3", "-0.2") == "");
+    const EnclosedTilt upright = enclose_tilt(flat, exact("7/3"), exact("0.3"), exact("-0.3"), 300);
+    CHECK(upright.exactly_zero);
+}
+
+TEST_CASE("the tilt is enclosed over extreme ratios" * doctest::test_suite("slow")) {
+    const TiltedPunch wedge = TiltedPunch::wedge(exact("pi/16"));
+    const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    CHECK(fault_of_enclosure(wedge, "2", "1e-30") == "");
+    CHECK(fault_of_enclosure(wedge, "1e-12", "1e-3") == "");
+    CHECK(fault_of_enclosure(flat, "0.3", "-0.3 + 1e-25") == "");
+    CHECK(fault_of_enclosure(flat, "1e4", "-1e-21") == "");
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+TEST_CASE("a constant means exactly what it says") {
+    CHECK(Exact::parse("0.4").rational() == Rational(2, 5));
+    CHECK(Exact::parse(" 3/2 ").rational() == Rational(3, 2));
+    CHECK(Exact::parse(" 3/2 ").text() == " 3/2 ");
+    CHECK(Exact::parse("1e-30").rational() * Rational(Integer("1" + std::string(30, '0'))) == 1);
+    CHECK(Exact::parse("0.1 + 0.2").rational() == Rational(3, 10));
+    CHECK(Exact::parse("sqrt(2.25)").rational() == Rational(3, 2));
+    CHECK_FALSE(Exact::parse("pi/16").is_rational());
+    CHECK_THROWS_AS((void)Exact::parse("pi/16").rational(), Error);
+    CHECK(Exact().rational() == 0);
+    CHECK(Exact().text() == "0");
+    CHECK(Exact::of(Rational(-1, 3)).text() == "-(1/3)");
+    CHECK(Exact::of(Rational(1, 8)).text() == "0.125");
+    CHECK(Exact(parse("Pi*2")).text() == "Pi*2");
+    CHECK(Exact::parse("2*pi") == Exact::parse("2 * Pi"));
+}
+
+TEST_CASE("what is no constant is refused") {
+    for (const char* text :
+         {"", "a", "0.4.1", "1/0", "sqrt(-1)", "log(0)", "0^-1", "1/(1/3 - 1/3)", "asin(2)", "e",
+          "inf", "nan", "1,5", "0,4", "1e999999999", "integral(s, s, 0, 1)", "1 2"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS((void)Exact::parse(text), FormulaError);
+    }
+    CHECK_THROWS_AS(Exact(parse("a", Symbols{"a"})), Error);
+    CHECK_THROWS_AS(Exact(parse("1/(Pi - Pi)")), DomainError);
+}
+
+TEST_CASE("values are rounded correctly") {
+    CHECK(Exact::parse("0.1").to<double>() == 0.1);
+    CHECK(Exact::parse("1/3").to<double>() == 1.0 / 3.0);
+    CHECK(Exact::parse("pi").to<double>() == 3.141592653589793);
+    CHECK(Exact::parse("sqrt(2)").to<double>() == std::sqrt(2.0)); // IEEE 754: correctly rounded
+    CHECK(Exact::parse("sqrt(2)").to<long double>() == std::sqrt(2.0L));
+    CHECK(Exact::parse("sqrt(2)").to<Float128>() ==
+          Float128("1.414213562373095048801688724209698078569671875376948073176679737990"));
+    CHECK(Exact::parse("-pi*0").to<double>() == 0.0);
+    for (const unsigned digits : {10U, 50U, 500U}) {
+        const PrecisionScope scope(digits);
+        CHECK(Exact::parse("pi").to<Real>() == pi<Real>());
+        CHECK(Exact::parse("0.1").to<Real>() == from_rational<Real>(Rational(1, 10)));
+        CHECK(Exact::parse("sqrt(2)").to<Real>() == sqrt(Real(2)));
+        CHECK(Exact::parse("sqrt(8)/2").to<Real>() == sqrt(Real(2)));
+        CHECK(Exact::parse("2*asin(1)").to<Real>() == pi<Real>());
+        CHECK(Exact::parse("gamma(0.5)^2").to<Real>() == pi<Real>());
+        CHECK(Exact::parse("exp(log(7))").to<Real>() == 7);
+        CHECK(Exact::parse("sum(1/k, k, 1, 4)*sqrt(144)").to<Real>() == 25);
+        CHECK(Exact::parse("atan2(1, -1)*4/3").to<Real>() == pi<Real>());
+        CHECK(Exact::parse("max(3, Pi, sqrt(9.8)) + sgn(-Pi)*step(Pi)").to<Real>() ==
+              Exact::parse("Pi - 1").to<Real>());
+        const auto with_guard = [&] {
+            const PrecisionScope more(digits + 30);
+            return Real(pow(pi<Real>(), pi<Real>()));
+        };
+        CHECK(Exact::parse("Pi^Pi").to<Real>() == at_working_precision(with_guard()));
+        CHECK(Exact::parse("sqrt(2)").to<Real>().precision() <= digits + 2);
+    }
+}
+
+TEST_CASE("cancellation does not cost digits") {
+    // sqrt(1 + x) - 1 - x/2 + x^2/8 = x^3/16 - 5 x^4/128 + ..., x = 1e-40.
+    const PrecisionScope scope(50);
+    const Real x("1e-40");
+    const Real left = Exact::parse("sqrt(1 + 1e-40) - 1 - 5e-41 + 1e-80/8").to<Real>();
+    const Real right = x * x * x * (Real(1) / 16 - 5 * x / 128);
+    CHECK(abs(left / right - 1) < Real("1e-49"));
+    CHECK(Exact::parse("sqrt(1 + 1e-40) - 1").to<double>() == 5e-41);
+    CHECK(Exact::parse("Pi - 3.14159265358979323846264338327950288419716939937510").to<double>() ==
+          5.8209749445923078e-51);
+}
+
+TEST_CASE("however many digits are asked for, there are more to make up for a cancellation") {
+    // sqrt(1 + d) - 1 for d = 1e-40, of which 1 + sqrt(1 + d) gives d without cancellation.
+    const Exact x = Exact::parse("sqrt(1 + 1e-40) - 1");
+    for (const unsigned digits : {50U, 1000U, 1300U, 2500U, 6000U}) {
+        CAPTURE(digits);
+        const PrecisionScope scope(digits);
+        const Real found = x.to<Real>();
+        const PrecisionScope more(digits + 60);
+        const Real exact = 1 / (pow(Real(10), 40) * (1 + sqrt(Real(1 + pow(Real(10), -40)))));
+        CHECK(abs(found - exact) < exact * pow(Real(10), -static_cast<int>(digits)));
+    }
+}
+
+TEST_CASE("a double halfway between two is decided by digits far behind") {
+    // 1 + 2^-53 lies halfway between 1 and the next double.
+    CHECK(Exact::parse("1 + 2^-53 + 1e-60*sqrt(2)").to<double>() == 1.0 + 0x1p-52);
+    CHECK(Exact::parse("1 + 2^-53 - 1e-60*sqrt(2)").to<double>() == 1.0);
+    CHECK(Exact::parse("1 + 2^-53 + 1e-60").to<double>() == 1.0 + 0x1p-52); // the same, rational
+    CHECK(Exact::parse("1 + 2^-53 - 1e-60").to<double>() == 1.0);
+    CHECK(Exact::parse("-1 - 2^-53 - 1e-60").to<double>() == -1.0 - 0x1p-52);
+    CHECK(Exact::parse("2^-1074*(3/2 + 1e-60)").to<double>() == 0x1p-1073);
+    CHECK(Exact::parse("2^-1074*(3/2 - 1e-60)").to<double>() == 0x1p-1074);
+    CHECK(Exact::parse("1 + 2^-53").to<double>() == 1.0); // ties to even
+}
+
+TEST_CASE("a value beyond the range of the arithmetic is an error") {
+    CHECK_THROWS_AS((void)Exact::parse("1e400").to<double>(), DomainError);
+    CHECK_THROWS_AS((void)Exact::parse("1e-400").to<double>(), DomainError);
+    CHECK_THROWS_AS((void)Exact::parse("pi*1e400").to<double>(), DomainError);
+    CHECK_THROWS_AS((void)Exact::parse("pi*1e-400").to<double>(), DomainError);
+    CHECK(Exact::parse("1e-320").to<double>() == 1e-320);
+    CHECK(Exact::parse("1e400").to<long double>() == 1e400L);
+}
+
+TEST_CASE("signs are decided however close to zero") {
+    CHECK(Exact::parse("0.1 + 0.2 - 0.3").sign() == 0);
+    CHECK(Exact::parse("-1e-1000").sign() == -1);
+    CHECK(Exact::parse("sqrt(2) - 1.41421356237309504880168872420969807856967187537694").sign() >
+          0);
+    CHECK(Exact::parse("sqrt(2) - 1.41421356237309504880168872420969807856967187537695").sign() <
+          0);
+    CHECK(Exact::parse("sqrt(1 + 1e-1000) - 1").sign() == 1);
+    CHECK(Exact::parse("3 - Pi").sign() == -1);
+    CHECK(Exact::parse("sqrt(Pi) - sqrt(Pi)").sign() == 0);
+    // Large terms cancel: 60 digits of them, then 40 more.
+    CHECK(
+        Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176679")
+            .sign() > 0);
+    CHECK(
+        Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176680")
+            .sign() < 0);
+    // The root of a number that 30 digits take for negative.
+    CHECK(Exact::parse("sqrt(sqrt(2) - 1.414213562373095048801688724209698078569)").sign() == 1);
+    // Zero, but no computing of digits shows it.
+    CHECK_THROWS_AS((void)Exact::parse("sqrt(2)*sqrt(3) - sqrt(6)").sign(), BudgetError);
+}

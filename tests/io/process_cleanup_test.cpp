@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/process_cleanup.hpp"
+
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+/// What `f` does in a process of its own, which ends after it: clean_up() is for the end.
+template <class F> int in_a_process(const F& f) {
+    const pid_t pid = ::fork();
+    if (pid == 0) {
+        f();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(pid, &status, 0);
+    return status;
+}
+
+std::filesystem::path own_folder() {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("edgeproof-cleanup-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+pid_t start_shell(const char* command) {
+    const pid_t pid = ::fork();
+    if (pid == 0) {
+        ::setpgid(0, 0);
+        ::execl("/bin/sh", "sh", "-c", command, nullptr);
+        ::_exit(127);
+    }
+    ::setpgid(pid, pid);
+    return pid;
+}
+
+} // namespace
+
+TEST_CASE("clean_up: temporary paths go, those kept stay, and the note is told") {
+    const auto folder = own_folder();
+    CHECK(in_a_process([&] {
+              std::filesystem::create_directories(folder / "scratch" / "deep");
+              std::ofstream(folder / "scratch" / "deep" / "file") << "x";
+              std::ofstream(folder / "kept") << "x";
+              std::ofstream(folder / "gone before") << "x";
+              const TemporaryPath scratch(folder / "scratch");
+              TemporaryPath kept(folder / "kept");
+              { const TemporaryPath no_longer(folder / "gone before"); }
+              {
+                  const auto lock = hold_cleanup();
+                  kept.keep_locked();
+              }
+              const KeptNote note("some is kept");
+              ::_exit(clean_up() == "some is kept" ? 0 : 1); // no destructor: it would wait
+          }) == 0);
+    CHECK_FALSE(std::filesystem::exists(folder / "scratch"));
+    CHECK(std::filesystem::exists(folder / "kept"));
+    CHECK(std::filesystem::exists(folder / "gone before"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("clean_up: a file that is not whole has no name afterwards, one that is stays") {
+    const auto folder = own_folder();
+    CHECK(in_a_process([&] {
+              AtomicFile done(folder / "done");
+              done.write("all");
+              done.commit();
+              AtomicFile open(folder / "open");
+              open.write("half");
+              (void)clean_up();
+              ::_exit(0);
+          }) == 0);
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        CHECK(entry.path().filename() == "done");
+        ++files;
+    }
+    CHECK(files == 1);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("an interrupted process writes no result; a checkpoint it does") {
+    const auto folder = own_folder();
+    request_interruption(SIGTERM);
+    {
+        AtomicFile result(folder / "result");
+        result.write("of work cut off");
+        CHECK_THROWS_AS(result.commit(), Interrupted);
+        AtomicFile state(folder / "state", AtomicFile::Content::checkpoint);
+        state.commit();
+    }
+    withdraw_interruption();
+    CHECK_FALSE(std::filesystem::exists(folder / "result"));
+    CHECK(std::filesystem::exists(folder / "state"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("child programs end with the object, with clean_up(), and with their leader") {
+    // The children hold the pipe's other end: it is at its end only when none of them is left.
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    {
+        const ChildGroup child([] { return start_shell("sleep 100 & sleep 100"); });
+        CHECK_FALSE(child.ended());
+    }
+    CHECK(in_a_process([] {
+              const ChildGroup child([] { return start_shell("sleep 100 & sleep 100"); });
+              (void)clean_up();
+              ::_exit(0); // no destructor
+          }) == 0);
+    ChildGroup leader([] { return start_shell("sleep 100 & exit 7"); });
+    CHECK(WEXITSTATUS(leader.wait()) == 7);
+    ::close(ends[1]);
+    pollfd end{ends[0], POLLIN, 0};
+    CHECK(::poll(&end, 1, 20'000) == 1);
+    CHECK((end.revents & POLLHUP) != 0);
+    ::close(ends[0]);
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/staged_folder.hpp"
+
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class OwnFolder {
+public:
+    OwnFolder()
+        : path_(fs::temp_directory_path() / ("edgeproof-staged-" + std::to_string(::getpid()))) {
+        fs::create_directories(path_);
+    }
+    ~OwnFolder() { fs::remove_all(path_); }
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+    /// All that is in it, folders by a slash at their end.
+    [[nodiscard]] std::set<std::string> all() const {
+        std::set<std::string> names;
+        for (const auto& e : fs::recursive_directory_iterator(path_)) {
+            names.insert(fs::relative(e.path(), path_).string() + (e.is_directory() ? "/" : ""));
+        }
+        return names;
+    }
+
+private:
+    fs::path path_;
+};
+
+void fill(const StagedFolder& staged) {
+    make_folder(staged.path() / "figures");
+    write_whole(staged.path() / "a.csv", "new");
+    write_whole(staged.path() / "figures" / "b.svg", "new");
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::string text;
+    std::getline(in, text);
+    return text;
+}
+
+using Names = std::set<std::string>;
+const Names whole{"out/", "out/a.csv", "out/figures/", "out/figures/b.svg"};
+
+} // namespace
+
+TEST_CASE("a staged folder: nothing before it is committed, all after it") {
+    for (const char* name : {"out", "out/", "./out"}) {
+        CAPTURE(name);
+        const OwnFolder own;
+        {
+            StagedFolder staged(own.path() / name);
+            fill(staged);
+            CHECK_FALSE(fs::exists(own.path() / "out"));
+            staged.commit();
+            CHECK(own.all() == whole);
+        }
+        CHECK(own.all() == whole);
+        {
+            StagedFolder given_up(own.path() / "other" / name);
+            fill(given_up);
+        }
+        CHECK_FALSE(fs::exists(own.path() / "other" / "out"));
+    }
+}
+
+TEST_CASE("a staged folder, where there is one: what else is in it stays") {
+    const OwnFolder own;
+    fs::create_directories(own.path() / "out" / "figures");
+    write_whole(own.path() / "out" / "a.csv", "old");
+    write_whole(own.path() / "out" / "mine", "mine");
+    {
+        StagedFolder given_up(own.path() / "out");
+        fill(given_up);
+        CHECK(text_of(own.path() / "out" / "a.csv") == "old");
+    }
+    CHECK(own.all() == Names{"out/", "out/a.csv", "out/mine", "out/figures/"});
+    {
+        StagedFolder staged(own.path() / "out");
+        fill(staged);
+        staged.commit();
+    }
+    CHECK(text_of(own.path() / "out" / "a.csv") == "new");
+    Names with_mine = whole;
+    with_mine.insert("out/mine");
+    CHECK(own.all() == with_mine);
+}
+
+TEST_CASE("a staged folder: what killed runs left beside it goes, also once it is there") {
+    const OwnFolder own;
+    // No process has this number: it is beyond the largest that Linux gives.
+    fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
+    fs::create_directories(own.path() / "out" / ".edgeproof.99999999.tmp");
+    {
+        StagedFolder staged(own.path() / "out");
+        fill(staged);
+        staged.commit();
+    }
+    CHECK(own.all() == whole);
+}
+
+TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is removed") {
+    const OwnFolder own;
+    // No process has this number: it is beyond the largest that Linux gives.
+    fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
+    fs::create_directories(own.path() / "out.1.tmp"); // somebody else's, who is alive and holds it
+    const int held = ::open((own.path() / "out.1.tmp").c_str(), O_RDONLY | O_DIRECTORY);
+    REQUIRE(::flock(held, LOCK_SH) == 0);
+    fs::create_directories(own.path() / "out.2.tmp"); // whose number somebody else has by now
+    StagedFolder staged(own.path() / "out");
+    CHECK_FALSE(fs::exists(own.path() / "out.99999999.tmp"));
+    CHECK(fs::exists(own.path() / "out.1.tmp"));
+    CHECK_FALSE(fs::exists(own.path() / "out.2.tmp"));
+    ::close(held);
+    fill(staged);
+    request_interruption(2);
+    CHECK_THROWS_AS(staged.commit(), Interrupted);
+    withdraw_interruption();
+    CHECK_FALSE(fs::exists(own.path() / "out"));
+}
+
+TEST_CASE("a staged folder: errors are told with the name asked for, and before the work") {
+    const OwnFolder own;
+    write_whole(own.path() / "file", "x");
+    CHECK_THROWS_AS(StagedFolder(own.path() / "file"), InputError);
+    CHECK_THROWS_AS(StagedFolder(own.path() / "file" / "out"), InputError);
+    const StagedFolder staged(own.path() / "out");
+    const InputError error("cannot write " + (staged.path() / "a.csv").string() + ": full", "x");
+    CHECK(staged.told(error).problem() ==
+          "cannot write " + (own.path() / "out" / "a.csv").string() + ": full");
+}

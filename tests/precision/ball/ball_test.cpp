@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/precision.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <string>
+#include <thread>
+
+namespace {
+
+/// f by MPFR at a far higher precision must lie in the ball, and the ball must be narrow. Returns
+/// the first argument where that is not so, and why; nothing if it is so at all of them.
+template <class B, class R>
+std::string not_enclosed(const B& ball_function, const R& real_function, double lo, double hi) {
+    std::mt19937_64 seeded(20240607);
+    std::uniform_real_distribution<double> uniform(lo, hi);
+    for (int k = 0; k < 200; ++k) {
+        const double at = uniform(seeded);
+        const PrecisionScope scope(120);
+        const Real exact = real_function(Real(at));
+        const Ball ball = ball_function(Ball(Real(at), 200));
+        // The 120-digit value is itself off by 1e-119 at most.
+        const Ball slack = Ball::around(exact, Real(abs(exact) * pow(Real(10), -117)), 500);
+        const char* fault = !ball.is_finite()        ? "not finite"
+                            : !overlaps(ball, slack) ? "excludes MPFR's value"
+                            : exact != 0 && ball.relative_accuracy_bits() <= 180 ? "wide"
+                                                                                 : nullptr;
+        if (fault != nullptr) {
+            return std::string(fault) + " at " + std::to_string(at);
+        }
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("functions of exact numbers hold MPFR's values, narrowly") {
+    const auto b = [](Ball (*f)(const Ball&)) { return [f](const Ball& x) { return f(x); }; };
+    CHECK(not_enclosed(
+              b(sqrt), [](const Real& x) { return Real(sqrt(x)); }, 1e-9, 1e9) == "");
+    CHECK(not_enclosed(
+              b(exp), [](const Real& x) { return Real(exp(x)); }, -50, 50) == "");
+    CHECK(not_enclosed(
+              b(expm1), [](const Real& x) { return Real(expm1(x)); }, -1e-5, 1e-5) == "");
+    CHECK(not_enclosed(
+              b(log), [](const Real& x) { return Real(log(x)); }, 2, 1e9) == "");
+    CHECK(not_enclosed(
+              b(log1p), [](const Real& x) { return Real(log1p(x)); }, -1e-6, 1e-6) == "");
+    CHECK(not_enclosed(
+              b(sin), [](const Real& x) { return Real(sin(x)); }, 0.1, 3) == "");
+    CHECK(not_enclosed(
+              b(tan), [](const Real& x) { return Real(tan(x)); }, 0.1, 1.5) == "");
+    CHECK(not_enclosed(
+              b(asin), [](const Real& x) { return Real(asin(x)); }, 1e-3, 0.999) == "");
+    CHECK(not_enclosed(
+              b(acos), [](const Real& x) { return Real(acos(x)); }, -0.99, 0.99) == "");
+    CHECK(not_enclosed(
+              b(atan), [](const Real& x) { return Real(atan(x)); }, 1e-3, 1e6) == "");
+    CHECK(not_enclosed(
+              b(asinh), [](const Real& x) { return Real(asinh(x)); }, 1e-3, 1e6) == "");
+    CHECK(not_enclosed(
+              b(acosh), [](const Real& x) { return Real(acosh(x)); }, 1.5, 1e6) == "");
+    CHECK(not_enclosed(
+              b(atanh), [](const Real& x) { return Real(atanh(x)); }, 1e-3, 0.99) == "");
+    CHECK(not_enclosed(
+              b(tanh), [](const Real& x) { return Real(tanh(x)); }, 1e-3, 5) == "");
+    CHECK(not_enclosed(
+              b(gamma), [](const Real& x) { return Real(tgamma(x)); }, 0.1, 20) == "");
+}
+
+TEST_CASE("2F1 at known values") {
+    // 2F1(1/2, 1; 3/2; z^2)... = artanh(z)/z, and 2F1(1, 1; 2; z) = -ln(1-z)/z (DLMF 15.4).
+    const long bits = 300;
+    const Ball half(Rational(1, 2), bits);
+    const Ball one(1, bits);
+    const Ball three_halves(Rational(3, 2), bits);
+    for (const Rational& z : {Rational(1, 3), Rational(99, 100), Rational(1, 1000000)}) {
+        const Ball x(z, bits);
+        CHECK(overlaps(hypergeometric_2f1(half, one, three_halves, x * x), atanh(x) / x));
+        const Ball value = hypergeometric_2f1(one, one, Ball(2, bits), x);
+        CHECK(overlaps(value, -log(1 - x) / x));
+        CHECK(value.relative_accuracy_bits() > 200);
+    }
+}
+
+TEST_CASE("arithmetic encloses, and says only what is certain") {
+    const Ball third(Rational(1, 3), 100);
+    CHECK(contains(third, Rational(1, 3)));
+    CHECK_FALSE(third.is_exact());
+    CHECK(contains(third * 3, Rational(1)));
+    CHECK(contains_zero(third * 3 - 1));
+    CHECK_FALSE(certainly_positive(third * 3 - 1));
+    CHECK(certainly_less(third, Ball(Rational(1, 2), 100)));
+    const Ball wide = Ball::from_interval(Real(1), Real(2), 100);
+    CHECK_FALSE(certainly_less(third + 1, wide));
+    CHECK(overlaps(wide, third + 1));
+    CHECK(disjoint(wide, third));
+    CHECK_FALSE((Ball(1, 64) / (third * 3 - 1)).is_finite());
+    CHECK_FALSE(log(wide - 1).is_finite());
+    CHECK(contains(Ball::hull(third, wide), Real(1)));
+    CHECK(contains(wide, Real(3) / 2));
+    CHECK_FALSE(contains(wide, Real(5) / 2));
+    CHECK(wide.lower() <= 1);
+    CHECK(wide.upper() >= 2);
+    CHECK_THROWS_AS((void)Ball::from_interval(Real(2), Real(1), 64), DomainError);
+    CHECK_THROWS_AS((void)Ball::around(Real(2), Real(-1), 64), DomainError);
+    CHECK((third + Ball(1, 300)).bits() == 300);
+}
+
+TEST_CASE("powers take exact paths") {
+    const Ball two(2, 200);
+    CHECK(contains(pow_int(two, -3), Rational(1, 8)));
+    CHECK(overlaps(pow(two, Rational(1, 2)), sqrt(two)));
+    CHECK(overlaps(pow(two, Rational(2, 3)), exp(log(two) * 2 / 3)));
+    CHECK(pow_int(two, 10).is_exact());
+}
+
+TEST_CASE("two threads, two precisions") {
+    Ball fine;
+    std::thread other([&] {
+        for (int k = 0; k < 200; ++k) {
+            fine = log(Ball(2, 1000));
+        }
+    });
+    Ball coarse;
+    for (int k = 0; k < 200; ++k) {
+        coarse = log(Ball(2, 80));
+    }
+    other.join();
+    CHECK(contains(coarse, fine));
+    CHECK(fine.relative_accuracy_bits() > 980);
+}
+
+TEST_CASE("escalation doubles until it is enough, and says when it never is") {
+    int calls = 0;
+    // Cancels 2^-400: 128 and 256 bits see nothing of it.
+    const Rational small(Integer(1), Integer(Integer(1) << 400));
+    const auto f = [&](long bits) {
+        ++calls;
+        return (Ball(Rational(1, 3), bits) + Ball(small, bits)) - Ball(Rational(1, 3), bits);
+    };
+    const auto enough = [](const Ball& x) { return x.relative_accuracy_bits() > 50; };
+    const Ball found = escalate(f, enough);
+    CHECK(contains(found, small));
+    CHECK(calls == 3);
+    const auto zero = [](long bits) { return Ball(Rational(1, 3), bits) * 3 - 1; };
+    CHECK_THROWS_AS((void)escalate(zero, enough, {128, 4096}), BudgetError);
+    CHECK_FALSE(try_escalate(zero, enough, {128, 4096}).reached);
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/precision.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+Rational halved(unsigned times) { return Rational(Integer(1), Integer(Integer(1) << times)); }
+} // namespace
+
+TEST_CASE("a decimal means exactly what it says") {
+    CHECK(parse_decimal("0.4") == Rational(2, 5));
+    CHECK(parse_decimal("-1.25e2") == -125);
+    CHECK(parse_decimal("1e-3") == Rational(1, 1000));
+    CHECK(parse_decimal(".5") == Rational(1, 2));
+    CHECK(parse_decimal("3/2") == Rational(3, 2));
+    CHECK(parse_decimal("+7") == 7);
+    CHECK(parse_decimal("000") == 0);
+    CHECK(parse_decimal("0.1") + parse_decimal("0.2") == parse_decimal("0.3"));
+    for (const char* bad : {"", "-", ".", "e5", "1e", "1e+", "0x10", "inf", "nan", "1.2.3", "1 2",
+                            "1/0", "1/-2", "1/2/3", "2*3", "1e100001", "1e99999999999999999999"}) {
+        CAPTURE(bad);
+        CHECK_THROWS_AS((void)parse_decimal(bad), InputError);
+    }
+}
+
+TEST_CASE("written digits are correctly rounded: judged in exact rationals") {
+    std::mt19937_64 seeded(7);
+    std::uniform_real_distribution<double> uniform(-40, 40);
+    for (int k = 0; k < 500; ++k) {
+        const PrecisionScope scope(60);
+        const Real x = exp(Real(uniform(seeded)) * 3) * (k % 2 == 0 ? 1 : -1);
+        const unsigned digits = 1 + static_cast<unsigned>(k) % 45;
+        const Rational exact(x);
+        const Rational written = parse_decimal(to_decimal(x, digits));
+        // One unit in the last digit of the text.
+        const Real magnitude = floor(log10(abs(x)));
+        const int last = static_cast<int>(magnitude) - static_cast<int>(digits) + 1;
+        const Rational unit =
+            last < 0 ? Rational(1) / Rational(pow(Integer(10), static_cast<unsigned>(-last)))
+                     : Rational(pow(Integer(10), static_cast<unsigned>(last)));
+        CHECK(abs(Rational(written - exact)) * 2 <= unit);
+    }
+}
+
+TEST_CASE("the layout is canonical") {
+    CHECK(to_decimal(Real(0), 10) == "0");
+    CHECK(to_decimal(Real(1), 3) == "1.00");
+    CHECK(to_decimal(Real(-125), 3) == "-125");
+    CHECK(to_decimal(Real(125), 2) == "1.2e+02"); // the tie goes to even
+    CHECK(to_decimal(Real(135), 2) == "1.4e+02");
+    CHECK(to_decimal(Real("0.0001220703125"), 4) == "0.0001221");
+    CHECK(to_decimal(ldexp(Real(1), -40), 3) == "9.09e-13");
+    CHECK(bound_text(ldexp(Real(1), -40)) == "9.1e-13");
+    CHECK(bound_text(Real(0)) == "0");
+    CHECK(exact_text(Rational(1, 8)) == "0.125");
+    CHECK(exact_text(Rational(-3)) == "-3");
+    CHECK(exact_text(Rational(1, 3)) == "1/3");
+    CHECK(exact_text(Rational(-1, 2000)) == "-0.0005");
+}
+
+TEST_CASE("an exact number is rounded once, each way") {
+    const auto text = [](const char* q, unsigned digits, Rounding mode) {
+        return to_decimal(parse_decimal(q), digits, mode);
+    };
+    CHECK(text("1/3", 5, Rounding::nearest) == "0.33333");
+    CHECK(text("1/3", 5, Rounding::up) == "0.33334");
+    CHECK(text("-1/3", 5, Rounding::up) == "-0.33333");
+    CHECK(text("-1/3", 5, Rounding::down) == "-0.33334");
+    CHECK(text("9.995", 3, Rounding::nearest) == "10.0"); // the tie goes to even
+    CHECK(text("9.985", 3, Rounding::nearest) == "9.98");
+    CHECK(text("999.9", 3, Rounding::up) == "1.00e+03");
+    CHECK(text("0.9", 4, Rounding::down) == "0.9000");
+    CHECK(text("0.9", 4, Rounding::up) == "0.9000");
+    CHECK(text("0", 4, Rounding::nearest) == "0");
+    CHECK(text("2/3", 3, Rounding::enclosure) == "[0.666, 0.667]");
+    CHECK(text("123456789", 4, Rounding::down) == "1.234e+08");
+    CHECK_THROWS_AS((void)text("1", 0, Rounding::nearest), DomainError);
+    // The way through MPFR is another.
+    std::mt19937_64 seeded(11);
+    std::uniform_int_distribution<int> whole(1, 1'000'000);
+    for (int k = 0; k < 300; ++k) {
+        const Rational q(whole(seeded), whole(seeded));
+        const PrecisionScope scope(120);
+        Real x;
+        mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
+        const unsigned digits = 1 + static_cast<unsigned>(k) % 30;
+        if (Rational(x) != q) { // else a tie may be hidden in x
+            CHECK(to_decimal(q, digits, Rounding::nearest) == to_decimal(x, digits));
+        }
+    }
+}
+
+TEST_CASE("a ball is printed only as far as every number in it agrees") {
+    const long bits = 400;
+    const Ball third(Rational(1, 3), bits);
+    CHECK(round_ball(third, 20).text == "0.33333333333333333333");
+    CHECK(round_ball(third, 20).complete);
+    CHECK(round_ball(third, 3, Rounding::up).text == "0.334");
+    CHECK(round_ball(third, 3, Rounding::down).text == "0.333");
+    CHECK(round_ball(-third, 3, Rounding::down).text == "-0.334");
+    // 60 digits agree before the boundary: 0.25 + 1e-60 must not round as 0.25 does.
+    const Rational hair = Rational(1) / Rational(pow(Integer(10), 60));
+    CHECK(round_ball(Ball(Rational(Rational(25, 100) + hair), bits), 1).text == "0.3");
+    CHECK(round_ball(Ball(Rational(Rational(25, 100) - hair), bits), 1).text == "0.2");
+    CHECK(round_ball(Ball(Rational(25, 100), bits), 1).text == "0.2"); // an exact tie, to even
+    // A wide ball vouches for fewer digits.
+    const Ball wide = Ball::around(Real(1234567), Real(1), 100);
+    const Rounded r = round_ball(wide, 10);
+    CHECK_FALSE(r.complete);
+    CHECK(r.digits == 6);
+    CHECK(r.text == "1.23457e+06");
+    CHECK(round_ball(Ball::around(Real(0), Real(1), 100), 5).digits == 0);
+    const Rounded e = round_ball(Ball(Rational(2, 3), bits), 5, Rounding::enclosure);
+    CHECK(e.text == "[0.66666, 0.66667]");
+}
+
+TEST_CASE("whether all of a ball rounds alike, at a glance") {
+    const std::vector<Rounding> modes{Rounding::nearest, Rounding::down, Rounding::up};
+    // Never where round_ball does not find it so: wide balls, and balls about ties, whole units
+    // and powers of ten.
+    std::mt19937_64 seeded(23);
+    std::uniform_int_distribution<int> whole(1, 1'000'000);
+    std::uniform_int_distribution<int> place(-400, 400);
+    std::size_t seen = 0;
+    std::size_t alike = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const unsigned digits = 1 + static_cast<unsigned>(k) % 60;
+        const int at = k % 3 == 0 ? 0 : place(seeded);
+        const Rational ten = Rational(pow(Integer(10), static_cast<unsigned>(std::abs(at))));
+        Rational middle(k % 5 == 0   ? 10 * whole(seeded) + 5
+                        : k % 7 == 0 ? 1000
+                                     : whole(seeded),
+                        k % 2 == 0 ? 1 : whole(seeded));
+        middle *= at < 0 ? Rational(1 / ten) : ten;
+        middle *= k % 4 == 0 ? -1 : 1;
+        const long bits = 260;
+        const Rational radius = abs(middle) * halved(static_cast<unsigned>(20 + k % 230));
+        const PrecisionScope scope(100);
+        const Ball x =
+            Ball(middle, bits) + Ball::from_interval(Real(-1), Real(1), bits) * Ball(radius, bits);
+        for (const Rounding mode : modes) {
+            const bool complete = round_ball(x, digits, mode).complete;
+            CAPTURE(to_decimal(middle, 30, Rounding::nearest));
+            CAPTURE(digits);
+            CHECK((complete || !rounds_alike(x, digits, mode)));
+            alike += complete ? 1 : 0;
+            seen += rounds_alike(x, digits, mode) ? 1 : 0;
+        }
+    }
+    // It is not seen beside a power of ten, nor where the middle is itself on a whole unit.
+    CHECK(alike > 3000);
+    CHECK(seen > alike * 9 / 10);
+    CHECK(seen < alike);
+    CHECK_FALSE(rounds_alike(Ball(Rational(1, 4), 200), 1, Rounding::nearest)); // a tie
+    CHECK_FALSE(rounds_alike(Ball(0, 200), 10, Rounding::nearest));
+    CHECK_FALSE(rounds_alike(Ball(Rational(1, 3), 200), 10, Rounding::enclosure));
+}
+
+TEST_CASE("the nearest binary64, once") {
+    CHECK(nearest_binary64(Ball(Rational(1, 3), 200)).value() == 1.0 / 3.0);
+    CHECK_FALSE(nearest_binary64(Ball::around(Real(1), Real("1e-10"), 100)).has_value());
+    // Halfway between 1 and its successor, a hair above: rounding twice would go down.
+    const Rational half = Rational(1) + halved(53);
+    const Rational hair = halved(200);
+    CHECK(nearest_binary64(Ball(Rational(half + hair), 400)).value() == std::nextafter(1.0, 2.0));
+    CHECK(nearest_binary64(Ball(half, 400)).value() == 1.0);
+    // Subnormals round on their own grid.
+    const Rational tiny = halved(1074);
+    CHECK(nearest_binary64(Ball(Rational(tiny * Rational(7, 5)), 400)).value() == 0x1p-1074);
+    CHECK(nearest_binary64(Ball(Rational(tiny * Rational(8, 5)), 400)).value() == 0x1p-1073);
+    CHECK(hexadecimal(0.5) == "0x1p-1");
+}

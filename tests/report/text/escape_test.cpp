@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/text/escape.hpp"
+
+#include "edgeproof/io/csv.hpp"
+#include "edgeproof/report/report.hpp"
+#include "edgeproof/report/tables/table.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// What others may have written where a name, an id or a note stands.
+const std::vector<std::string> hostile = {
+    "two\nlines",
+    "\r\n% \\input{/etc/passwd}",
+    "\\input{x} \\write18{rm} $x$ #1 & ~ ^ _ {",
+    "<script>alert(1)</script> <img src=x onerror=y>",
+    "a | b `c` [text](javascript:x) ![i](u) [r][s]",
+    "=1+1",
+    "+SUM(A1)",
+    "-2+3+cmd|' /C calc'!A0",
+    "@x",
+    "\x1b[31mred\x1b[0m \x07 \x9b 0",
+    std::string("nul \0 here", 10),
+    "bad \xff utf8",
+    "\"quoted\", comma",
+};
+
+bool has_control(const std::string& text) {
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x20 && c != '\n') || byte == 0x7F) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Backslash sequences of a LaTeX text that are none of those that stand for one character.
+std::vector<std::string> commands(const std::string& latex) {
+    std::vector<std::string> found;
+    for (std::size_t at = latex.find('\\'); at != std::string::npos;) {
+        std::size_t end = at + 1;
+        while (end < latex.size() && std::isalpha(static_cast<unsigned char>(latex[end])) != 0) {
+            ++end;
+        }
+        const std::string name = latex.substr(at + 1, end - at - 1);
+        if (!name.empty() && name != "textbackslash" && name != "textasciitilde" &&
+            name != "textasciicircum") {
+            found.push_back(name);
+        }
+        at = latex.find('\\', std::max(end, at + 2));
+    }
+    return found;
+}
+
+/// Markdown without its code spans, in which nothing is a tag.
+std::string without_code(const std::string& markdown) {
+    std::string out;
+    bool code = false;
+    for (std::size_t i = 0; i < markdown.size(); ++i) {
+        if (!code && markdown[i] == '\\') {
+            ++i; // what it stands before is itself
+        } else if (markdown[i] == '`') {
+            code = !code;
+        } else if (!code) {
+            out += markdown[i];
+        }
+    }
+    return out;
+}
+
+Table hostile_table() {
+    Table table;
+    table.columns = {{"name", Column::Kind::text}, {"value"}};
+    for (const std::string& text : hostile) {
+        table.rows.push_back({text, "-0.5"});
+    }
+    return table;
+}
+
+AuditResult hostile_verdicts() {
+    AuditResult result;
+    for (const std::string& text : hostile) {
+        ClaimResult r;
+        r.claim.id = text;
+        r.claim.printed = text;
+        r.outcome.note = text;
+        r.outcome.correct = text;
+        r.outcome.computed = text;
+        result.claims.push_back(r);
+    }
+    result.ledger = hostile[1];
+    result.source = hostile[0];
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("text of others is one line of text in every format") {
+    for (const std::string& text : hostile) {
+        CAPTURE(text);
+        for (const std::string& out :
+             {one_line(text), csv_cell(text), csv_text_cell(text), markdown_text(text),
+              markdown_code(text), latex_text(text)}) {
+            CHECK_FALSE(has_control(out));
+            CHECK(lines(out) == 0);
+        }
+        CHECK(commands(latex_text(text)).empty());
+        CHECK(markdown_text(text).find('<') == std::string::npos);
+    }
+}
+
+TEST_CASE("a cell of text is no formula of a spreadsheet, a number stays one") {
+    for (const char* const formula : {"=1+1", "+SUM(A1)", "-2+3+cmd|' /C calc'!A0", "@x", "-a*x"}) {
+        CHECK(csv_text_cell(formula) == "'" + std::string(formula));
+    }
+    for (const char* const plain : {"-1/3", "+2.5e-7", "-0.25", "a - x", "", "1 = 1"}) {
+        CHECK(csv_text_cell(plain) == plain);
+    }
+}
+
+TEST_CASE("tables of hostile text keep their rows in every format") {
+    const Table table = hostile_table();
+    const std::string csv = write_table(table, TableFormat::csv);
+    const Csv read = parse_csv(csv, "t.csv");
+    REQUIRE(read.rows.size() == hostile.size());
+    for (const Csv::Row& row : read.rows) {
+        REQUIRE(row.cells.size() == 2);
+        CHECK(row.cells[1] == "-0.5");
+        CHECK(std::string("=+-@").find(row.cells[0].front()) == std::string::npos);
+    }
+    const std::string markdown = write_table(table, TableFormat::markdown);
+    CHECK(lines(markdown) == hostile.size() + 3); // a blank line, names, dashes
+    CHECK(markdown.find('<') == std::string::npos);
+    const std::string latex = write_table(table, TableFormat::latex);
+    for (const std::string& command : commands(latex)) {
+        CAPTURE(command);
+        CHECK((command == "begin" || command == "end" || command == "toprule" ||
+               command == "midrule" || command == "bottomrule"));
+    }
+    for (const std::string& text : {csv, markdown, latex}) {
+        CHECK_FALSE(has_control(text));
+    }
+}
+
+TEST_CASE("verdicts of hostile claims keep their rows in every format") {
+    const AuditResult result = hostile_verdicts();
+    const Csv read = parse_csv(verdicts_csv(result), "verdicts.csv");
+    REQUIRE(read.rows.size() == hostile.size());
+    for (const Csv::Row& row : read.rows) {
+        REQUIRE(row.cells.size() == 8);
+        for (const std::string& cell : row.cells) {
+            CHECK((cell.empty() || std::string("=+-@").find(cell.front()) == std::string::npos));
+        }
+    }
+    const std::string markdown = verdicts_markdown(result);
+    CHECK(lines(markdown) == hostile.size() + 8);
+    CHECK(without_code(markdown).find('<') == std::string::npos);
+    const std::string latex = verdicts_latex(result);
+    CHECK(lines(latex) == hostile.size() + 5);
+    REQUIRE(latex.rfind("% ", 0) == 0); // the ledger's name is a comment, one line of it
+    for (const std::string& command : commands(latex.substr(latex.find('\n')))) {
+        CAPTURE(command);
+        CHECK((command == "begin" || command == "end" || command == "hline" ||
+               command == "endhead" || command == "textwidth" || command == "texttt"));
+    }
+    const std::string terminal = verdicts_terminal(result, 100, false);
+    for (const std::string& text : {markdown, latex, terminal, verdicts_csv(result)}) {
+        CHECK_FALSE(has_control(text));
+    }
+}

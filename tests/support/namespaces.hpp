@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A test speaks of names of several modules.
+namespace edgeproof {
+namespace audit {}
+namespace conformance {}
+namespace contact {}
+namespace cost {}
+namespace formula {}
+namespace io {}
+namespace parallel {}
+namespace quadrature {}
+namespace report {}
+namespace roots {}
+namespace scene {}
+namespace series {}
+namespace validation {}
+} // namespace edgeproof
+
+using namespace edgeproof;
+using namespace edgeproof::audit;
+using namespace edgeproof::conformance;
+using namespace edgeproof::contact;
+using namespace edgeproof::cost;
+using namespace edgeproof::formula;
+using namespace edgeproof::io;
+using namespace edgeproof::parallel;
+using namespace edgeproof::quadrature;
+using namespace edgeproof::report;
+using namespace edgeproof::roots;
+using namespace edgeproof::scene;
+using namespace edgeproof::series;
+using namespace edgeproof::validation;

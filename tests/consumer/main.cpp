@@ -8,6 +8,8 @@
 
 int main() {
     using namespace edgeproof;
+    using namespace edgeproof::contact;
+    using formula::Exact;
     const Profile hertz = Profile::power_law(Exact::parse("1"), Exact::parse("1"));
     const Exact modulus = Exact::parse("2");
     const Load load = Load::right_edge(Exact::parse("1"));

@@ -23,6 +23,25 @@ TEST_CASE("right at some samples, without a value by far at others: underspecifi
           "underspecified");
 }
 
+TEST_CASE("beyond the contact, at no size, over nothing: underspecified") {
+    for (const char* says :
+         {"Pi + p(k*a) - p(k*a)", "Pi + integral(p(s), s, -k*a, k*a)/P - 1",
+          "Pi*bof(-k*a)/bof(-k*a)", "Pi + binv(-k*a) - binv(-k*a)", "Pi + Pof(-k*a) - Pof(-k*a)",
+          "Pi + P1of(-k*a) - P1of(-k*a)", "Pi + 1/b2 - 1/b2", "Pi + k/(a*b3) - k/(a*b3)"}) {
+        CAPTURE(std::string(says));
+        CHECK(varied_verdict(says, R"(k = ["3/2"])") == "underspecified");
+    }
+}
+
+TEST_CASE("a principal value whose pole is beyond its interval is an integral like any other") {
+    // By hand: ln|1 - k| - ln|k| from 0 to 1.
+    CHECK(varied_verdict("Pi + pv(1/(s-k), s, 0, 1, k) + log(2)", R"(k = ["2"])") == "confirmed");
+    CHECK(varied_verdict("Pi + pv(1/(s-k), s, 1, 0, k) - log(2)", R"(k = ["2"])") == "confirmed");
+    CHECK(varied_verdict("Pi + pv(1/(s-k), s, 1, 1, k)", R"(k = ["2"])") == "confirmed");
+    CHECK(varied_verdict("Pi + pv(1/(s-k), s, 0, 1, k) - log(2)", R"(k = ["2"])") == "refuted");
+    CHECK(varied_verdict("Pi + pv(1/(s-k), s, 0, 3, k) + log(2)", R"(k = ["2"])") == "confirmed");
+}
+
 TEST_CASE("the root of zero, which roundoff makes negative: says nothing") {
     // Sums that are zero; each comes out negative at some of these.
     for (const char* zero : {"a*(1+k) - a - a*k", "(1+k)^2 - 1 - 2*k - k^2", "k - 2*k/3 - k/3",

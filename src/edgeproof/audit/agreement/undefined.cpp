@@ -60,10 +60,15 @@ private:
         if (e.kind() != Kind::call) {
             return std::nullopt;
         }
-        if (e.name() == "q") {
+        if (e.name() == "p" || e.name() == "q") {
             return either(formula::Expr::symbol("a") - e.arg(0),
                           e.arg(0) + formula::Expr::symbol("b"),
-                          "traction at a place beyond the contact", e);
+                          std::string(e.name() == "p" ? "pressure" : "traction") +
+                              " at a place beyond the contact",
+                          e);
+        }
+        if (e.name() == "bof" || e.name() == "binv" || e.name() == "Pof" || e.name() == "P1of") {
+            return beyond(e.arg(0), std::string(e.name()) + " of a number that is not positive", e);
         }
         const formula::Expr one = formula::Expr::number(1);
         const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
@@ -101,6 +106,11 @@ private:
             return *q == 0;
         }
         switch (e.kind()) {
+        case Kind::symbol:
+            if (is_higher_derivative_of_b(e.name()) && b_is_linear()) {
+                return true;
+            }
+            break;
         case Kind::neg:
         case Kind::div:
             return zero(e.arg(0));
@@ -119,6 +129,16 @@ private:
             break;
         }
         return surely_zero(e, sample_at_.scene_values->contact().profile().symmetric());
+    }
+
+    /// b'', b''', ...
+    static bool is_higher_derivative_of_b(std::string_view name) {
+        return name.size() == 2 && name[0] == 'b' && name[1] >= '2' && name[1] <= '9';
+    }
+    /// b(a) is a multiple of a: of a symmetric contact, and of a wedge, which has no length.
+    [[nodiscard]] bool b_is_linear() const {
+        const contact::Profile& profile = sample_at_.scene_values->contact().profile();
+        return profile.symmetric() || profile.kind() == contact::Profile::Kind::tilted_wedge;
     }
 
     [[nodiscard]] Real value(const formula::Expr& e) const {

@@ -15,6 +15,11 @@ function(edgeproof_own_flags target)
     # So does GCC 14 of a string's move, in two of the tests.
     target_compile_options(${target} PRIVATE
         "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,15>>:-Wno-array-bounds>")
+    if(EDGEPROOF_PYTHON_BUILT)
+        # The libraries become part of a shared one. Of everything, since a precompiled header is
+        # that of all targets.
+        target_compile_options(${target} PRIVATE -fPIC)
+    endif()
     if(EDGEPROOF_SANITIZE)
         # GCC 12 takes what the sanitizers add to <regex> for uninitialized (its bug 105562).
         target_compile_options(${target} PRIVATE

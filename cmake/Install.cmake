@@ -15,3 +15,4 @@ install(FILES
     cmake/ImportLibrary.cmake cmake/FindGMP.cmake cmake/FindMPFR.cmake cmake/FindFLINT.cmake
     cmake/FindGiNaC.cmake
     DESTINATION ${package_dir})
+install(DIRECTORY examples/cpp examples/scenes examples/compare examples/design DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

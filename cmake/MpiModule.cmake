@@ -21,7 +21,8 @@ if(MPI_CXX_FOUND AND EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
         set_target_properties(edgeproof_mpi PROPERTIES
             LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${libraries})
     endif()
-    install(TARGETS edgeproof_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/edgeproof)
+    install(TARGETS edgeproof_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/edgeproof
+        COMPONENT program)
 else()
     message(STATUS "No MPI: edgeproof table runs on one machine")
 endif()

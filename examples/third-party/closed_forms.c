@@ -14,13 +14,13 @@ enum { longest_line = 65536, most_columns = 64 };
 
 struct row {
     int columns;
-    char *cell[most_columns];
+    char* cell[most_columns];
 };
 
-static struct row split(char *line) {
+static struct row split(char* line) {
     struct row r = {0, {0}};
     line[strcspn(line, "\r\n")] = '\0';
-    for (char *p = line; p != NULL && r.columns < most_columns;) {
+    for (char* p = line; p != NULL && r.columns < most_columns;) {
         r.cell[r.columns++] = p;
         p = strchr(p, ',');
         if (p != NULL) {
@@ -30,7 +30,7 @@ static struct row split(char *line) {
     return r;
 }
 
-static const char *text(const struct row *header, const struct row *r, const char *name) {
+static const char* text(const struct row* header, const struct row* r, const char* name) {
     for (int i = 0; i < header->columns && i < r->columns; ++i) {
         if (strcmp(header->cell[i], name) == 0) {
             return r->cell[i];
@@ -39,7 +39,7 @@ static const char *text(const struct row *header, const struct row *r, const cha
     return "";
 }
 
-static double wedge(double a, double scale, double u, const char *name) {
+static double wedge(double a, double scale, double u, const char* name) {
     const double pi = acos(-1.0);
     if (strcmp(name, "P") == 0) {
         return scale * a;
@@ -50,7 +50,7 @@ static double wedge(double a, double scale, double u, const char *name) {
     return scale / pi * asinh(sqrt(u * (2 * a - u)) / fabs(a - u));
 }
 
-static double cylinder(double a, double scale, double u, const char *name) {
+static double cylinder(double a, double scale, double u, const char* name) {
     if (strcmp(name, "P") == 0) {
         return scale / 2 * acos(-1.0) * a * a / 2;
     }
@@ -66,7 +66,7 @@ static double cylinder(double a, double scale, double u, const char *name) {
 /* The real part, on either side of 1. */
 static double real_atanh(double z) { return fabs(z) < 1 ? atanh(z) : atanh(1 / z); }
 
-static double flat_and_rounded(double a, double t, double scale, double u, const char *name) {
+static double flat_and_rounded(double a, double t, double scale, double u, const char* name) {
     const double pi = acos(-1.0);
     const double flat = asin(t / a);
     if (strcmp(name, "P") == 0) {
@@ -95,7 +95,7 @@ int main(void) {
             continue;
         }
         const struct row r = split(line);
-        const char *const name = text(&header, &r, "quantity");
+        const char* const name = text(&header, &r, "quantity");
         const double a = atof(text(&header, &r, "a")), u = atof(text(&header, &r, "u"));
         const double modulus = atof(text(&header, &r, "contact_modulus"));
         const double slope = modulus * atof(text(&header, &r, "C"));

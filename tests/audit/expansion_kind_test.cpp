@@ -51,7 +51,7 @@ says = "-eps*X/b1 - eps^2*X^2*b2/(2*b1^3)"
     CHECK(order->text().substr(0, 4) == "3.00");
 }
 
-TEST_CASE("a wrong term is refuted where it departs, and the edit that mends it is named") {
+TEST_CASE("a wrong term is refuted where it departs, and the edit that corrects it is named") {
     const Outcome o = expansion_outcome(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "binv(b-eps*X)-a"

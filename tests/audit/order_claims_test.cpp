@@ -33,11 +33,11 @@ TEST_CASE("the order of the one-term error, and what multiplies it") {
     CHECK(verdict_of(order("u/a", pure)) == "confirmed");
     CHECK(verdict_of(order("u", pure)) == "refuted");
     CHECK(verdict_of(order("right.c1/right.c0*u", pure)) == "confirmed");
-    const ClaimResult mended =
+    const ClaimResult corrected =
         result_of(order("right.c1*u", pure + "candidates = [\"right.c1*u^2\", \"u/(3*a)\"]"));
-    CHECK(name_of(mended.outcome.verdict) == "refuted");
-    REQUIRE(mended.outcome.correct.has_value());
-    CHECK(*mended.outcome.correct == "u/(3*a)");
+    CHECK(name_of(corrected.outcome.verdict) == "refuted");
+    REQUIRE(corrected.outcome.correct.has_value());
+    CHECK(*corrected.outcome.correct == "u/(3*a)");
 }
 
 TEST_CASE("residuals have the orders and the coefficients claimed, or not") {

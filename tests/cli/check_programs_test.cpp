@@ -145,7 +145,7 @@ TEST_CASE("check --self-test: 400 spoilt files of the examples" * doctest::test_
     CHECK(o.code == 0);
 }
 
-TEST_CASE("check --ledger: formulas of one's own; the wrong one is named and mended") {
+TEST_CASE("check --ledger: formulas of one's own; the wrong one is named and corrected") {
     const Folder folder;
     const Outcome o = run(folder, "check --ledger " + quoted(third_party() / "formulas.toml"));
     CAPTURE(o.out);

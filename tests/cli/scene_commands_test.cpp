@@ -268,5 +268,5 @@ TEST_CASE("every command that examples/README.md names runs") {
         CHECK(o.err.empty());
         ++commands;
     }
-    CHECK(commands == 8);
+    CHECK(commands == 10);
 }

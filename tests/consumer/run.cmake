@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D BUILD=<build> -D WORK=<scratch> -D CXX=<compiler> -D SANITIZE=<as the build> -P run.cmake
+# cmake -D BUILD=<build> -D WORK=<scratch> -D CXX=<compiler> -D SANITIZE=<as the build>
+#       -D EXAMPLES=<folder of the build's examples> -P run.cmake
 # Installs the build into a scratch folder, builds the project beside this file against it, runs
-# it, and compares its output with expected.txt.
+# it, and compares its output with expected.txt. The examples that were installed are built and
+# run there, too, and print what those of the build print, which test_cli checks.
 set(COMPILE_OPTIONS "")
 if(SANITIZE)
     set(COMPILE_OPTIONS "-fsanitize=${SANITIZE}")
@@ -28,6 +30,21 @@ file(READ ${CMAKE_CURRENT_LIST_DIR}/expected.txt expected)
 if(status OR NOT printed STREQUAL expected)
     message(FATAL_ERROR "consumer (exit ${status}) printed\n${printed}instead of\n${expected}")
 endif()
+
+file(GLOB_RECURSE examples ${WORK}/installed/*/proved_pressure.cpp)
+cmake_path(GET examples PARENT_PATH examples)
+run(${CMAKE_COMMAND} -G Ninja -S ${examples} -B ${WORK}/examples
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
+    -D CMAKE_PREFIX_PATH=${WORK}/installed)
+run(${CMAKE_COMMAND} --build ${WORK}/examples)
+foreach(example proved_pressure coefficients extent table_in_threads ledger)
+    execute_process(COMMAND ${WORK}/examples/${example} OUTPUT_VARIABLE outside
+        RESULT_VARIABLE status)
+    execute_process(COMMAND ${EXAMPLES}/${example} OUTPUT_VARIABLE inside)
+    if(status OR inside STREQUAL "" OR NOT outside STREQUAL inside)
+        message(FATAL_ERROR "${example} (exit ${status}) printed\n${outside}instead of\n${inside}")
+    endif()
+endforeach()
 
 # No path of the source or build tree may be left in what was installed.
 file(GLOB_RECURSE configs ${WORK}/installed/*.cmake)

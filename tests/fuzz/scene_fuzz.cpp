@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/scene_file.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include "tests/fuzz/reader.hpp"
 #include "tests/support/namespaces.hpp"

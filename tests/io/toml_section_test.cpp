@@ -199,3 +199,33 @@ TEST_CASE("what is no TOML is refused in one line with its place") {
         CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
 }
+
+TEST_CASE("tables made in memory are read as those of a file, and errors name the lines given") {
+    const TomlSection top = TomlSection::made(
+        {{"load", 3, {{"a", "3/2", 5}, {"symmetric", true, 6}}},
+         {"profile", 7, {{"knots", std::vector<std::string>{"1/3", "2*"}, 9}, {"kind", "x", 8}}}},
+        "row.csv");
+    const TomlSection load = top.section("load");
+    CHECK(load.exact("a").text() == "3/2");
+    CHECK(load.flag("symmetric"));
+    CHECK(load.line() == 3);
+    CHECK(load.line("symmetric") == 6);
+    CHECK(load.line("b") == 3);
+    CHECK(load.keys() == std::vector<std::string>{"a", "symmetric"});
+    const TomlSection profile = top.section("profile");
+    CHECK(profile.texts("knots") == std::vector<std::string>{"1/3", "2*"});
+    const auto place = [](const auto& f) {
+        try {
+            f();
+        } catch (const InputError& error) {
+            return error.file() + ":" + std::to_string(error.line());
+        }
+        return std::string("accepted");
+    };
+    CHECK(place([&] { (void)profile.exacts("knots"); }) == "row.csv:9");
+    CHECK(place([&] { profile.allow({"knots"}); }) == "row.csv:8");
+    CHECK(place([&] { (void)load.text("kind"); }) == "row.csv:3");
+    CHECK(place([&] {
+              (void)TomlSection::made({{"load", 1, {{"a", "1\x7f", 2}}}}, "row.csv");
+          }) == "row.csv:2");
+}

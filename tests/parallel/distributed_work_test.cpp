@@ -133,14 +133,14 @@ TEST_CASE("work shared by several processes is done once, all of it, by all of t
 TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
     const auto make = [](std::size_t, std::size_t p) {
         if (p % 100 == 37) {
-            throw InputError("piece " + std::to_string(p) + " is bad", "mend it");
+            throw InputError("piece " + std::to_string(p) + " is bad", "correct it");
         }
         return slowly(0, p);
     };
     for (const std::size_t processes : {1U, 2U, 4U}) {
         const Outcome o = share(processes, 1000, make, keep_nothing_else);
         CAPTURE(processes);
-        CHECK(o.error == "piece 37 is bad; mend it");
+        CHECK(o.error == "piece 37 is bad; correct it");
         CHECK(o.kept.size() >= 37); // all before it, and a few that had been handed out
         CHECK(o.kept.size() < 200);
         CHECK_FALSE(o.left_over);
@@ -159,9 +159,9 @@ TEST_CASE("a stop in any process ends all of them, and so does what cannot be ke
     CHECK(stopped.kept.size() < 50'000);
 
     const Outcome full = share(3, 100'000, slowly, [](std::size_t, const std::string&) {
-        throw InputError("no room", "make some");
+        throw InputError("no space", "free some");
     });
-    CHECK(full.error == "no room; make some");
+    CHECK(full.error == "no space; free some");
     CHECK(full.kept.empty());
 }
 
@@ -184,9 +184,9 @@ TEST_CASE("a process that cannot take part ends the others and is told as such")
     CHECK_FALSE(no_recipe.left_over);
 }
 
-TEST_CASE("a first process that cannot begin sends the others home") {
+TEST_CASE("a first process that cannot begin dismisses the others") {
     Wires wires(3);
-    std::size_t home = 0;
+    std::size_t dismissed = 0;
     {
         std::vector<std::jthread> others;
         std::mutex counting;
@@ -195,11 +195,11 @@ TEST_CASE("a first process that cannot begin sends the others home") {
                 FakeProcesses mine(wires, n);
                 follow_work(mine, "sign", 2, [](std::size_t) { return std::string(); });
                 const std::lock_guard lock(counting);
-                ++home;
+                ++dismissed;
             });
         }
         FakeProcesses first(wires, 0);
         dismiss(first);
     }
-    CHECK(home == 2);
+    CHECK(dismissed == 2);
 }

@@ -25,10 +25,11 @@ TEST_CASE("nothing that steers a terminal is printable") {
                          "\\xc2\\x9b1m"}, // CSI in one character
                         {"\xe2\x80\xae"
                          "x",
-                         "\\xe2\\x80\\xaex"},         // right to left
-                        {"\xff\xc3(", "\\xff\\xc3("}, // no UTF-8
-                        {"\xc0\x9b", "\\xc0\\x9b"},   // overlong
-                        {"\xe2\x82", "\\xe2\\x82"}};  // cut off
+                         "\\xe2\\x80\\xaex"},                // right to left
+                        {"\xef\xbf\xbf", "\\xef\\xbf\\xbf"}, // no character of XML
+                        {"\xff\xc3(", "\\xff\\xc3("},        // no UTF-8
+                        {"\xc0\x9b", "\\xc0\\x9b"},          // overlong
+                        {"\xe2\x82", "\\xe2\\x82"}};         // cut off
     for (const Case& c : all) {
         CHECK(printable(c.text) == c.shown);
     }

@@ -4,11 +4,14 @@
 /// A test speaks of names of several modules.
 namespace edgeproof {
 namespace audit {}
+namespace certificate {}
+namespace comparison {}
 namespace conformance {}
 namespace contact {}
 namespace cost {}
 namespace formula {}
 namespace io {}
+namespace pack {}
 namespace parallel {}
 namespace quadrature {}
 namespace report {}
@@ -20,11 +23,13 @@ namespace validation {}
 
 using namespace edgeproof;
 using namespace edgeproof::audit;
+using namespace edgeproof::comparison;
 using namespace edgeproof::conformance;
 using namespace edgeproof::contact;
 using namespace edgeproof::cost;
 using namespace edgeproof::formula;
 using namespace edgeproof::io;
+using namespace edgeproof::pack;
 using namespace edgeproof::parallel;
 using namespace edgeproof::quadrature;
 using namespace edgeproof::report;

@@ -123,13 +123,13 @@ TEST_CASE("values drawn: all enclosed, rounded correctly and tight, on one threa
 TEST_CASE("a wrong second value is counted, in its cell, with what it takes to see it again") {
     CountOptions options = small(50);
     options.second = [](const SampledValue& v, Real& x) {
-        if (v.asked.kind == AskedValue::Kind::left_edge) {
+        if (v.asked.quantity == Quantity::b) {
             x *= 1 + pow(Real(10), -19);
         }
     };
     std::size_t edges = 0;
     for (const SampledValue& v : sampled_contact(options.seed, quick_contact).values) {
-        edges += v.asked.kind == AskedValue::Kind::left_edge ? 1 : 0;
+        edges += v.asked.quantity == Quantity::b ? 1 : 0;
     }
     CountedContact found = count_contact(options, quick_contact, 50);
     REQUIRE(edges > 0);

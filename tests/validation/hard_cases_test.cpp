@@ -3,6 +3,7 @@
 #include "tests/validation/read_file.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/validation/enclosed_value.hpp"
 #include "edgeproof/validation/run_cases.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
@@ -74,7 +75,7 @@ TEST_CASE("hard-cases.toml: at least 200 cases, at least 10 in each class of the
     }
 }
 
-TEST_CASE("Hertz, 3-4-5: p = 3/10; and u = 1e-40, where the obvious formula has no digit") {
+TEST_CASE("Hertz, 3-4-5: p = 3/10; and u = 1e-40, where the textbook formula has no digit") {
     const CaseOutcome easy = run_case(hertz("1/5"), 50);
     CHECK(easy.value == "0.30000000000000000000000000000000000000000000000000");
     CHECK(easy.proved);
@@ -95,14 +96,41 @@ TEST_CASE("Hertz, 3-4-5: p = 3/10; and u = 1e-40, where the obvious formula has 
     CHECK(hard.plain[3] <= 13);
 }
 
+TEST_CASE("a residual and a tilt difference, which are made of other values, by hand") {
+    const Scene hertz =
+        parse_scene("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"
+                    "a = \"1\"\ncontact_modulus = \"1\"\n",
+                    "hertz");
+    // One term is sqrt(2/(2 - u)) of p: 10/9 of it at u = 19/50.
+    const AskedValue residual{Quantity::residual, 1, Edge::right, Exact::parse("19/50")};
+    const BoundedValue one = enclosed_value(hertz, residual, 40);
+    CHECK(one.proved);
+    CHECK(contains(one.value, Rational(-1, 9)));
+    CHECK(one.value.radius() < Real("1e-40"));
+
+    const Scene wedge = parse_scene("[profile]\nkind = \"tilted-wedge\"\nphi = \"1/10\"\n"
+                                    "alpha = \"1/20\"\n[load]\na = \"1\"\n"
+                                    "contact_modulus = \"1\"\n",
+                                    "wedge");
+    // Upright p = (E* phi/pi) arcosh(a/x): at x = 1/3, arcosh 3 = ln(3 + sqrt(8)).
+    const AskedValue p{.quantity = Quantity::p, .u = Exact::parse("2/3")};
+    AskedValue difference = p;
+    difference.quantity = Quantity::tilt_difference;
+    const Ball upright_p = log(3 + sqrt(Ball(8, 200))) / (10 * acos(Ball(-1, 200)));
+    CHECK(overlaps(enclosed_value(upright(wedge), p, 40).value, upright_p));
+    CHECK(overlaps(enclosed_value(wedge, difference, 40).value,
+                   Ball(enclosed_value(wedge, p, 40).value - upright_p)));
+    CHECK_THROWS_AS((void)upright(hertz), InputError);
+}
+
 TEST_CASE("hard cases: one of each class, by ball and by two routes") {
     std::map<std::string, bool> seen;
     std::vector<HardCase> sample;
     for (HardCase& c : all_cases()) {
         // Of the power laws and rounded punches the quick ones.
-        const bool quick = c.asked.kind != AskedValue::Kind::coefficient &&
-                           c.asked.kind != AskedValue::Kind::residual &&
-                           c.asked.kind != AskedValue::Kind::extent &&
+        const bool quick = c.asked.quantity != Quantity::c &&
+                           c.asked.quantity != Quantity::residual &&
+                           c.asked.quantity != Quantity::extent &&
                            c.scene.profile->piecewise_linear() && c.scene.symmetric();
         if (quick && !seen[c.family]) {
             seen[c.family] = true;
@@ -124,6 +152,11 @@ TEST_CASE("hard cases: what is malformed is told with its line") {
                      "profile = { kind = \"power-law\", m = \"1\", C = \"1\" }\n"
                      "load = { a = \"1\", contact_modulus = \"1\" }\n")
               .find("cases.toml:4: unknown quantity 'heat'") == 0);
+    CHECK(message_of("[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"measure\"\n"
+                     "profile = { kind = \"power-law\", m = \"1\", C = \"1\" }\n"
+                     "load = { a = \"1\", contact_modulus = \"1\" }\n") ==
+          "cases.toml:4: unknown quantity 'measure'; write pressure, coefficient, residual, shear, "
+          "shear-coefficient, load, left-edge, tilt-difference or extent");
     CHECK(message_of("[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"load\"\n"
                      "profile = { kind = \"power-law\", m = \"-1\", C = \"1\" }\n"
                      "load = { a = \"1\", contact_modulus = \"1\" }\n")

@@ -4,10 +4,10 @@
 ///   claim.hpp     Claim: what is printed, as data; Vocabulary: the names it may use
 ///   family.hpp    Family: the scenes that a claim is sampled over, drawn deterministically
 ///   ledger.hpp    Ledger: a file of claims and families, read strictly
-///   evaluated scene.hpp   EvaluatedScene: a scene in numbers, in which formulas are evaluated
+///   evaluated_scene.hpp   EvaluatedScene: a scene in numbers, in which formulas are evaluated
 ///   verdict.hpp   Verdict
 ///   evidence.hpp  Evidence: what a verdict rests on
-///   check.hpp     Outcome, and the interface of a kind of claim (checks/ has one file a kind)
+///   claim_kind.hpp  CheckKind: the interface of a kind of claim (checks/ has one file a kind)
 ///   enclosures.hpp  what balls say of a verdict: disjoint enclosures, digits proved
 ///   mutants.hpp   formulas that stand, broken on purpose: the power of the check, measured
 #include "edgeproof/audit/agreement/enclosures.hpp"

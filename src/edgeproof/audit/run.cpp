@@ -155,9 +155,8 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         if (claim.readings.empty() && claim.undefined.empty()) {
             r.outcome = check_one(claim, context);
         } else {
-            for (const Claim::Reading& reading : claim.readings) {
-                r.readings.emplace_back(reading.text,
-                                        check_one(under_reading(ledger, claim, reading), context));
+            for (const Claim& reading : claim.readings) {
+                r.readings.emplace_back(reading.reading, check_one(reading, context));
             }
             r.outcome = combined(claim, r.readings);
         }

@@ -16,11 +16,18 @@ void add_verify(CLI::App& app, int& code);
 void add_pressure(CLI::App& app, int& code);
 void add_expand(CLI::App& app, int& code);
 void add_extent(CLI::App& app, int& code);
+void add_slip(CLI::App& app, int& code);
+void add_slip_table(CLI::App& app, int& code);
 void add_explain(CLI::App& app, int& code);
+void add_relations(CLI::App& app, int& code);
+void add_design(CLI::App& app, int& code);
 void add_table(CLI::App& app, int& code);
 void add_points(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
+void add_compare(CLI::App& app, int& code);
+void add_pack(CLI::App& app, int& code);
 void add_mutate(CLI::App& app, int& code);
+void add_certify(CLI::App& app, int& code);
 void add_bounds(CLI::App& app, int& code);
 void add_cost(CLI::App& app, int& code);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/manual.hpp"
 #include "edgeproof/cli/signals.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -30,22 +32,33 @@ int main(int argc, char** argv) {
     CLI::App app{"Contact pressures near an edge, to any number of digits, and claims held to them",
                  "edgeproof"};
     app.require_subcommand(1);
-    app.set_version_flag("--version", std::string("edgeproof ") + EDGEPROOF_VERSION);
+    app.set_version_flag("--version", report::program_lines());
     app.footer(
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     cli::add_pressure(app, code);
     cli::add_expand(app, code);
     cli::add_extent(app, code);
+    cli::add_slip(app, code);
+    cli::add_slip_table(app, code);
     cli::add_explain(app, code);
+    cli::add_relations(app, code);
+    cli::add_design(app, code);
     cli::add_table(app, code);
     cli::add_points(app, code);
     cli::add_check(app, code);
+    cli::add_compare(app, code);
+    cli::add_pack(app, code);
     cli::add_mutate(app, code);
+    cli::add_certify(app, code);
     cli::add_bounds(app, code);
     cli::add_cost(app, code);
     cli::add_verify(app, code);
     try {
+        if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // of the build
+            cli::write_manual(app, std::string(report::program_version), argv[2]);
+            return 0;
+        }
         app.parse(argc, argv);
         return code;
     } catch (const CLI::ParseError& e) {

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -107,7 +108,7 @@ void check_state(const std::string& file) {
 scene::Scene asked_scene(const SceneOptions& o) {
     (void)format_of(o.format); // before any work
     const Rounding rounding = rounding_of(o.rounding);
-    scene::Scene scene = scene::read_scene(o.scene);
+    scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     if (!o.digits.empty()) {
         scene.ask.digits.count =
             static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits_of_a_scene));
@@ -122,10 +123,8 @@ std::vector<contact::Edge> asked_edges(const SceneOptions& o) {
     if (o.edges.empty() || o.edges == "both") {
         return {contact::Edge::right, contact::Edge::left};
     }
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-        if (o.edges == scene::edge_name(edge)) {
-            return {edge};
-        }
+    if (const auto edge = scene::edge_named(o.edges)) {
+        return {*edge};
     }
     throw InputError("--edge " + o.edges + ": there is no such edge", "write right, left or both");
 }
@@ -146,6 +145,9 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
                                                                  : "enclosure";
     facts.push_back({"digits", std::to_string(digits.count)});
     facts.push_back({"rounding", how});
+    if (scene.units) {
+        facts.push_back({"units", scene.units->text()});
+    }
     const scene::ContactValues& contact = result.contact;
     if (contact.alpha) {
         facts.push_back(fact("alpha", *contact.alpha, digits));
@@ -158,7 +160,38 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
     if (contact.moment) {
         facts.push_back(fact("M", *contact.moment, digits));
     }
+    for (const auto& [quantity, value] : contact.others) {
+        facts.push_back(fact(scene::symbol_of({quantity}), value, digits));
+    }
     return facts;
+}
+
+report::Table values_table(const scene::Scene& scene, const scene::SceneResult& result) {
+    report::Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    return table;
+}
+
+void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
+                    const scene::SceneResult& result) {
+    const scene::Digits& digits = scene.ask.digits;
+    const scene::StickValues& stick = *result.stick;
+    facts.push_back({"friction", scene.shear->friction->text()});
+    facts.push_back(fact("Q/(f P)", stick.load_ratio, digits));
+    facts.push_back(fact("stick_a", stick.a, digits));
+    facts.push_back(fact("stick_b", stick.b, digits));
+    if (stick.least_tension) {
+        facts.push_back(fact("least_bulk_tension", *stick.least_tension, digits));
+    }
+    if (stick.most_tension) {
+        facts.push_back(fact("most_bulk_tension", *stick.most_tension, digits));
+    }
+    if (!stick.in_proportion) {
+        facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
+                                 "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "
+                                 "8/pi"});
+    }
 }
 
 std::string bound_note(const scene::Plan& plan) {

@@ -26,10 +26,11 @@ void add_scene_options(CLI::App& sub, SceneOptions& options);
 /// --edge right|left|both.
 void add_edge_option(CLI::App& sub, SceneOptions& options);
 
-/// The scene with what the options say instead. Throws InputError for options that make no sense.
-/// As check_output (report/files.hpp), of a file that is written and read again: no "-", no device.
+/// As check_output (io/output_file.hpp), of a file that is read again: no "-", no device.
 void check_state(const std::string& file);
 
+/// The scene with what the options say in its stead. Throws InputError for options that make no
+/// sense.
 [[nodiscard]] scene::Scene asked_scene(const SceneOptions& options);
 /// Both edges, or those of --edge.
 [[nodiscard]] std::vector<contact::Edge> asked_edges(const SceneOptions& options);
@@ -48,6 +49,13 @@ void check_state(const std::string& file);
 /// Scene, digits, a and b, and P and M where they were asked for.
 [[nodiscard]] std::vector<report::Fact> facts_of(const scene::Scene& scene,
                                                  const scene::SceneResult& result);
+
+/// A table of such a result, with its title and facts.
+[[nodiscard]] report::Table values_table(const scene::Scene& scene,
+                                         const scene::SceneResult& result);
+/// Q/(f P), the stick zone, and the bulk tensions that are allowed, of a scene with friction.
+void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
+                    const scene::SceneResult& result);
 
 /// How far bounds and digits are to be trusted, in a sentence.
 [[nodiscard]] std::string bound_note(const scene::Plan& plan);

@@ -15,7 +15,7 @@ constexpr std::size_t some = 10;
 constexpr unsigned digits_of_places = 6;
 
 /// In equal ratios from 1e-8 to 1, as decimals of 6 digits, times `unit`.
-std::vector<formula::Exact> ladder(std::size_t count, const std::string& unit) {
+std::vector<formula::Exact> geometric_places(std::size_t count, const std::string& unit) {
     const PrecisionScope scope(30);
     std::vector<formula::Exact> u;
     for (std::size_t k = 0; k < count; ++k) {
@@ -61,10 +61,10 @@ std::vector<CostCase> usual_cases() {
         cases.push_back({name, unit_contact(name, profile), contact::Edge::right, std::move(u),
                          formula::Exact::parse(near)});
     };
-    std::vector<formula::Exact> off_centre = ladder(some, "1");
+    std::vector<formula::Exact> off_centre = geometric_places(some, "1");
     off_centre.back() =
         formula::Exact::parse("1/2"); // at u = a is the apex, where some p are infinite
-    add("flat-and-rounded", flat, ladder(many, "1"));
+    add("flat-and-rounded", flat, geometric_places(many, "1"));
     add("wedge", wedge, off_centre);
     add("power law, m = 1/2", power, off_centre);
     add("tilted wedge", tilted_wedge, off_centre);
@@ -101,7 +101,7 @@ CostCase case_of(const scene::Scene& scene) {
     if (c.u.empty()) {
         const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
         const Real size = c.edge == contact::Edge::right ? contact.a() : contact.b();
-        c.u = ladder(many, to_decimal(size, digits_of_places));
+        c.u = geometric_places(many, to_decimal(size, digits_of_places));
     }
     return c;
 }

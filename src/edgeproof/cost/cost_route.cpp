@@ -7,8 +7,8 @@
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/plan.hpp"
-#include "edgeproof/scene/value_route.hpp"
+#include "edgeproof/scene/route/plan.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +132,7 @@ public:
     AsPrinted(const CostCase& c, unsigned digits) : case_(c), scene_(c.scene) {
         scene_.shear.reset();
         scene_.ask = {};
-        scene_.ask.quantities = {scene::Quantity::pressure};
+        scene_.ask.quantities = {scene::QuantityGroup::pressure};
         scene_.ask.edges = {c.edge};
         scene_.ask.digits.count = digits;
         for (const formula::Exact& u : c.u) {

@@ -33,7 +33,8 @@ struct CostRoute {
     std::string arithmetic;
     unsigned digits = 0; ///< that the arithmetic has; 0: as many as are asked for
     bool proves = false;
-    bool dear = false; ///< takes so long that it is timed at few points and digits, unless asked to
+    bool expensive =
+        false; ///< takes so long that it is timed at few points and digits, unless asked to
     /// Whether the route takes this profile.
     std::function<bool(const scene::Scene&)> takes;
     std::function<std::unique_ptr<ReadyContact>(const CostCase&, unsigned digits)> ready;

@@ -247,8 +247,8 @@ std::size_t usual_points(const CostRoute& route, unsigned digits, bool first_cas
     };
     constexpr Step compared[] = {{100, 40}, {200, 20}, {500, 8}, {1000, 4}};
     constexpr Step others[] = {{100, 10}, {200, 6}, {500, 3}, {1000, 2}};
-    constexpr Step dear[] = {{34, 10}, {50, 6}, {100, 2}};
-    constexpr Step dear_others[] = {{50, 3}};
+    constexpr Step expensive[] = {{34, 10}, {50, 6}, {100, 2}};
+    constexpr Step expensive_others[] = {{50, 3}};
     const auto look = [&](const auto& steps, std::size_t beyond) {
         for (const Step& step : steps) {
             if (digits <= step.digits) {
@@ -257,8 +257,8 @@ std::size_t usual_points(const CostRoute& route, unsigned digits, bool first_cas
         }
         return beyond;
     };
-    if (route.dear) {
-        return first_case ? look(dear, 0) : look(dear_others, 0);
+    if (route.expensive) {
+        return first_case ? look(expensive, 0) : look(expensive_others, 0);
     }
     return first_case ? look(compared, 2) : look(others, 1);
 }

@@ -54,7 +54,7 @@ struct CostCell {
 struct CostOptions {
     std::vector<unsigned> digits;
     std::size_t points = 0; ///< of a case, at most; 0: fewer the more digits there are
-    bool full = false;      ///< dear routes as the others
+    bool full = false;      ///< expensive routes as the others
     bool timed = true;      ///< else counts and digits only
     /// Cells done, of how many.
     std::function<void(std::size_t, std::size_t)> progress = {};

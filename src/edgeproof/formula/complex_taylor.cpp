@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/complex_taylor.hpp"
 
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -9,17 +10,29 @@
 namespace edgeproof::formula {
 namespace {
 
-class Poly {
-public:
-    Poly() { acb_poly_init(p_); }
-    ~Poly() { acb_poly_clear(p_); }
-    Poly(const Poly&) = delete;
-    Poly& operator=(const Poly&) = delete;
-    operator acb_poly_struct*() { return p_; } // NOLINT: what Arb's functions take
+using OfSeries = void (*)(acb_poly_struct*, const acb_poly_struct*, slong, slong);
 
-private:
-    acb_poly_t p_;
-};
+/// Arb's function of a series, where its values are right at every complex number.
+OfSeries function_of_series(Builtin f) {
+    switch (f) {
+    case Builtin::exp:
+        return acb_poly_exp_series;
+    case Builtin::sin:
+        return acb_poly_sin_series;
+    case Builtin::cos:
+        return acb_poly_cos_series;
+    case Builtin::sinh:
+        return acb_poly_sinh_series;
+    case Builtin::cosh:
+        return acb_poly_cosh_series;
+    case Builtin::gamma:
+        return acb_poly_gamma_series;
+    case Builtin::tan:
+        return acb_poly_tan_series;
+    default:
+        return nullptr;
+    }
+}
 
 class Walk {
 public:
@@ -54,8 +67,8 @@ public:
         default:
             break;
         }
-        Poly x;
-        Poly y;
+        AcbPolyValue x;
+        AcbPolyValue y;
         (*this)(x, e.arg(0));
         (*this)(y, e.arg(1));
         switch (e.kind()) {
@@ -78,33 +91,26 @@ public:
 
 private:
     static void constant(acb_poly_struct* r, const Ball& c) {
-        acb_t z;
-        acb_init(z);
+        AcbValue z;
         acb_set_arb(z, c.data());
         acb_poly_set_acb(r, z);
-        acb_clear(z);
     }
     void nowhere(acb_poly_struct* r) const {
-        acb_t z;
-        acb_init(z);
+        AcbValue z;
         acb_indeterminate(z);
         for (long k = 0; k < terms_; ++k) {
             acb_poly_set_coeff_acb(r, k, z);
         }
-        acb_clear(z);
     }
     /// The constant term may lie on (-inf, 0].
     static bool meets_cut(acb_poly_struct* x) {
-        acb_t z;
-        acb_init(z);
+        AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
-        const bool meets =
-            arb_contains_zero(acb_imagref(z)) != 0 && arb_contains_nonpositive(acb_realref(z)) != 0;
-        acb_clear(z);
-        return meets;
+        return arb_contains_zero(acb_imagref(z)) != 0 &&
+               arb_contains_nonpositive(acb_realref(z)) != 0;
     }
     void power(acb_poly_struct* r, const Expr& e) const {
-        Poly x;
+        AcbPolyValue x;
         (*this)(x, e.arg(0));
         const Rational* exponent = e.arg(1).rational();
         if (exponent != nullptr && boost::multiprecision::denominator(*exponent) == 1 &&
@@ -124,7 +130,7 @@ private:
             }
             return;
         }
-        Poly y;
+        AcbPolyValue y;
         (*this)(y, e.arg(1));
         acb_poly_log_series(x, x, terms_, bits_);
         acb_poly_mullow(x, x, y, terms_, bits_);
@@ -132,12 +138,11 @@ private:
     }
     /// x^q from what |x| is at most: binomial(q, k) x^(q - k), as long as q > k.
     void power_beside_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
-        acb_t z;
-        acb_init(z);
+        AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
         Ball most(0, bits_);
         arb_get_abs_ubound_arf(arb_midref(most.data()), acb_realref(z), bits_);
-        Poly outer;
+        AcbPolyValue outer;
         Ball binomial(1, bits_);
         for (long k = 0; k < terms_; ++k) {
             acb_zero(z);
@@ -154,35 +159,17 @@ private:
         acb_zero(z);
         acb_poly_set_coeff_acb(x, 0, z);
         acb_poly_compose_series(r, outer, x, terms_, bits_);
-        acb_clear(z);
     }
     void call(acb_poly_struct* r, const Expr& e) const {
-        Poly x;
+        AcbPolyValue x;
         (*this)(x, e.arg(0));
+        if (const OfSeries f = function_of_series(e.builtin())) {
+            f(r, x, terms_, bits_);
+            return;
+        }
         switch (e.builtin()) {
-        case Builtin::exp:
-            acb_poly_exp_series(r, x, terms_, bits_);
-            return;
-        case Builtin::sin:
-            acb_poly_sin_series(r, x, terms_, bits_);
-            return;
-        case Builtin::cos:
-            acb_poly_cos_series(r, x, terms_, bits_);
-            return;
-        case Builtin::sinh:
-            acb_poly_sinh_series(r, x, terms_, bits_);
-            return;
-        case Builtin::cosh:
-            acb_poly_cosh_series(r, x, terms_, bits_);
-            return;
-        case Builtin::gamma:
-            acb_poly_gamma_series(r, x, terms_, bits_);
-            return;
-        case Builtin::tan:
-            acb_poly_tan_series(r, x, terms_, bits_);
-            return;
         case Builtin::tanh: {
-            Poly y;
+            AcbPolyValue y;
             acb_poly_cosh_series(y, x, terms_, bits_);
             acb_poly_sinh_series(x, x, terms_, bits_);
             acb_poly_div_series(r, x, y, terms_, bits_);
@@ -217,22 +204,20 @@ private:
     void inverse(acb_poly_struct* r, acb_poly_struct* x, Builtin f) const {
         const bool hyperbola = f == Builtin::asinh || f == Builtin::atan;
         const bool rational = f == Builtin::atan || f == Builtin::atanh;
-        Poly square;
+        AcbPolyValue square;
         acb_poly_mullow(square, x, x, terms_, bits_);
         if (!hyperbola) {
             acb_poly_neg(square, square);
         }
-        Poly one;
+        AcbPolyValue one;
         acb_poly_one(one);
         acb_poly_add(square, square, one, bits_);
-        acb_t z;
-        acb_init(z);
+        AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
         const bool outside = f == Builtin::acosh ? arb_contains_zero(acb_imagref(z)) != 0 &&
                                                        !certainly_beyond_one(acb_realref(z))
                                                  : meets_cut(square);
         if (outside) {
-            acb_clear(z);
             nowhere(r);
             return;
         }
@@ -256,12 +241,12 @@ private:
             acb_acosh(z, z, bits_);
             break;
         }
-        Poly rate;
+        AcbPolyValue rate;
         acb_poly_derivative(rate, x, bits_);
         if (f == Builtin::acosh) {
             // 1/(sqrt(x - 1) sqrt(x + 1)): one root of the product has a cut elsewhere.
-            Poly less;
-            Poly more;
+            AcbPolyValue less;
+            AcbPolyValue more;
             acb_poly_sub(less, x, one, bits_);
             acb_poly_add(more, x, one, bits_);
             acb_poly_sqrt_series(less, less, terms_, bits_);
@@ -277,15 +262,11 @@ private:
         acb_poly_integral(r, r, bits_);
         acb_poly_set_coeff_acb(r, 0, z);
         acb_poly_truncate(r, terms_);
-        acb_clear(z);
     }
     static bool certainly_beyond_one(const arb_t x) {
-        arb_t y;
-        arb_init(y);
+        ArbValue y;
         arb_sub_ui(y, x, 1, 64);
-        const bool beyond = arb_is_positive(y) != 0;
-        arb_clear(y);
-        return beyond;
+        return arb_is_positive(y) != 0;
     }
 
     const acb_struct* at_;
@@ -309,12 +290,6 @@ bool has_complex_taylor(const Expr& e) {
         return false;
     case Expr::Kind::call:
         switch (e.builtin()) {
-        case Builtin::exp:
-        case Builtin::sin:
-        case Builtin::cos:
-        case Builtin::sinh:
-        case Builtin::cosh:
-        case Builtin::tan:
         case Builtin::tanh:
         case Builtin::sqrt:
         case Builtin::log:
@@ -324,10 +299,11 @@ bool has_complex_taylor(const Expr& e) {
         case Builtin::asinh:
         case Builtin::acosh:
         case Builtin::atanh:
-        case Builtin::gamma:
             break;
         default:
-            return false;
+            if (function_of_series(e.builtin()) == nullptr) {
+                return false;
+            }
         }
         break;
     default:

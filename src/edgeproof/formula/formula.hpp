@@ -5,6 +5,7 @@
 ///   expr.hpp         Expr: the tree; text and TeX of it; substitution; edits by path
 ///   parse.hpp        text -> Expr, with a strict table of names; FormulaError
 ///   exact.hpp        Exact: a constant such as "pi/16", and its value at any precision
+///   parity.hpp       even and odd functions, told by their form
 ///   identity.hpp     zeros and signs proved by exact algebra
 ///   evaluate.hpp     the value of an Expr in any kind of number
 ///   environment.hpp  Values: names with values, to evaluate in
@@ -15,5 +16,6 @@
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/parity.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/formula/program.hpp"

@@ -4,6 +4,7 @@
 #include "edgeproof/formula/real_functions.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/repeated_product.hpp"
 
 #include <concepts>
 #include <span>
@@ -190,22 +191,6 @@ template <class T> [[nodiscard]] T call(Builtin f, std::span<const T> x) {
         break;
     }
     missing(f);
-}
-
-template <class T> [[nodiscard]] T repeated_product(const T& x, unsigned long n) {
-    T square = x;
-    while ((n & 1UL) == 0) {
-        square = T(square * square);
-        n >>= 1U;
-    }
-    T y = square;
-    while ((n >>= 1U) != 0) {
-        square = T(square * square);
-        if ((n & 1UL) != 0) {
-            y = T(y * square);
-        }
-    }
-    return y;
 }
 
 template <class T> [[nodiscard]] T integer_power(const T& x, long n, const T& one) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parse.hpp"
 
-#include "edgeproof/formula/fold.hpp"
+#include "edgeproof/formula/decimal_token.hpp"
 #include "edgeproof/formula/names.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace {
 
 constexpr std::size_t max_length = 20'000;
 constexpr std::size_t max_depth = 200;
-constexpr long max_exponent = 100'000;
-/// All numbers of one expression together.
-constexpr std::size_t max_number_bits = 4'000'000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -202,79 +198,11 @@ private:
 
     Expr number() {
         const std::size_t start = pos_;
-        std::string digits;
-        long scale = 0;
-        const auto read_digits = [&] {
-            const std::size_t from = pos_;
-            while (is_digit(peek())) {
-                digits += text_[pos_++];
-            }
-            return pos_ - from;
-        };
-        read_digits();
-        if (peek() == '.') {
-            ++pos_;
-            scale = -static_cast<long>(read_digits());
-        }
-        if (digits.empty()) {
-            fail("a '.' without digits" + column(start), "write a number such as 0.5", start);
-        }
-        scale += exponent();
-        if (peek() == '.') {
-            fail("a second '.' in the number" + column(start), "write a number such as 0.5", start);
-        }
+        const DecimalToken token = decimal_token(text_, start, number_bits_);
+        pos_ = token.end;
         consumed_ = pos_;
         skip_space();
-        return located(Expr::number(value(digits, scale, start)), start);
-    }
-
-    /// The decimal exponent, if one follows. An `e` that no digits follow is left to be a name.
-    long exponent() {
-        std::size_t p = pos_;
-        const auto here = [&] { return p < text_.size() ? text_[p] : '\0'; };
-        if (here() != 'e' && here() != 'E') {
-            return 0;
-        }
-        ++p;
-        const bool negative = here() == '-';
-        if (here() == '-' || here() == '+') {
-            ++p;
-        }
-        if (!is_digit(here())) {
-            return 0;
-        }
-        long size = 0;
-        for (; is_digit(here()); ++p) {
-            size = std::min(10 * size + (here() - '0'), 10 * max_exponent);
-        }
-        pos_ = p;
-        return negative ? -size : size;
-    }
-
-    /// digits * 10^scale, exactly.
-    Rational value(std::string digits, long scale, std::size_t start) {
-        digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-        if (digits.empty()) {
-            return {};
-        }
-        if (std::abs(scale + static_cast<long>(digits.size()) - 1) > max_exponent) {
-            fail("the number" + column(start) + " has an exponent beyond " +
-                     std::to_string(max_exponent),
-                 "write an exponent between -" + std::to_string(max_exponent) + " and " +
-                     std::to_string(max_exponent),
-                 start);
-        }
-        const Integer mantissa(digits);
-        Integer ten_power;
-        mpz_ui_pow_ui(ten_power.backend().data(), 10, static_cast<unsigned long>(std::abs(scale)));
-        const Rational q =
-            scale < 0 ? Rational(mantissa, ten_power) : Rational(mantissa * ten_power);
-        number_bits_ += bits_of(q);
-        if (number_bits_ > max_number_bits) {
-            fail("the numbers are too long, all in all," + column(pos_),
-                 "write fewer digits or smaller exponents", pos_);
-        }
-        return q;
+        return located(Expr::number(token.value), start);
     }
 
     [[nodiscard]] std::string_view name_at(std::size_t start) const {

@@ -2,6 +2,7 @@
 #include "edgeproof/formula/real_functions.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/repeated_product.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/hypot.hpp>
@@ -201,19 +202,6 @@ template <class T> void check_domain(Builtin f, std::span<const T> x) {
 
 template <class T> T sign_of(const T& x) { return x > 0 ? T(1) : x < 0 ? T(-1) : T(0); }
 
-template <class T> T product_power(T square, unsigned long n) {
-    T y(1);
-    for (; n != 0; n >>= 1U) {
-        if ((n & 1UL) != 0) {
-            y *= square;
-        }
-        if (n > 1) {
-            square *= square;
-        }
-    }
-    return y;
-}
-
 /// x^(n/2) for odd n.
 template <class T> T half_integer_power(const T& x, long n) {
     const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
@@ -298,17 +286,17 @@ template <Arithmetic T> T pow_int(const T& x, long n) {
         constexpr long few = 8; // beyond that, the C library's power is the more accurate one
         constexpr long exact_in_double = 1L << 53U;
         if (n >= 0 && n <= few) {
-            return product_power(x, static_cast<unsigned long>(n));
+            return n == 0 ? T(1) : repeated_product(x, static_cast<unsigned long>(n));
         }
         if (n < 0 && n >= -few) {
-            return T(1) / product_power(x, static_cast<unsigned long>(-n));
+            return T(1) / repeated_product(x, static_cast<unsigned long>(-n));
         }
         if (n >= -exact_in_double && n <= exact_in_double) {
             return pow(x, static_cast<T>(n));
         }
         const unsigned long size =
             n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
-        const T y = product_power(x, size);
+        const T y = repeated_product(x, size);
         return n < 0 ? T(T(1) / y) : y;
     }
 }

@@ -72,7 +72,7 @@ int own_descriptor(const std::filesystem::path& file) {
 }
 
 [[noreturn]] void cannot_write(const std::filesystem::path& file, const std::string& why) {
-    throw InputError("cannot write " + file.string() + ": " + why, make_room);
+    throw InputError("cannot write " + file.string() + ": " + why, give_writable_folder);
 }
 
 } // namespace

@@ -12,7 +12,8 @@ namespace edgeproof::io {
 [[nodiscard]] int write_all(int fd, const std::string& text);
 
 /// What to do about a file that cannot be written.
-inline constexpr const char* make_room = "give a folder that can be written to, with room in it";
+inline constexpr const char* give_writable_folder =
+    "give a folder that can be written to, with free space";
 
 /// Removes what processes that are no more left beside a file, or a folder, under names of the kind
 /// "t.csv.4711.tmp". What a process that lives writes there is locked (flock).

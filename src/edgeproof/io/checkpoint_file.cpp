@@ -100,7 +100,7 @@ CheckpointFile::~CheckpointFile() {
 
 void CheckpointFile::cannot(const char* what, int error) const {
     throw InputError(fmt::format("cannot {} {}: {}", what, file_.string(), std::strerror(error)),
-                     make_room);
+                     give_writable_folder);
 }
 
 void CheckpointFile::not_ours() const {
@@ -193,7 +193,8 @@ void CheckpointFile::add(std::size_t piece, const std::string& body) {
     const std::string head = fmt::format("{} {} {:x}\n", piece, body.size(), checksum(piece, body));
     struct stat now {};
     if (::fstat(fd_, &now) != 0 || now.st_nlink == 0) {
-        throw InputError(file_.string() + " has been removed while it was written", make_room);
+        throw InputError(file_.string() + " has been removed while it was written",
+                         give_writable_folder);
     }
     if (const int error = write_all(fd_, head + body); error != 0) {
         (void)::ftruncate(fd_, static_cast<off_t>(end_));

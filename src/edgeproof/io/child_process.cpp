@@ -168,9 +168,9 @@ public:
     }
     void read() {
         const auto keep = [&](std::string_view text) {
-            const std::size_t room = call_.most_output - run_.output.size();
-            run_.output.append(text.substr(0, room));
-            run_.too_much = run_.too_much || text.size() > room;
+            const std::size_t space = call_.most_output - run_.output.size();
+            run_.output.append(text.substr(0, space));
+            run_.too_much = run_.too_much || text.size() > space;
         };
         const auto hand_on = [&](std::string_view text) {
             if (call_.said) {

@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error) {
     throw InputError("cannot " + what + " " + path.string() + ": " + std::strerror(error),
-                     make_room);
+                     give_writable_folder);
 }
 
 } // namespace

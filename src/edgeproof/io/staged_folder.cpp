@@ -46,7 +46,7 @@ fs::path make_stage(const fs::path& target, bool inside) {
 }
 
 [[noreturn]] void cannot_move(const fs::path& file, const std::error_code& why) {
-    throw InputError("cannot write " + file.string() + ": " + why.message(), make_room);
+    throw InputError("cannot write " + file.string() + ": " + why.message(), give_writable_folder);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "edgeproof/io/toml_section.hpp"
 
 #include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/io/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <utility>
 
 namespace edgeproof::io {
@@ -17,78 +19,36 @@ struct TomlSection::Source {
     toml::table root;
     std::vector<std::string> lines;
     std::string file;
+    std::map<const toml::node*, std::size_t> made; ///< lines of what was not parsed
+
+    [[nodiscard]] std::size_t line_of(const toml::node& n) const {
+        const auto found = made.find(&n);
+        return found == made.end() ? n.source().begin.line : found->second;
+    }
 };
 
 namespace {
 
 constexpr std::size_t most_float_digits = 15;
 
-std::vector<std::string> split_lines(std::string_view text) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        lines.emplace_back(text.substr(0, end));
-        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-    }
-    return lines;
-}
-
-std::size_t significant_digits(std::string_view number) {
-    std::size_t digits = 0;
-    for (const char c : number.substr(0, number.find_first_of("eE"))) {
-        digits += c >= '0' && c <= '9' && (digits > 0 || c != '0') ? 1 : 0;
-    }
-    return digits;
-}
-
-bool is_number_character(char c) {
-    return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E' ||
-           c == '_';
-}
-
-/// Where the character at a column (from 1) begins: toml++ counts characters, not bytes.
-std::size_t byte_of_column(std::string_view line, std::size_t column) {
-    std::size_t at = 0;
-    for (std::size_t before = 1; before < column && at < line.size(); ++before) {
-        ++at;
-        while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U) {
-            ++at;
-        }
-    }
-    return at;
-}
-
-/// Control characters other than tab and newline: they steer the terminal that shows them.
-bool has_control(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const bool c1 = c == 0xC2U && i + 1 < text.size() &&
-                        static_cast<unsigned char>(text[i + 1]) < 0xA0U; // U+0080 ... U+009F
-        if ((c < 0x20U && c != '\t' && c != '\n' && c != '\r') || c == 0x7FU || c1) {
-            return true;
-        }
-    }
-    return false;
-}
-
-void check_characters(const toml::node& n, const std::string& file) {
-    const auto check = [&](std::string_view text, const toml::source_region& at) {
+template <class Source> void check_characters(const toml::node& n, const Source& source) {
+    const auto check = [&](std::string_view text, std::size_t line) {
         if (has_control(text)) {
             throw InputError("a control character in a key or a text", "leave it out")
-                .at(file, at.begin.line);
+                .at(source.file, line);
         }
     };
     if (const auto* table = n.as_table()) {
         for (const auto& [key, value] : *table) {
-            check(key.str(), key.source());
-            check_characters(value, file);
+            check(key.str(), key.source().begin.line);
+            check_characters(value, source);
         }
     } else if (const auto* array = n.as_array()) {
         for (const toml::node& element : *array) {
-            check_characters(element, file);
+            check_characters(element, source);
         }
     } else if (const auto* text = n.as_string()) {
-        check(text->get(), n.source());
+        check(text->get(), source.line_of(n));
     }
 }
 
@@ -109,7 +69,9 @@ struct TomlSection::Access {
         }
         return *found;
     }
-    static std::size_t line_of(const toml::node& n) { return n.source().begin.line; }
+    [[nodiscard]] std::size_t line_of(const toml::node& n) const {
+        return self.source_->line_of(n);
+    }
 
     /// The float as it stands in the file. It must read as the double that toml++ made of it: where
     /// that fails, the place in the line was wrong, and no number is better than another one.
@@ -246,7 +208,41 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
                                : "write key = \"value\" lines under [section] headers")
             .at(file, error.source().begin.line);
     }
-    check_characters(source->root, file);
+    check_characters(source->root, *source);
+    const void* top = &source->root;
+    return {std::move(source), top};
+}
+
+TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::string& file) {
+    auto source = std::make_shared<Source>();
+    source->file = file;
+    const auto add = [&](toml::table& to, const std::string& key, std::size_t line, auto&& value) {
+        toml::source_region at;
+        at.begin.line = static_cast<toml::source_index>(line);
+        const auto [place, is_new] =
+            to.insert_or_assign(toml::key(key, at), std::forward<decltype(value)>(value));
+        source->made[&place->second] = line;
+        return &place->second;
+    };
+    for (const TomlTable& table : tables) {
+        toml::table& to = *add(source->root, table.name, table.line, toml::table{})->as_table();
+        for (const TomlEntry& entry : table.entries) {
+            if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
+                toml::array& items = *add(to, entry.key, entry.line, toml::array{})->as_array();
+                for (const std::string& item : *list) {
+                    items.push_back(item);
+                }
+                for (const toml::node& item : items) {
+                    source->made[&item] = entry.line;
+                }
+            } else if (const auto* flag = std::get_if<bool>(&entry.value)) {
+                add(to, entry.key, entry.line, *flag);
+            } else {
+                add(to, entry.key, entry.line, std::get<std::string>(entry.value));
+            }
+        }
+    }
+    check_characters(source->root, *source);
     const void* top = &source->root;
     return {std::move(source), top};
 }
@@ -288,7 +284,10 @@ bool TomlSection::is_table(std::string_view key) const {
 bool TomlSection::is_list(std::string_view key) const {
     return has(key) && Access{*this}.node(key).is_array();
 }
-std::size_t TomlSection::line() const { return Access{*this}.table().source().begin.line; }
+std::size_t TomlSection::line() const {
+    const Access access{*this};
+    return access.line_of(access.table());
+}
 std::size_t TomlSection::line(std::string_view key) const {
     const toml::table& table = Access{*this}.table();
     const auto found = table.find(key);
@@ -351,7 +350,7 @@ std::vector<TomlSection::Item> TomlSection::exacts(std::string_view key) const {
     const Access access{*this};
     std::vector<Item> list;
     access.for_each(key, [&](const toml::node& n) {
-        list.push_back({access.exact(n, key), Access::line_of(n)});
+        list.push_back({access.exact(n, key), access.line_of(n)});
     });
     return list;
 }

@@ -6,9 +6,23 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace edgeproof::io {
+
+/// A key of a table that is made in memory.
+struct TomlEntry {
+    std::string key;
+    std::variant<std::string, std::vector<std::string>, bool> value;
+    std::size_t line = 0; ///< that errors name
+};
+/// Such a table.
+struct TomlTable {
+    std::string name;
+    std::size_t line = 0;
+    std::vector<TomlEntry> entries;
+};
 
 /// A table of a TOML file, read strictly. Whatever is not as it should be throws InputError with
 /// the file, the line, what is wrong and what to write instead.
@@ -21,6 +35,10 @@ public:
     /// The top of a file. `file` is what errors name. Also refused: a text beyond the limits of
     /// toml_limits.hpp, and control characters other than tab and newline in a key or a text.
     [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
+
+    /// The top of a file that holds these tables, without the text of one.
+    [[nodiscard]] static TomlSection made(const std::vector<TomlTable>& tables,
+                                          const std::string& file);
 
     /// Refuses any other key.
     void allow(const std::vector<std::string_view>& keys) const;

@@ -38,7 +38,7 @@ void lead_work(Processes& processes, const std::string& sign, const PieceSource&
 void follow_work(Processes& processes, const std::string& sign, unsigned threads,
                  const MakePiece& make);
 
-/// For a process that cannot even begin: the first sends the others home; any other tells the
+/// For a process that cannot even begin: the first dismisses the others; any other tells the
 /// first why.
 void dismiss(Processes& processes);
 void follow_failed(Processes& processes, const std::string& why);

@@ -29,8 +29,8 @@ template <Arithmetic T> [[nodiscard]] T from_rational(const Rational& q) {
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x;
     } else {
-        // 40 digits hold every format below Real with room for a correct second rounding in all
-        // but a vanishing fraction of cases; the result is then still within one ulp.
+        // 40 digits hold every format below Real and more, so that a second rounding is right in
+        // all but a vanishing fraction of cases; the result is then still within one ulp.
         Real x(0, 40U);
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x.convert_to<T>();

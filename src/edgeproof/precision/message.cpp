@@ -35,11 +35,12 @@ std::size_t decode(std::string_view text, std::uint32_t& code) {
     return overlong || (code >= 0xD800U && code < 0xE000U) || code > 0x10FFFFU ? 0 : length;
 }
 
-/// Control characters, line separators, and signs that turn the direction of writing.
+/// Control characters, line separators, signs that turn the direction of writing, and the two that
+/// XML excludes.
 bool steers(std::uint32_t code) {
     return code < 0x20U || (code >= 0x7FU && code < 0xA0U) || code == 0x2028U || code == 0x2029U ||
            (code >= 0x202AU && code <= 0x202EU) || (code >= 0x2066U && code <= 0x2069U) ||
-           code == 0x200EU || code == 0x200FU;
+           code == 0x200EU || code == 0x200FU || code == 0xFFFEU || code == 0xFFFFU;
 }
 
 std::string escaped(std::string_view text, bool lines) {

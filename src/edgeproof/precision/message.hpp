@@ -10,8 +10,8 @@
 namespace edgeproof {
 
 /// One line without a character that steers a terminal: line breaks and tabs become spaces, other
-/// control characters (C0, DEL, C1), signs that turn the direction of writing, and bytes that are
-/// no UTF-8 become escapes such as \x1b.
+/// control characters (C0, DEL, C1), signs that turn the direction of writing, U+FFFE, U+FFFF, and
+/// bytes that are no UTF-8 become escapes such as `\x1b`.
 [[nodiscard]] std::string printable(std::string_view text);
 /// The same of a text of many lines and columns: line breaks and tabs stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Numbers. Bottom of the house: everything above is written in terms of these.
+/// Numbers. The lowest module: everything above is written in terms of these.
 ///   error.hpp       the exceptions that the library throws
 ///   rational.hpp    Rational, Integer: what a decimal in a file means
 ///   interruption.hpp  work that is asked to end
@@ -11,7 +11,9 @@
 ///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
 ///   interval.hpp    Interval: from one end to another, where a sign at an end has to be kept
 ///   digits_right.hpp  how many digits of a number an enclosure shows to be right
-///   elementary.hpp  the arc tangent and a logarithm, faster where Real is concerned
+///   arb_values.hpp  values of Arb's types that clear themselves
+///   elementary.hpp  the arc tangent and e^x - 1 of Real, by Arb
+///   bounded_cache.hpp  tables that are kept, and do not grow
 ///   instantiate.hpp  what is compiled for every arithmetic
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"

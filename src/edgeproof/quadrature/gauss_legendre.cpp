@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 
-#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
-#include <map>
 #include <mutex>
 #include <utility>
 
@@ -17,21 +17,15 @@ Real rounded(const Ball& x, long bits) {
     return r;
 }
 
-std::shared_ptr<const GaussLegendreRule> build(std::size_t n, long bits) {
-    auto rule = std::make_shared<GaussLegendreRule>();
-    rule->n = n;
-    // 1 - x is about 1.4/n^2 at the outermost node.
-    long guard = 16;
-    for (std::size_t k = n; k > 1; k /= 2) {
-        guard += 2;
-    }
-    Ball x(0, bits + guard);
-    Ball w(0, bits + guard);
+GaussLegendreBalls build(std::size_t n, long bits) {
+    GaussLegendreBalls rule;
     for (std::size_t k = 0; 2 * k < n; ++k) {
-        arb_hypgeom_legendre_p_ui_root(x.data(), w.data(), n, k, bits + guard);
-        rule->x.push_back(rounded(x, bits));
-        rule->from_end.push_back(rounded(1 - x, bits));
-        rule->weight.push_back(rounded(w, bits));
+        check_interruption();
+        Ball x(0, bits);
+        Ball w(0, bits);
+        arb_hypgeom_legendre_p_ui_root(x.data(), w.data(), n, k, bits);
+        rule.x.push_back(std::move(x));
+        rule.weight.push_back(std::move(w));
     }
     return rule;
 }
@@ -39,25 +33,49 @@ std::shared_ptr<const GaussLegendreRule> build(std::size_t n, long bits) {
 /// One slot a table, so that a long table being built keeps nobody else waiting.
 struct Slot {
     std::once_flag once;
-    std::shared_ptr<const GaussLegendreRule> rule;
+    GaussLegendreBalls rule;
 };
+
+struct Tables {
+    std::mutex guard;
+    BoundedCache<std::pair<std::size_t, long>, Slot> slots{most_gauss_legendre_tables};
+};
+Tables& tables() {
+    static Tables all;
+    return all;
+}
 
 } // namespace
 
-std::shared_ptr<const GaussLegendreRule> gauss_legendre_rule(std::size_t n, long bits) {
-    static std::mutex guard;
-    static std::map<std::pair<std::size_t, long>, std::shared_ptr<Slot>> slots;
+std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n, long bits) {
     std::shared_ptr<Slot> slot;
     {
-        const std::lock_guard lock(guard);
-        auto& found = slots[{n, bits}];
-        if (!found) {
-            found = std::make_shared<Slot>();
-        }
-        slot = found;
+        const std::lock_guard lock(tables().guard);
+        slot = tables().slots.get({n, bits}, [] { return std::make_shared<Slot>(); });
     }
     std::call_once(slot->once, [&] { slot->rule = build(n, bits); });
-    return slot->rule;
+    return {slot, &slot->rule};
+}
+
+std::size_t gauss_legendre_tables() {
+    const std::lock_guard lock(tables().guard);
+    return tables().slots.size();
+}
+
+GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits) {
+    // 1 - x is about 1.4/n^2 at the outermost node.
+    long guard = 16;
+    for (std::size_t k = n; k > 1; k /= 2) {
+        guard += 2;
+    }
+    const auto balls = gauss_legendre_balls(n, bits + guard);
+    GaussLegendreRule rule;
+    for (std::size_t k = 0; k < balls->x.size(); ++k) {
+        rule.x.push_back(rounded(balls->x[k], bits));
+        rule.from_end.push_back(rounded(1 - balls->x[k], bits));
+        rule.weight.push_back(rounded(balls->weight[k], bits));
+    }
+    return rule;
 }
 
 } // namespace edgeproof::quadrature

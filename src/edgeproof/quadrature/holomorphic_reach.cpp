@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/holomorphic_reach.hpp"
 
+#include "edgeproof/precision/ball/acb_values.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,18 +15,7 @@ constexpr int most_balls = 600;
 class Cover {
 public:
     Cover(const ComplexFunction& f, double centre, const BernsteinEllipse& ellipse)
-        : f_(f), centre_(centre), wide_(ellipse.half + ellipse.excess()), high_(ellipse.height()) {
-        acb_init(phi_);
-        acb_init(value_);
-        mag_init(size_);
-    }
-    ~Cover() {
-        acb_clear(phi_);
-        acb_clear(value_);
-        mag_clear(size_);
-    }
-    Cover(const Cover&) = delete;
-    Cover& operator=(const Cover&) = delete;
+        : f_(f), centre_(centre), wide_(ellipse.half + ellipse.excess()), high_(ellipse.height()) {}
 
     [[nodiscard]] std::optional<double> ln_bound() {
         const double step = wide_ / 4;
@@ -75,9 +66,9 @@ private:
     double high_;
     int balls_ = 0;
     double ln_bound_ = -1e9;
-    acb_t phi_;
-    acb_t value_;
-    mag_t size_;
+    AcbValue phi_;
+    AcbValue value_;
+    MagValue size_;
 };
 
 } // namespace

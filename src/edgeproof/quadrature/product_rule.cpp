@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/product_rule.hpp"
 
+#include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 
 #include <cmath>
 
 namespace edgeproof::quadrature {
 namespace {
-
-mpfr_ptr raw(Real& x) { return x.backend().data(); }
-mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 
 /// (2k + 1) times the mean of P_k(2t - 1). The weight's derivative is rational (Pearson), which
 /// gives a recurrence of three terms; both its solutions go like powers of k.
@@ -78,12 +76,12 @@ ProductRule::ProductRule(std::size_t n, const Real& p, const Real& r) {
         from_end.push_back(at_working_precision(from_1));
         weight.push_back(at_working_precision(here));
     };
-    for (std::size_t k = 0; k < rule->x.size(); ++k) {
-        const Real near = rule->from_end[k] / 2;
-        const Real far = (1 + rule->x[k]) / 2;
-        add(rule->x[k], far, near, rule->weight[k]);
-        if (rule->x[k] != 0) {
-            add(Real(-rule->x[k]), near, far, rule->weight[k]);
+    for (std::size_t k = 0; k < rule.x.size(); ++k) {
+        const Real near = rule.from_end[k] / 2;
+        const Real far = (1 + rule.x[k]) / 2;
+        add(rule.x[k], far, near, rule.weight[k]);
+        if (rule.x[k] != 0) {
+            add(Real(-rule.x[k]), near, far, rule.weight[k]);
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/root_ends.hpp"
 
+#include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
@@ -8,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <memory>
 #include <utility>
 
 namespace edgeproof::quadrature {
@@ -40,15 +41,18 @@ struct MappedNode {
     Real weight_2; ///< times pi sin(pi v/2) cos(pi v/2): of one over its square
 };
 
-std::vector<MappedNode> mapped(std::size_t n) {
+using MappedNodes = std::vector<MappedNode>;
+constexpr std::size_t most_mapped_rules = 64; ///< that a thread keeps
+
+MappedNodes mapped(std::size_t n) {
     const auto rule =
         gauss_legendre_rule(n, static_cast<long>(Real().backend().data()->_mpfr_prec));
     const Real quarter = pi<Real>() / 4;
-    std::vector<MappedNode> nodes;
+    MappedNodes nodes;
     nodes.reserve(n);
     // Sines of the smaller angle, so that both squares are exact to the last digit.
     const auto add = [&](std::size_t k, bool upper) {
-        const Real angle = rule->from_end[k] * quarter / 2; // half of pi (1 - v)/2, or of pi v/2
+        const Real angle = rule.from_end[k] * quarter / 2; // half of pi (1 - v)/2, or of pi v/2
         const Real small = sin(angle);
         const Real near = 2 * small * cos(angle); // the sine of the smaller angle
         const Real far = 1 - 2 * small * small;   // and its cosine
@@ -57,14 +61,14 @@ std::vector<MappedNode> mapped(std::size_t n) {
         node.rest = upper ? Real(2 * small * small) : Real(1 - near);
         node.sine_2 = node.sine * node.sine;
         node.cosine_2 = upper ? Real(near * near) : Real(far * far);
-        const Real w = rule->weight[k] * quarter;
+        const Real w = rule.weight[k] * quarter;
         node.weight = w * (upper ? near : far);
         node.weight_2 = 2 * w * near * far;
         nodes.push_back(std::move(node));
     };
-    for (std::size_t k = 0; k < rule->x.size(); ++k) {
+    for (std::size_t k = 0; k < rule.x.size(); ++k) {
         add(k, true);
-        if (rule->x[k] != 0) {
+        if (rule.x[k] != 0) {
             add(k, false);
         }
     }
@@ -72,11 +76,11 @@ std::vector<MappedNode> mapped(std::size_t n) {
 }
 
 /// One for a thread, since the numbers are cheap beside the integrands that they serve.
-const std::vector<MappedNode>& mapped_nodes(std::size_t n) {
-    thread_local std::map<std::pair<std::size_t, unsigned>, std::vector<MappedNode>> known;
-    const auto key = std::make_pair(n, working_digits());
-    const auto it = known.find(key);
-    return it != known.end() ? it->second : known.emplace(key, mapped(n)).first->second;
+std::shared_ptr<const MappedNodes> mapped_nodes(std::size_t n) {
+    thread_local BoundedCache<std::pair<std::size_t, unsigned>, const MappedNodes> known(
+        most_mapped_rules);
+    return known.get({n, working_digits()},
+                     [&] { return std::make_shared<const MappedNodes>(mapped(n)); });
 }
 
 /// The sum of a rule, and of the magnitudes of its terms.
@@ -96,7 +100,8 @@ struct Sum {
 /// Roots at both ends, none near beyond: r = length sin^2.
 Sum between_ends(const At& f, const Real& length, std::size_t n) {
     Sum sum;
-    for (const MappedNode& node : mapped_nodes(n)) {
+    const auto nodes = mapped_nodes(n);
+    for (const MappedNode& node : *nodes) {
         sum.add(node.weight_2 * f(Real(length * node.sine_2), Real(length * node.cosine_2)));
     }
     sum.value *= length;
@@ -110,7 +115,8 @@ template <class F>
 Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_t n) {
     const Real w_end = asinh(sqrt(Real(length / beyond)));
     Sum sum;
-    for (const MappedNode& node : mapped_nodes(n)) {
+    const auto nodes = mapped_nodes(n);
+    for (const MappedNode& node : *nodes) {
         const Real w = w_end * node.sine;
         const Real to_go = w_end * node.rest;
         const Real s = sinh(w);

@@ -34,7 +34,8 @@ template <Arithmetic T, class R>
 QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOptions& options) {
     using std::pow;
     using V = QuadratureValue<R>;
-    const TanhSinhNodes<T>& nodes = tanh_sinh_nodes<T>();
+    const auto kept = tanh_sinh_nodes<T>();
+    const TanhSinhNodes<T>& nodes = *kept;
     const T tolerance = options.target_digits == 0 || options.target_digits + 2 >= digits_of<T>()
                             ? T(T(100) * unit_roundoff<T>())
                             : T(pow(T(10), -static_cast<int>(options.target_digits)));

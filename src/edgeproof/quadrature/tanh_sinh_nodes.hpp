@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
 
 #include <cmath>
 #include <deque>
-#include <map>
+#include <memory>
 #include <vector>
 
 namespace edgeproof::quadrature {
@@ -82,10 +83,12 @@ private:
     mutable std::deque<std::vector<Node>> levels_;
 };
 
+constexpr std::size_t most_tanh_sinh_tables = 16; ///< that a thread keeps
+
 /// The node tables of this thread at its working precision.
-template <Arithmetic T> [[nodiscard]] const TanhSinhNodes<T>& tanh_sinh_nodes() {
-    thread_local std::map<unsigned, TanhSinhNodes<T>> tables;
-    return tables[digits_of<T>()];
+template <Arithmetic T> [[nodiscard]] std::shared_ptr<const TanhSinhNodes<T>> tanh_sinh_nodes() {
+    thread_local BoundedCache<unsigned, const TanhSinhNodes<T>> tables(most_tanh_sinh_tables);
+    return tables.get(digits_of<T>(), [] { return std::make_shared<const TanhSinhNodes<T>>(); });
 }
 
 } // namespace edgeproof::quadrature

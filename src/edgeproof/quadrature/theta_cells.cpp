@@ -1,51 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/theta_cells.hpp"
 
-#include <map>
-#include <utility>
+#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/quadrature/gauss_legendre.hpp"
+
+#include <algorithm>
+#include <memory>
 
 namespace edgeproof::quadrature {
 namespace {
-
-/// The rule's nodes and weights on -1 ... 1, enclosed.
-struct Rule {
-    std::vector<Ball> nodes;
-    std::vector<Ball> weights;
-};
-
-const Rule& rule_of(std::size_t n, long bits) {
-    static thread_local std::map<std::pair<std::size_t, long>, Rule> known;
-    Rule& rule = known[{n, bits}];
-    for (std::size_t k = rule.nodes.size(); k < n; ++k) {
-        rule.nodes.emplace_back(0, bits);
-        rule.weights.emplace_back(0, bits);
-        arb_hypgeom_legendre_p_ui_root(rule.nodes.back().data(), rule.weights.back().data(), n, k,
-                                       bits);
-    }
-    return rule;
-}
 
 class Cells {
 public:
     Cells(const ThetaIntegrand& f, const Ball& centre, const Ball& half_length,
           const ThetaGoal& goal, long bits)
         : f_(f), centre_(centre), half_length_(half_length), goal_(goal), bits_(bits),
-          rule_(rule_of(goal.nodes, bits)), most_(f.count()), value_(f.count(), Ball(0, bits)),
-          sum_(f.count(), Ball(0, bits)) {
+          rule_(gauss_legendre_balls(goal.nodes, bits)), most_(f.count()),
+          value_(f.count(), Ball(0, bits)), sum_(f.count(), Ball(0, bits)) {
         // 64 M/(15 (rho - 1) rho^(2n - 1)) for an interval of length 2, rho = 4.
         const long power = 2 * (2 * static_cast<long>(goal.nodes) - 1);
         Ball error = Ball(Rational(64, 45), 64);
         arb_mul_2exp_si(error.data(), error.data(), -power);
         rule_error_ = Magnitude(error);
-        acb_init(theta_);
-        acb_init(s_);
     }
-    ~Cells() {
-        acb_clear(theta_);
-        acb_clear(s_);
-    }
-    Cells(const Cells&) = delete;
-    Cells& operator=(const Cells&) = delete;
 
     void span(const ThetaSpan& span) {
         piece_ = span.piece;
@@ -112,10 +90,13 @@ private:
         arb_add_error(acb_imagref(theta_), Ball(half * 15 / 8).data());
         const Magnitude error = rule_error_ * Magnitude(half);
         if (bounded() && small(error)) {
-            for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
-                const Ball theta = middle + half * rule_.nodes[j];
+            for (std::size_t j = 0; j < goal_.nodes; ++j) {
+                check_interruption();
+                const std::size_t mirrored = std::min(j, goal_.nodes - 1 - j);
+                const Ball step = half * rule_->x[mirrored];
+                const Ball theta = mirrored == j ? middle + step : middle - step;
                 f_.value(piece_, centre_ + half_length_ * cos(theta), value_);
-                const Ball weight = half * rule_.weights[j];
+                const Ball weight = half * rule_->weight[mirrored];
                 for (std::size_t k = 0; k < sum_.size(); ++k) {
                     arb_addmul(sum_[k].data(), value_[k].data(), weight.data(), bits_);
                 }
@@ -142,15 +123,15 @@ private:
     const Ball& half_length_;
     const ThetaGoal& goal_;
     long bits_;
-    const Rule& rule_;
+    std::shared_ptr<const GaussLegendreBalls> rule_;
     Magnitude rule_error_;
     std::vector<Magnitude> most_;
     std::vector<Ball> value_;
     std::vector<Ball> sum_;
     std::size_t piece_ = 0;
     bool failed_ = false;
-    acb_t theta_;
-    acb_t s_;
+    AcbValue theta_;
+    AcbValue s_;
 };
 
 } // namespace

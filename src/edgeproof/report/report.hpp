@@ -9,8 +9,8 @@
 ///   golden.hpp           an audit held against the verdicts recorded before
 ///   html_report.hpp      an audit as a page, with the paper's figures made anew
 ///   figures.hpp          a figure as data, drawn by gnuplot
-///   visible_text.hpp     somebody else's text, without control characters
-///   files.hpp            files written aside and renamed: whole or not at all
+///   program_line.hpp     version, commit and libraries, named in every file
+///   html_markup.hpp      text in HTML
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html_report.hpp"
@@ -20,4 +20,4 @@
 #include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/report/tables/verdict_writers.hpp"
-#include "edgeproof/report/text/visible_text.hpp"
+#include "edgeproof/report/text/program_line.hpp"

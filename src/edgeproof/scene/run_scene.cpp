@@ -29,12 +29,15 @@ public:
 
     void all() {
         result_.contact = route_->contact();
+        if (plan_.partial_slip) {
+            result_.stick = route_->stick();
+        }
         for (const contact::Edge edge : plan_.edges) {
             if (plan_.points > 0) {
                 points(edge);
             }
         }
-        if (scene_.ask.wants(Quantity::coefficients)) {
+        if (scene_.ask.wants(QuantityGroup::coefficients)) {
             for (const contact::Edge edge : plan_.edges) {
                 coefficients(edge);
             }
@@ -42,6 +45,12 @@ public:
         if (plan_.extents) {
             for (const contact::Edge edge : plan_.edges) {
                 extents(edge);
+            }
+        }
+        if (plan_.slip) {
+            for (const contact::Edge edge : plan_.edges) {
+                step();
+                result_.slips.push_back(route_->slip(edge));
             }
         }
     }
@@ -101,8 +110,10 @@ private:
         check_interruption();
         if (options_.progress) {
             const std::size_t extents = plan_.extents ? scene_.ask.terms.size() : 0;
-            const std::size_t coefficients = scene_.ask.wants(Quantity::coefficients) ? 1 : 0;
-            options_.progress(done_, plan_.edges.size() * (plan_.points + coefficients + extents));
+            const std::size_t coefficients = scene_.ask.wants(QuantityGroup::coefficients) ? 1 : 0;
+            const std::size_t slips = plan_.slip ? 1 : 0;
+            options_.progress(done_,
+                              plan_.edges.size() * (plan_.points + coefficients + extents + slips));
         }
         ++done_;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/value_route.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <atomic>
 #include <cstddef>
@@ -23,6 +23,8 @@ struct SceneResult {
     std::vector<PointRow> points;
     std::vector<EdgeValues> coefficients;
     std::vector<ExtentValues> extents;
+    std::optional<StickValues> stick;
+    std::vector<SlipValues> slips;
 };
 
 struct RunOptions {

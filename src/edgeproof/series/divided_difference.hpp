@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/precision/elementary/gamma_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/repeated_product.hpp"
 
 #include <cmath>
 #include <vector>
@@ -116,20 +117,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] DividedDifference<T> pow_int(const DividedDifference<T>& f, long n) {
-    const auto one = DividedDifference<T>::constant(T(1), f.delta());
-    auto result = one;
-    auto square = n < 0 ? one / f : f;
-    for (unsigned long k = n < 0 ? 0UL - static_cast<unsigned long>(n)
-                                 : static_cast<unsigned long>(n);
-         k != 0; k >>= 1U) {
-        if ((k & 1U) != 0) {
-            result = result * square;
-        }
-        if (k > 1) {
-            square = square * square;
-        }
-    }
-    return result;
+    return power_by_squaring(DividedDifference<T>::constant(T(1), f.delta()), f, n);
 }
 
 template <class T> [[nodiscard]] DividedDifference<T> sin(const DividedDifference<T>& f) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/precision/elementary/elementary.hpp"
 #include "edgeproof/precision/elementary/gamma_taylor.hpp"
+#include "edgeproof/precision/repeated_product.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
@@ -38,19 +39,7 @@ template <class T> [[nodiscard]] Series<T> pow(const Series<T>& x, const T& p) {
 
 /// x^n by repeated squaring; n < 0 needs a constant term.
 template <class T> [[nodiscard]] Series<T> pow_int(const Series<T>& x, long n) {
-    Series<T> result(T(1), x.order());
-    Series<T> square = n < 0 ? T(1) / x : x;
-    for (unsigned long k = n < 0 ? 0UL - static_cast<unsigned long>(n)
-                                 : static_cast<unsigned long>(n);
-         k != 0; k >>= 1U) {
-        if ((k & 1U) != 0) {
-            result = result * square;
-        }
-        if (k > 1) {
-            square = square * square;
-        }
-    }
-    return result;
+    return power_by_squaring(Series<T>(T(1), x.order()), x, n);
 }
 
 /// The series f with f(x_0) = f0 and f' = g x', g known: the common form of log, atan, asin, ...

@@ -3,7 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/value_route.hpp"
+#include "edgeproof/scene/scene_values.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -12,7 +12,8 @@
 namespace edgeproof::validation {
 namespace {
 
-using Kind = AskedValue::Kind;
+using scene::AskedValue;
+using scene::Quantity;
 
 constexpr std::size_t most_counted_terms = 4;
 constexpr std::size_t integral_every = 8;
@@ -25,70 +26,24 @@ constexpr long most_units = 10;
 class Enclosures {
 public:
     Enclosures(const scene::Scene& scene, unsigned digits)
-        : points_(with(scene, digits, false)), edges_(with(scene, digits, true)) {}
+        : others_(scene,
+                  {{.quantity = Quantity::p, .u = formula::Exact::of(Rational(1))},
+                   {.quantity = Quantity::q, .u = formula::Exact::of(Rational(1))},
+                   {Quantity::P}},
+                  {digits, Rounding::nearest, false}),
+          coefficients_(
+              scene, {{Quantity::c, most_counted_terms - 1}, {Quantity::s, most_counted_terms - 1}},
+              {digits, Rounding::nearest, false}) {}
 
     [[nodiscard]] scene::BoundedValue value(const AskedValue& asked) {
-        switch (asked.kind) {
-        case Kind::pressure:
-            return *points_->at(asked.edge, asked.u.value(), true, false).p;
-        case Kind::shear:
-            return *points_->at(asked.edge, asked.u.value(), false, true).q;
-        case Kind::coefficient:
-            return expansion(asked.edge).c.at(asked.n);
-        case Kind::shear_coefficient:
-            return expansion(asked.edge).s.at(asked.n);
-        default:
-            break;
-        }
-        if (!contact_) {
-            contact_ = points_->contact();
-        }
-        return asked.kind == Kind::load ? contact_->force.value() : contact_->b;
+        return (row_of(asked.quantity).index == scene::QuantityRow::Index::order ? coefficients_
+                                                                                 : others_)
+            .value(asked);
     }
 
 private:
-    struct Routed {
-        scene::Scene scene;
-        scene::Plan plan;
-        contact::Work work;
-        std::unique_ptr<scene::ValueRoute> route;
-    };
-    /// On the heap: the route keeps references to the rest.
-    struct Held {
-        std::unique_ptr<Routed> held;
-        [[nodiscard]] scene::ValueRoute* operator->() const { return held->route.get(); }
-    };
-    static Held with(const scene::Scene& scene, unsigned digits, bool coefficients) {
-        auto r = std::make_unique<Routed>();
-        r->scene = scene;
-        r->scene.ask = scene::Ask{};
-        r->scene.ask.digits.count = digits;
-        r->scene.ask.edges = {contact::Edge::right, contact::Edge::left};
-        if (coefficients) {
-            r->scene.ask.quantities = {scene::Quantity::coefficients};
-            r->scene.ask.terms = {most_counted_terms};
-        } else {
-            r->scene.ask.quantities = {scene::Quantity::pressure, scene::Quantity::shear,
-                                       scene::Quantity::contact};
-            r->scene.ask.u = {{formula::Exact::of(Rational(1)), 0}}; // a plan wants a point
-        }
-        r->plan = make_plan(r->scene);
-        r->route = r->plan.proved ? make_ball_route(r->scene, r->plan, r->work)
-                                  : make_real_route(r->scene, r->plan, r->work);
-        return {std::move(r)};
-    }
-    const scene::EdgeValues& expansion(contact::Edge edge) {
-        auto& e = expansions_[edge];
-        if (!e) {
-            e = edges_->expansion(edge, true, true);
-        }
-        return *e;
-    }
-
-    Held points_;
-    Held edges_;
-    std::optional<scene::ContactValues> contact_;
-    std::map<contact::Edge, std::optional<scene::EdgeValues>> expansions_;
+    scene::SceneValues others_;
+    scene::SceneValues coefficients_;
 };
 
 struct SecondValue {
@@ -105,34 +60,34 @@ public:
 
     [[nodiscard]] SecondValue value(const AskedValue& asked, std::size_t i) {
         const PrecisionScope scope(digits_ + 20);
-        switch (asked.kind) {
-        case Kind::pressure: {
+        switch (asked.quantity) {
+        case Quantity::p: {
             const Real p = contact_.pressure(asked.edge, asked.u.value(), route(i)).value;
             return {p, Real(abs(p) * unit())};
         }
-        case Kind::shear: {
+        case Quantity::q: {
             const contact::EstimatedTraction t = shear_.traction(asked.edge, asked.u.value());
             return {t.value, t.error};
         }
-        case Kind::shear_coefficient: {
+        case Quantity::s: {
             const contact::EstimatedTraction t =
-                shear_.expansion(asked.edge, most_counted_terms).at(asked.n);
+                shear_.expansion(asked.edge, most_counted_terms).at(asked.k);
             return {t.value, t.error};
         }
-        case Kind::coefficient: {
+        case Quantity::c: {
             auto& c = c_[asked.edge];
             if (c.empty()) {
                 c = contact_.expansion(asked.edge, most_counted_terms);
             }
             const Real natural =
-                abs(c[0]) / pow(contact_.convergence_radius(asked.edge), static_cast<int>(asked.n));
-            const Real size = std::max(Real(abs(c.at(asked.n))), natural);
-            return {c.at(asked.n), Real(size * unit())};
+                abs(c[0]) / pow(contact_.convergence_radius(asked.edge), static_cast<int>(asked.k));
+            const Real size = std::max(Real(abs(c.at(asked.k))), natural);
+            return {c.at(asked.k), Real(size * unit())};
         }
         default:
             break;
         }
-        const Real x = asked.kind == Kind::load ? contact_.force() : contact_.b();
+        const Real x = asked.quantity == Quantity::P ? contact_.force() : contact_.b();
         return {x, Real(abs(x) * unit())};
     }
 
@@ -212,7 +167,7 @@ CountedContact count_contact(const CountOptions& options, std::size_t number, st
         check_interruption();
         const SampledValue& v = contact.values[i];
         CountCell& cell = found.cells[contact.profile * sampled_regimes.size() + v.regime];
-        CountFinding finding{number, i, false, "", asked_text(v.asked), "", "", contact.text};
+        CountFinding finding{number, i, false, "", text_of(v.asked), "", "", contact.text};
         const std::size_t failures = cell.failures();
         const std::size_t counted = cell.values;
         try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/bounded_value.hpp"
+#include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/validation/count.hpp"
 
 #include <map>

@@ -4,96 +4,68 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/file_kind.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/input/file_kind.hpp"
+#include "edgeproof/validation/second_route.hpp"
 
 namespace edgeproof::validation {
 namespace {
 
-using Kind = AskedValue::Kind;
-
 constexpr long most_asked_terms = 1000;
 
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-    }
-    return out + "\"";
-}
-
-std::string list_of(const std::vector<std::string>& items) {
-    std::string out = "[";
-    for (const std::string& item : items) {
-        out += (out.size() > 1 ? ", " : "") + quoted(item);
-    }
-    return out + "]";
-}
-
-/// The section as a scene has it.
-std::string scene_section(const io::TomlSection& section, const std::string& name) {
-    std::string text = "[" + name + "]\n";
-    for (const std::string& key : section.keys()) {
-        text += key + " = ";
-        if (key == "symmetric") {
-            text += section.flag(key) ? "true" : "false";
-        } else if (key == "slopes") {
-            text += list_of(section.texts(key));
-        } else if (section.is_list(key)) {
-            std::vector<std::string> items;
-            for (const auto& item : section.exacts(key)) {
-                items.push_back(item.value.text());
-            }
-            text += list_of(items);
-        } else {
-            text += quoted(section.written(key));
-        }
-        text += "\n";
-    }
-    return text;
-}
-
 scene::Scene read_case_scene(const io::TomlSection& section) {
-    std::string text = scene_section(section.section("profile"), "profile") +
-                       scene_section(section.section("load"), "load");
-    if (section.has("shear")) {
-        text += scene_section(section.section("shear"), "shear");
-    }
+    (void)section.section("profile"); // which is told first where it is missing
     try {
-        return scene::parse_scene(text, section.file());
+        return scene::read_contact(section);
     } catch (const InputError& error) {
         throw InputError(error.problem(), error.instead()).at(section.file(), section.line());
     }
 }
 
-AskedValue read_asked(const io::TomlSection& section, const scene::Scene& scene) {
-    AskedValue asked;
-    const std::string quantity = section.text("quantity");
-    const auto kind = asked_kind(quantity);
-    if (!kind) {
-        section.reject("quantity", "unknown quantity '" + quantity + "'",
-                       "write pressure, coefficient, residual, shear, shear-coefficient, load, "
-                       "left-edge, tilt-difference or extent");
-    }
-    asked.kind = *kind;
-    if (section.has("edge")) {
-        const std::string edge = section.text("edge");
-        if (edge != "right" && edge != "left") {
-            section.reject("edge", "there is no edge '" + edge + "'", "write right or left");
+const scene::QuantityRow& quantity_of(const io::TomlSection& section) {
+    const std::string name = section.text("quantity");
+    std::vector<std::string_view> names;
+    for (const scene::Quantity quantity : second_route_quantities()) {
+        const scene::QuantityRow& row = row_of(quantity);
+        if (row.name == name) {
+            return row;
         }
-        asked.edge = edge == "right" ? contact::Edge::right : contact::Edge::left;
+        names.push_back(row.name);
     }
-    if (asked.at_point()) {
+    const std::string near(near_name(name, names));
+    std::string advice = near.empty() ? "" : "did you mean " + near + "? ";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        advice += (i == 0                  ? "write "
+                   : i + 1 == names.size() ? " or "
+                                           : ", ") +
+                  std::string(names[i]);
+    }
+    section.reject("quantity", "unknown quantity '" + name + "'", advice);
+}
+
+scene::AskedValue read_asked(const io::TomlSection& section, const scene::Scene& scene) {
+    using Index = scene::QuantityRow::Index;
+    scene::AskedValue asked;
+    const scene::QuantityRow& row = quantity_of(section);
+    asked.quantity = row.quantity;
+    if (section.has("edge")) {
+        const std::string name = section.text("edge");
+        const auto edge = scene::edge_named(name);
+        if (!edge) {
+            section.reject("edge", "there is no edge '" + name + "'", "write right or left");
+        }
+        asked.edge = *edge;
+    }
+    if (row.at_point()) {
         asked.u = section.exact("u");
     }
-    if (asked.kind == Kind::extent) {
+    if (row.tolerance) {
         asked.tolerance = scene::parse_tolerance(section.text("tolerance"));
     }
-    if (asked.kind == Kind::coefficient || asked.kind == Kind::shear_coefficient) {
-        asked.n = section.count("n", 0, most_asked_terms);
-    } else if (asked.kind == Kind::residual || asked.kind == Kind::extent) {
-        asked.n = section.count("n", 1, most_asked_terms);
+    if (row.index != Index::none) {
+        asked.k = section.count("n", row.index == Index::terms ? 1 : 0, most_asked_terms);
     }
-    if ((asked.kind == Kind::shear || asked.kind == Kind::shear_coefficient) && !scene.shear) {
+    if (row.of_shear() && !scene.shear) {
         section.reject(section.line(), "a shear is asked for and there is none",
                        "add shear = { Q = \"...\" }");
     }

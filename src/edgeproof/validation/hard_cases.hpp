@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
 #include <string>
@@ -17,7 +18,7 @@ struct HardCase {
     /// Why no ball decides it, where none can; empty where one must.
     std::string undecided;
     scene::Scene scene;
-    AskedValue asked;
+    scene::AskedValue asked;
     std::size_t line = 0;
 };
 
@@ -27,7 +28,7 @@ struct HardCase {
 ///     class = "u = 1e-40 a"
 ///     reason = "..."
 ///     undecided = "..."                # only where no ball can enclose it, and why
-///     quantity = "pressure"            # see asked_value.hpp
+///     quantity = "pressure"            # see scene/route/quantity_rows.cpp
 ///     edge = "right"
 ///     u = "1e-40"                      # where the quantity has a place
 ///     n = 1                            # which coefficient, or how many terms

@@ -4,7 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
-#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/validation/enclosed_value.hpp"
 #include "edgeproof/validation/plain_tanh_sinh.hpp"
 
 #include <algorithm>
@@ -112,8 +112,7 @@ std::vector<HonestyRow> honesty(const std::vector<HonestyPoint>& points,
     std::vector<Ball> exact;
     for (const HonestyPoint& p : points) {
         const scene::BoundedValue v =
-            enclosed_value(p.scene, {AskedValue::Kind::pressure, contact::Edge::right, 0, p.u, {}},
-                           2 * digits + 20);
+            enclosed_value(p.scene, {.quantity = scene::Quantity::p, .u = p.u}, 2 * digits + 20);
         if (!v.proved) {
             throw BudgetError("no enclosure of p at u = " + p.u.text() + " of the " + p.profile);
         }

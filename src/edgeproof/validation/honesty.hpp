@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/scene/scene_file.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -72,10 +72,10 @@ private:
 
 } // namespace
 
-SecondRoute independent_extent(const scene::Scene& scene, const AskedValue& asked,
+SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValue& asked,
                                unsigned digits) {
     const PrecisionScope scope(digits + guard);
-    const ErrorCurve error(scene, asked.edge, asked.n, digits);
+    const ErrorCurve error(scene, asked.edge, asked.k, digits);
     const Real tolerance = asked.tolerance.value().to<Real>();
     const std::vector<Real> u = error.grid();
     std::vector<Real> e;

@@ -4,6 +4,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/validation/enclosed_value.hpp"
+#include "edgeproof/validation/second_route.hpp"
 #include "edgeproof/validation/textbook_formula.hpp"
 
 #include <tbb/parallel_for.h>
@@ -24,10 +26,10 @@ Real as_real(long double x) { return Real(x); }
 Real as_real(const Float128& x) { return Real(x); }
 Real as_real(const Real& x) { return x; }
 
-/// Digits that the obvious formula gets in T; none where it fails.
+/// Digits that the textbook formula gets in T; none where it fails.
 template <Arithmetic T> unsigned plain(const HardCase& c, const Ball& exact) {
     try {
-        // Real(Float128) needs room for all its digits; T = Real works at exactly these.
+        // Real(Float128) needs the precision for all its digits; T = Real works at exactly these.
         const PrecisionScope scope(plain_digits);
         return digits_right(as_real(TextbookFormula<T>(c.scene).value(c.asked)), exact);
     } catch (const std::exception&) {
@@ -57,7 +59,7 @@ std::string fault_of(const HardCase& c, const CaseOutcome& outcome, unsigned dig
         return "no enclosure: " + outcome.route;
     }
     if (!outcome.complete) {
-        return "the enclosure settles " + std::to_string(outcome.digits) + " digits of " +
+        return "the enclosure determines " + std::to_string(outcome.digits) + " digits of " +
                std::to_string(digits);
     }
     for (const CaseSecondRoute& o : outcome.second_routes) {

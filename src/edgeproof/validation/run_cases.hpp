@@ -11,7 +11,7 @@
 
 namespace edgeproof::validation {
 
-/// The arithmetics that the obvious formula is tried in, in the order of the columns.
+/// The arithmetics that the textbook formula is tried in, in the order of the columns.
 inline constexpr std::array<std::string_view, 4> plain_arithmetics{"double", "long double",
                                                                    "__float128", "MPFR 50"};
 
@@ -32,7 +32,7 @@ struct CaseOutcome {
     bool complete = false; ///< all the digits asked for
     unsigned digits = 0;   ///< proved: of the enclosure
     std::vector<CaseSecondRoute> second_routes;
-    std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the obvious formula
+    std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the textbook formula
     bool undecided = false; ///< as the case says: an estimate, with which both routes agree
     std::string fault;      ///< empty where ball and both routes agree
 };

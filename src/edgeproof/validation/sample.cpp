@@ -6,6 +6,8 @@
 namespace edgeproof::validation {
 namespace {
 
+using scene::Quantity;
+
 constexpr unsigned look_digits = 20;
 
 std::string entry(const char* key, const std::string& value) {
@@ -88,8 +90,8 @@ public:
         if (turn == 3 && i % 20 == 3) {
             v.regime = 7;
             const bool point = dice_.below(2) == 0;
-            v.asked.kind = point ? AskedValue::Kind::shear : AskedValue::Kind::shear_coefficient;
-            v.asked.n = dice_.below(3);
+            v.asked.quantity = point ? Quantity::q : Quantity::s;
+            v.asked.k = dice_.below(3);
             if (point) {
                 (void)place(v, dice_.below(3));
             }
@@ -98,17 +100,16 @@ public:
         if (turn == 3) {
             v.regime = 6;
             v.asked.edge = contact::Edge::right;
-            v.asked.kind =
-                dice_.below(2) == 0 ? AskedValue::Kind::load : AskedValue::Kind::left_edge;
+            v.asked.quantity = dice_.below(2) == 0 ? Quantity::P : Quantity::b;
             return v;
         }
         if (turn == 7) {
             v.regime = 5;
-            v.asked.kind = AskedValue::Kind::coefficient;
-            v.asked.n = dice_.below(4);
+            v.asked.quantity = Quantity::c;
+            v.asked.k = dice_.below(4);
             return v;
         }
-        v.asked.kind = AskedValue::Kind::pressure;
+        v.asked.quantity = Quantity::p;
         v.regime = place(v, dice_.below(5));
         return v;
     }
@@ -171,13 +172,6 @@ private:
 };
 
 } // namespace
-
-std::uint64_t Dice::next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-}
 
 std::string Dice::decimal(unsigned digits, int exponent) {
     std::string text(1, static_cast<char>('1' + below(9)));

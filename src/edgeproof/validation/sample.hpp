@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/precision/split_mix.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <array>
 #include <cstddef>
@@ -11,22 +13,16 @@
 
 namespace edgeproof::validation {
 
-/// Numbers that are the same on every machine: SplitMix64 (Steele, Lea & Flood 2014).
-class Dice {
+/// What is drawn for a contact.
+class Dice : public SplitMix64 {
 public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-    [[nodiscard]] std::uint64_t next();
-    /// 0 ... n - 1.
-    [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+    using SplitMix64::SplitMix64;
     /// least ... most.
     [[nodiscard]] int between(int least, int most) {
         return least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1));
     }
     /// A decimal of up to `digits` digits, from 1 up to 10 (but not 10), times 10^exponent.
     [[nodiscard]] std::string decimal(unsigned digits, int exponent);
-
-private:
-    std::uint64_t state_;
 };
 
 inline constexpr std::array<std::string_view, 6> sampled_profiles{
@@ -39,7 +35,7 @@ inline constexpr std::array<std::string_view, 8> sampled_regimes{
     "by a knot",   "coefficients", "P and b", "shear"};
 
 struct SampledValue {
-    AskedValue asked;
+    scene::AskedValue asked;
     std::size_t regime = 0; ///< of sampled_regimes
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/validation/second_route.hpp"
+
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/validation/enclosed_value.hpp"
 #include "edgeproof/validation/independent_extent.hpp"
 #include "edgeproof/validation/textbook_formula.hpp"
 
@@ -10,7 +12,8 @@
 namespace edgeproof::validation {
 namespace {
 
-using Kind = AskedValue::Kind;
+using scene::AskedValue;
+using scene::Quantity;
 
 constexpr unsigned most_extra = 6000;
 /// Digits beyond those asked for, for a coefficient far below its natural size.
@@ -54,7 +57,7 @@ SecondRoute tilt_difference_by(const scene::Scene& scene, const AskedValue& aske
 }
 
 SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
-    const Real c = contact_of(scene, digits + cancelled).expansion(asked.edge, asked.n + 1).back();
+    const Real c = contact_of(scene, digits + cancelled).expansion(asked.edge, asked.k + 1).back();
     const PrecisionScope scope(c.precision());
     return relative("series", c, power_of_ten(-static_cast<int>(digits)));
 }
@@ -62,7 +65,7 @@ SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsign
 /// c_n from p/sqrt(u) at u = delta, 2 delta, ..., delta being 1e-12 of the radius of convergence:
 /// Newton's divided differences, expanded about u = 0.
 SecondRoute by_differences(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
-    const auto n = static_cast<unsigned>(asked.n);
+    const auto n = static_cast<unsigned>(asked.k);
     const unsigned natural = digits + cancelled;
     const unsigned count = n + (natural + 15) / (step_decades - 1) + 2;
     const unsigned working = natural + step_decades * n + 40;
@@ -105,7 +108,7 @@ Real sum_of(const std::vector<Real>& c, const Real& u, std::size_t from) {
 SecondRoute residual_directly(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     for (unsigned working = digits + 32;;) {
         const contact::NormalContact contact = contact_of(scene, working);
-        const auto c = contact.expansion(asked.edge, asked.n);
+        const auto c = contact.expansion(asked.edge, asked.k);
         const PrecisionScope scope(working + 20);
         const Real p =
             contact.pressure(asked.edge, *asked.u, contact::Route::singular_integral).value;
@@ -129,10 +132,10 @@ SecondRoute residual_by_tail(const scene::Scene& scene, const AskedValue& asked,
         throw DomainError("the point is too far from the edge for the tail of the series");
     }
     const unsigned more = static_cast<unsigned>(ceil((digits + 10) / -log10(ratio))) + 1;
-    const auto c = contact.expansion(asked.edge, asked.n + more);
+    const auto c = contact.expansion(asked.edge, asked.k + more);
     const Real p =
         contact.pressure(asked.edge, *asked.u, contact::Route::barber_mossakovskii).value;
-    return relative("series-tail", Real(sum_of(c, u, asked.n) / p),
+    return relative("series-tail", Real(sum_of(c, u, asked.k) / p),
                     power_of_ten(-static_cast<int>(digits)));
 }
 
@@ -162,52 +165,75 @@ SecondRoute by_formula(const scene::Scene& scene, const AskedValue& asked, unsig
 SecondRoute by_shear(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     const contact::NormalContact contact = contact_of(scene, digits + 10);
     const contact::ShearTraction shear(contact, scene.shear.value());
-    const contact::EstimatedTraction t = asked.kind == Kind::shear
+    const contact::EstimatedTraction t = asked.quantity == Quantity::q
                                              ? shear.traction(asked.edge, *asked.u)
-                                             : shear.expansion(asked.edge, asked.n + 1).back();
+                                             : shear.expansion(asked.edge, asked.k + 1).back();
     return {"full-stick", t.value, t.error};
 }
 
 SecondRoute by_law(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     const contact::NormalContact contact = contact_of(scene, digits);
-    const Real x = asked.kind == Kind::load ? contact.force() : contact.b();
+    const Real x = asked.quantity == Quantity::P ? contact.force() : contact.b();
     const PrecisionScope scope(x.precision());
     return relative("contact-law", x, power_of_ten(-static_cast<int>(digits + 8)));
 }
 
 SecondRoute by_library_scan(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     const contact::Extents e =
-        within_tolerance(contact_of(scene, digits), asked.edge, asked.n, asked.tolerance.value());
+        within_tolerance(contact_of(scene, digits), asked.edge, asked.k, asked.tolerance.value());
     const PrecisionScope scope(e.length.precision());
     return relative("scan", e.first_exit,
                     Real(e.estimate + power_of_ten(-static_cast<int>(digits))));
 }
 
+using By = SecondRoute (*)(const scene::Scene&, const AskedValue&, unsigned);
+
+template <contact::Route route>
+SecondRoute pressure_along(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    return pressure_by(scene, asked, digits, route);
+}
+template <contact::Route route>
+SecondRoute difference_along(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    return tilt_difference_by(scene, asked, digits, route);
+}
+
+struct TwoRoutes {
+    Quantity quantity;
+    By first;
+    By second;
+};
+constexpr TwoRoutes two_routes[] = {
+    {Quantity::p, pressure_along<contact::Route::barber_mossakovskii>,
+     pressure_along<contact::Route::singular_integral>},
+    {Quantity::c, by_series, by_differences},
+    {Quantity::residual, residual_directly, residual_by_tail},
+    {Quantity::q, by_shear, by_formula},
+    {Quantity::s, by_shear, by_formula},
+    {Quantity::P, by_law, by_formula},
+    {Quantity::b, by_law, by_formula},
+    {Quantity::tilt_difference, difference_along<contact::Route::barber_mossakovskii>,
+     difference_along<contact::Route::singular_integral>},
+    {Quantity::extent, by_library_scan, independent_extent},
+};
+
 } // namespace
 
 std::vector<SecondRoute> second_routes(const scene::Scene& scene, const AskedValue& asked,
                                        unsigned digits) {
-    switch (asked.kind) {
-    case Kind::pressure:
-        return {pressure_by(scene, asked, digits, contact::Route::barber_mossakovskii),
-                pressure_by(scene, asked, digits, contact::Route::singular_integral)};
-    case Kind::tilt_difference:
-        return {tilt_difference_by(scene, asked, digits, contact::Route::barber_mossakovskii),
-                tilt_difference_by(scene, asked, digits, contact::Route::singular_integral)};
-    case Kind::coefficient:
-        return {by_series(scene, asked, digits), by_differences(scene, asked, digits)};
-    case Kind::residual:
-        return {residual_directly(scene, asked, digits), residual_by_tail(scene, asked, digits)};
-    case Kind::shear:
-    case Kind::shear_coefficient:
-        return {by_shear(scene, asked, digits), by_formula(scene, asked, digits)};
-    case Kind::load:
-    case Kind::left_edge:
-        return {by_law(scene, asked, digits), by_formula(scene, asked, digits)};
-    case Kind::extent:
-        break;
+    for (const TwoRoutes& routes : two_routes) {
+        if (routes.quantity == asked.quantity) {
+            return {routes.first(scene, asked, digits), routes.second(scene, asked, digits)};
+        }
     }
-    return {by_library_scan(scene, asked, digits), {independent_extent(scene, asked, digits)}};
+    throw Error("there are no two routes to a " + std::string(row_of(asked.quantity).name));
+}
+
+std::vector<Quantity> second_route_quantities() {
+    std::vector<Quantity> list;
+    for (const TwoRoutes& routes : two_routes) {
+        list.push_back(routes.quantity);
+    }
+    return list;
 }
 
 } // namespace edgeproof::validation

@@ -61,6 +61,26 @@ template <Arithmetic T> T wallis(const T& n) {
            gamma_of<T>(T((n + T(2)) / T(2)));
 }
 
+/// Places s = c + d cos(angle) of a contact -b < s < a, w = sqrt((a - s)(s + b)) = d sin(angle).
+template <Arithmetic T> struct OnCircle {
+    const T& a;
+    const T& b;
+    T c = (a - b) / T(2);
+    T d = (a + b) / T(2);
+
+    /// An end that roundoff has put beyond the contact is the contact's.
+    [[nodiscard]] T angle(const T& s) const {
+        using std::acos;
+        const T ratio = (s - c) / d;
+        return ratio > T(1) ? T(0) : ratio < T(-1) ? pi<T>() : T(acos(ratio));
+    }
+    [[nodiscard]] T w(const T& s) const {
+        using std::abs;
+        using std::sqrt;
+        return T(sqrt(T(abs((a - s) * (s + b)))));
+    }
+};
+
 } // namespace
 
 template <Arithmetic T>
@@ -116,46 +136,28 @@ std::vector<typename TextbookFormula<T>::Span> TextbookFormula<T>::spans(const T
 
 /// The integral of g'(s)/sqrt((a - s)(s + b)) (eqn:Consistency), s = c + d cos h.
 template <Arithmetic T> T TextbookFormula<T>::imbalance(const T& a, const T& b) const {
-    using std::abs;
-    using std::acos;
-    using std::sqrt;
-    const T c = (a - b) / T(2);
-    const T d = (a + b) / T(2);
-    const auto angle = [&](const T& s) {
-        const T ratio = (s - c) / d;
-        return ratio > T(1) ? T(0) : ratio < T(-1) ? pi<T>() : T(acos(ratio));
-    };
-    const auto w = [&](const T& s) { return T(sqrt(T(abs((a - s) * (s + b))))); };
+    const OnCircle<T> on{a, b};
     T sum(0);
     for (const Span& p : spans(a, b)) {
-        const T turn = angle(p.lo) - angle(p.hi);
-        sum += p.at_origin * turn + p.rate * (c * turn + w(p.lo) - w(p.hi));
+        const T turn = on.angle(p.lo) - on.angle(p.hi);
+        sum += p.at_origin * turn + p.rate * (on.c * turn + on.w(p.lo) - on.w(p.hi));
     }
     return sum;
 }
 
 /// E*/2 times the integral of g'(s) (s - c)/sqrt((a - s)(s + b)) (eqn:AppliedNormalForce_NonSym).
 template <Arithmetic T> T TextbookFormula<T>::force(const T& a, const T& b) const {
-    using std::abs;
-    using std::acos;
     using std::pow;
-    using std::sqrt;
     if (power_) {
         return modulus_ * C_ * pow(a, T(m_ + T(1))) * wallis<T>(T(m_ + T(1)));
     }
-    const T c = (a - b) / T(2);
-    const T d = (a + b) / T(2);
-    const auto angle = [&](const T& s) {
-        const T ratio = (s - c) / d;
-        return ratio > T(1) ? T(0) : ratio < T(-1) ? pi<T>() : T(acos(ratio));
-    };
-    const auto w = [&](const T& s) { return T(sqrt(T(abs((a - s) * (s + b))))); };
+    const OnCircle<T> on{a, b};
     T sum(0);
     for (const Span& p : spans(a, b)) {
-        const T drop = w(p.lo) - w(p.hi);
-        const T turn = angle(p.lo) - angle(p.hi);
-        const T moment = ((p.lo - c) * w(p.lo) - (p.hi - c) * w(p.hi)) / T(2);
-        sum += p.at_origin * drop + p.rate * (c * drop + d * d * turn / T(2) + moment);
+        const T drop = on.w(p.lo) - on.w(p.hi);
+        const T turn = on.angle(p.lo) - on.angle(p.hi);
+        const T moment = ((p.lo - on.c) * on.w(p.lo) - (p.hi - on.c) * on.w(p.hi)) / T(2);
+        sum += p.at_origin * drop + p.rate * (on.c * drop + on.d * on.d * turn / T(2) + moment);
     }
     return modulus_ / T(2) * sum;
 }
@@ -285,12 +287,12 @@ T TextbookFormula<T>::shear_coefficient(contact::Edge edge, std::size_t k) const
 }
 
 /// On a grid of points as one draws a curve with, then by halving.
-template <Arithmetic T> T TextbookFormula<T>::first_exit(const AskedValue& asked) const {
+template <Arithmetic T> T TextbookFormula<T>::first_exit(const scene::AskedValue& asked) const {
     using std::abs;
     using std::pow;
     using std::sqrt;
     const T tolerance = asked.tolerance->template to<T>();
-    const std::vector<T> c = series(asked.edge, asked.n);
+    const std::vector<T> c = series(asked.edge, asked.k);
     const auto excess = [&](const T& u) {
         T sum(0);
         for (std::size_t k = c.size(); k-- > 0;) {
@@ -312,45 +314,47 @@ template <Arithmetic T> T TextbookFormula<T>::first_exit(const AskedValue& asked
     throw DomainError("the approximation stays within the tolerance");
 }
 
-template <Arithmetic T> T TextbookFormula<T>::value(const AskedValue& asked) const {
+template <Arithmetic T> T TextbookFormula<T>::value(const scene::AskedValue& asked) const {
     using std::pow;
     using std::sqrt;
     const auto place = [&] {
         const T u = asked.u->template to<T>();
         return asked.edge == contact::Edge::right ? T(a_ - u) : T(u - b_);
     };
-    switch (asked.kind) {
-    case AskedValue::Kind::pressure:
+    switch (asked.quantity) {
+    case scene::Quantity::p:
         return pressure(place());
-    case AskedValue::Kind::coefficient:
-        return coefficient(asked.edge, asked.n);
-    case AskedValue::Kind::residual: {
+    case scene::Quantity::c:
+        return coefficient(asked.edge, asked.k);
+    case scene::Quantity::residual: {
         const T u = asked.u->template to<T>();
-        const std::vector<T> c = series(asked.edge, asked.n);
+        const std::vector<T> c = series(asked.edge, asked.k);
         T sum(0);
         for (std::size_t k = 0; k < c.size(); ++k) {
             sum += c[k] * pow(u, T(static_cast<int>(k))) * sqrt(u);
         }
         return T(1) - sum / pressure(place());
     }
-    case AskedValue::Kind::shear:
+    case scene::Quantity::q:
         return shear(place());
-    case AskedValue::Kind::shear_coefficient:
-        return shear_coefficient(asked.edge, asked.n);
-    case AskedValue::Kind::load:
+    case scene::Quantity::s:
+        return shear_coefficient(asked.edge, asked.k);
+    case scene::Quantity::P:
         return force();
-    case AskedValue::Kind::left_edge:
+    case scene::Quantity::b:
         return b_;
-    case AskedValue::Kind::tilt_difference: {
+    case scene::Quantity::tilt_difference: {
         const scene::Scene other = upright(scene_);
-        AskedValue plain = asked;
-        plain.kind = AskedValue::Kind::pressure;
+        scene::AskedValue plain = asked;
+        plain.quantity = scene::Quantity::p;
         return pressure(place()) - TextbookFormula(other).value(plain);
     }
-    case AskedValue::Kind::extent:
+    case scene::Quantity::extent:
+        return first_exit(asked);
+    default:
         break;
     }
-    return first_exit(asked);
+    throw DomainError("no formula in print gives a " + std::string(row_of(asked.quantity).name));
 }
 
 #define EDGEPROOF_INSTANTIATE(T) template class TextbookFormula<T>;

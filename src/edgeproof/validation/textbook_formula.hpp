@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/validation/asked_value.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <optional>
 #include <vector>
@@ -22,7 +23,7 @@ public:
 
     [[nodiscard]] const T& a() const { return a_; }
     [[nodiscard]] const T& b() const { return b_; }
-    [[nodiscard]] T value(const AskedValue& asked) const;
+    [[nodiscard]] T value(const scene::AskedValue& asked) const;
 
     /// p(x): sqrt(a^2 - x^2) for Hertz, arcosh(a/x) for the wedge, the integral of eqn:
     /// MossakovskiiPressure for other powers, logarithms for a piecewise linear g'.
@@ -58,7 +59,7 @@ private:
     [[nodiscard]] T power_pressure(const T& x) const;
     [[nodiscard]] T linear_pressure(const T& x) const;
     [[nodiscard]] std::vector<T> series(contact::Edge edge, std::size_t terms) const;
-    [[nodiscard]] T first_exit(const AskedValue& asked) const;
+    [[nodiscard]] T first_exit(const scene::AskedValue& asked) const;
 
     const scene::Scene& scene_;
     T modulus_;

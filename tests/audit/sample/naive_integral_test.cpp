@@ -48,7 +48,7 @@ TEST_CASE(
     thrown([](const Real& s) { return Real(pow(Real(1 + s), Real(-3) / 2)); });
 }
 
-TEST_CASE("a kink inside settles at no level, and is given up, not called divergent") {
+TEST_CASE("a kink inside converges at no level, and is given up, not called divergent") {
     const PrecisionScope scope(3 * naive_digits);
     const Real third = Real(1) / 3;
     std::size_t calls = 0;

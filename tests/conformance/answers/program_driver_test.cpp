@@ -44,7 +44,7 @@ Answers asked(
     };
     change(options);
     static const Questions questions = sixteen();
-    return interview(questions, options);
+    return ask_program_in_batches(questions, options);
 }
 
 long count(const Answers& answers, State state) {
@@ -61,7 +61,7 @@ std::string program(const std::string& at) {
 
 } // namespace
 
-TEST_CASE("an interview: every question is answered, in one batch or in many") {
+TEST_CASE("a program asked: every question is answered, in one batch or in many") {
     for (const std::size_t batch : {1U, 5U, 16U, 100U}) {
         const Answers a = asked(program("echo $row,1"), [&](auto& o) { o.batch = batch; });
         CAPTURE(batch);
@@ -70,7 +70,7 @@ TEST_CASE("an interview: every question is answered, in one batch or in many") {
     }
 }
 
-TEST_CASE("an interview: the questions that end a program are found, and none other suffers") {
+TEST_CASE("a program asked: the questions that end a program are found, and none other suffers") {
     struct Bad {
         std::string command;
         std::string said;
@@ -94,7 +94,8 @@ TEST_CASE("an interview: the questions that end a program are found, and none ot
     CHECK(slow.given[6].text == "was stopped: it took longer than --timeout allows");
 }
 
-TEST_CASE("an interview: a program that never answers is given up, and so is one past its runs") {
+TEST_CASE(
+    "a program asked: a program that never answers is given up, and so is one past its runs") {
     const Answers never = asked("exit 1");
     CHECK(count(never, State::missing) + count(never, State::died) == 16);
     REQUIRE(never.faults.size() == 1);
@@ -141,13 +142,14 @@ Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string&
     };
     options.command = begin + " while read -r row; do case $row in " + ends +
                       ") kill -SEGV $$;; *) " + one + ";; esac; done; " + end;
-    return interview(sixty_four(), options);
+    return ask_program_in_batches(sixty_four(), options);
 }
 
 } // namespace
 
-TEST_CASE("an interview: the questions that end a program are found wherever they stand, whatever "
-          "it had written by then") {
+TEST_CASE(
+    "a program asked: the questions that end a program are found wherever they stand, whatever "
+    "it had written by then") {
     struct Way {
         const char* what;
         std::string begin;
@@ -184,7 +186,7 @@ TEST_CASE("an interview: the questions that end a program are found wherever the
     }
 }
 
-TEST_CASE("an interview: what a run writes is bounded in rows and in bytes") {
+TEST_CASE("a program asked: what a run writes is bounded in rows and in bytes") {
     const Answers rows = asked("echo id,value; head -c 100000 /dev/zero | tr '\\0' '\\n' | sed "
                                "s/^/x,1/");
     CHECK(rows.faults.size() <= 1000 + 2 * 16 + 1);

@@ -130,6 +130,8 @@ TEST_CASE("what is wrong with a recipe is told with its own line") {
     CHECK(
         refusal(replaced(grid, "\"c_1\"", "\"c1\"")).rfind("r.toml:5: unknown quantity 'c1'", 0) ==
         0);
+    CHECK(refusal(replaced(grid, "\"c_1\"", "\"c1\"")).find("did you mean c_1? write p, q, ") !=
+          std::string::npos);
     CHECK(refusal(replaced(grid, "\"c_1\"", "\"q\""))
               .rfind("r.toml:5: q is asked for and there is no shear", 0) == 0);
     CHECK(refusal(replaced(grid, "m = [\"1\", \"2\"]", "m = [\"1\", \"-2\"]"))

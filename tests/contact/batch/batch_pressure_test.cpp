@@ -80,6 +80,28 @@ TEST_CASE("tanh-sinh on the same integrand has them too") {
     CHECK(found.estimates_hold);
 }
 
+TEST_CASE("symmetric slopes, odd as formulas or not") {
+    const Symbols x{"x"};
+    std::vector<Contact> contacts;
+    // Odd by form; odd as algebra or a table of logarithms tells; odd but for a corner; not odd.
+    for (const char* slope : {"sinh(x)", "x/(sqrt(2 + x)*sqrt(2 - x))", "log((2 + x)/(2 - x))",
+                              "1/20 + x + x^3", "x + x^2", "exp(x) - 1", "1/20 + x + x^2"}) {
+        contacts.push_back({slope, Profile::piecewise_symmetric({}, {parse(slope, x)}),
+                            exact("7/3"), Load::right_edge(exact("4/5"))});
+    }
+    const FastDigits found = worst_of(contacts, Rule::gauss_legendre, 50, 4);
+    CAPTURE(found.where);
+    CHECK(found.points >= 40);
+    CHECK(found.worst >= 50);
+    CHECK(found.estimates_hold);
+    // Odd through the apex, the integrand goes on beyond it, and half of one rule will do.
+    const auto nodes = [&](std::size_t k) {
+        return worst_of({contacts[k]}, Rule::gauss_legendre, 50, 1).most_nodes;
+    };
+    CHECK(nodes(0) < nodes(4));
+    CHECK(nodes(1) < nodes(2)); // x/(...) is proved to be odd, ln(...) is not
+}
+
 TEST_CASE("200 digits") {
     const FastDigits found =
         worst_of({flat(), symmetric()[2], tilted()[5]}, Rule::gauss_legendre, 200, 3);

@@ -107,7 +107,7 @@ TEST_CASE("a ball is printed only as far as every number in it agrees") {
     CHECK(round_ball(Ball(Rational(Rational(25, 100) + hair), bits), 1).text == "0.3");
     CHECK(round_ball(Ball(Rational(Rational(25, 100) - hair), bits), 1).text == "0.2");
     CHECK(round_ball(Ball(Rational(25, 100), bits), 1).text == "0.2"); // an exact tie, to even
-    // A wide ball vouches for fewer digits.
+    // A wide ball has fewer digits that are certain.
     const Ball wide = Ball::around(Real(1234567), Real(1), 100);
     const Rounded r = round_ball(wide, 10);
     CHECK_FALSE(r.complete);
@@ -116,6 +116,39 @@ TEST_CASE("a ball is printed only as far as every number in it agrees") {
     CHECK(round_ball(Ball::around(Real(0), Real(1), 100), 5).digits == 0);
     const Rounded e = round_ball(Ball(Rational(2, 3), bits), 5, Rounding::enclosure);
     CHECK(e.text == "[0.66666, 0.66667]");
+    CHECK(e.lower.value() == Rational(66666, 100000));
+    CHECK(e.upper.value() == Rational(66667, 100000));
+}
+
+TEST_CASE("a printed number comes with the number that its text says") {
+    std::mt19937_64 seeded(29);
+    std::uniform_int_distribution<int> whole(-1'000'000, 1'000'000);
+    std::uniform_int_distribution<int> place(-40, 40);
+    for (int k = 0; k < 2000; ++k) {
+        const int at = place(seeded);
+        const Rational ten = Rational(pow(Integer(10), static_cast<unsigned>(std::abs(at))));
+        const Rational q = Rational(whole(seeded), 1 + std::abs(whole(seeded))) *
+                           (at < 0 ? Rational(1 / ten) : ten);
+        const unsigned digits = 1 + static_cast<unsigned>(k) % 12;
+        CAPTURE(q.str());
+        for (const Rounding mode : {Rounding::nearest, Rounding::down, Rounding::up}) {
+            const Rounded r = round_rational(q, digits, mode);
+            CHECK(r.lower.value() == parse_decimal(r.text));
+            CHECK(r.lower == r.upper);
+        }
+        const Rounded between = round_rational(q, digits, Rounding::enclosure);
+        CHECK(between.lower.value() <= q);
+        CHECK(between.upper.value() >= q);
+        CHECK(between.text == "[" + to_decimal(q, digits, Rounding::down) + ", " +
+                                  to_decimal(q, digits, Rounding::up) + "]");
+        const Rounded ball = round_ball(Ball(q, 200), digits, Rounding::nearest);
+        if (q != 0) {
+            CHECK(ball.lower.value() == parse_decimal(ball.text));
+        }
+    }
+    CHECK(round_rational(Rational(0), 3, Rounding::nearest).text == "0");
+    CHECK(round_rational(Rational(0), 3, Rounding::nearest).lower.value() == 0);
+    CHECK_THROWS_AS((void)(Decimal{false, "1", 100001}.value()), InputError);
 }
 
 TEST_CASE("whether all of a ball rounds alike, at a glance") {

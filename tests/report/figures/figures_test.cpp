@@ -5,6 +5,7 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_residual.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -242,6 +243,7 @@ TEST_CASE("CSV: notes, names, values to 20 digits, nothing where there is no val
     plot.description = "d";
     plot.columns = {"u", "p"};
     plot.rows = {{Real(1) / 3, std::nullopt}, {Real(2), Real("1e-30")}};
-    CHECK(to_csv(plot) == "# t\n# d\nu,p\n0.33333333333333333333,\n2.0000000000000000000,"
-                          "1.0000000000000000000e-30\n");
+    CHECK(to_csv(plot) == "# t\n# d\n# program: " + program_line() +
+                              "\nu,p\n0.33333333333333333333,\n2.0000000000000000000,"
+                              "1.0000000000000000000e-30\n");
 }

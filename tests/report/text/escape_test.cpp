@@ -2,6 +2,7 @@
 #include "edgeproof/report/text/escape.hpp"
 
 #include "edgeproof/io/csv.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "tests/support/namespaces.hpp"
@@ -111,7 +112,7 @@ TEST_CASE("text of others is one line of text in every format") {
     for (const std::string& text : hostile) {
         CAPTURE(text);
         for (const std::string& out :
-             {one_line(text), csv_cell(text), csv_text_cell(text), markdown_text(text),
+             {printable(text), csv_cell(text), csv_text_cell(text), markdown_text(text),
               markdown_code(text), latex_text(text)}) {
             CHECK_FALSE(has_control(out));
             CHECK(lines(out) == 0);
@@ -141,7 +142,7 @@ TEST_CASE("tables of hostile text keep their rows in every format") {
         CHECK(std::string("=+-@").find(row.cells[0].front()) == std::string::npos);
     }
     const std::string markdown = write_table(table, TableFormat::markdown);
-    CHECK(lines(markdown) == hostile.size() + 3); // a blank line, names, dashes
+    CHECK(lines(markdown) == hostile.size() + 4); // the program, a blank line, names, dashes
     CHECK(markdown.find('<') == std::string::npos);
     const std::string latex = write_table(table, TableFormat::latex);
     for (const std::string& command : commands(latex)) {
@@ -159,16 +160,16 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
     const Csv read = parse_csv(verdicts_csv(result), "verdicts.csv");
     REQUIRE(read.rows.size() == hostile.size());
     for (const Csv::Row& row : read.rows) {
-        REQUIRE(row.cells.size() == 8);
+        REQUIRE(row.cells.size() == 9);
         for (const std::string& cell : row.cells) {
             CHECK((cell.empty() || std::string("=+-@").find(cell.front()) == std::string::npos));
         }
     }
     const std::string markdown = verdicts_markdown(result);
-    CHECK(lines(markdown) == hostile.size() + 8);
+    CHECK(lines(markdown) == hostile.size() + 10);
     CHECK(without_code(markdown).find('<') == std::string::npos);
     const std::string latex = verdicts_latex(result);
-    CHECK(lines(latex) == hostile.size() + 5);
+    CHECK(lines(latex) == hostile.size() + 6);
     REQUIRE(latex.rfind("% ", 0) == 0); // the ledger's name is a comment, one line of it
     for (const std::string& command : commands(latex.substr(latex.find('\n')))) {
         CAPTURE(command);

@@ -36,7 +36,7 @@ double away_from(const Sample& sample) {
 
 /// All that the samples of a claim depend on.
 std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) {
-    std::string key = fmt::format("spots/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
+    std::string key = fmt::format("samples/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
                                   claim.text_or("edge", "right"), claim.text_or("points", ""));
     if (claim.has("where")) {
         for (const Relation& r : claim.condition("where")) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -78,16 +79,55 @@ Real left_over(std::vector<std::vector<Real>> others, std::vector<Real> row) {
     return largest(row) / size;
 }
 
+/// What a search for polynomial relations says of the quantity, which comes first among them.
+struct AlgebraicDependence {
+    std::optional<std::string> relation; ///< one that holds it, proved by symbols
+    std::optional<std::string> solved;   ///< for it, where it is linear in it
+    bool none = false;                   ///< proved that there is none up to the degree
+};
+
+AlgebraicDependence by_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
+                                 const SymbolicCase& under, Evidence& evidence) {
+    const FoundRelations found = find_relations(quantities, degree, under);
+    AlgebraicDependence result;
+    std::vector<std::string> texts;
+    const PolynomialRelation* shortest = nullptr;
+    for (const PolynomialRelation& r : found.relations) {
+        texts.push_back(relation_text(r, quantities));
+        // The one that a reader can solve most easily.
+        const auto size = [](const PolynomialRelation& of) {
+            return std::pair(of.terms_with(0), of.terms.size());
+        };
+        if (r.involves(0) && (shortest == nullptr || size(r) < size(*shortest))) {
+            shortest = &r;
+        }
+    }
+    if (shortest != nullptr) {
+        result.relation = relation_text(*shortest, quantities);
+        result.solved = solved_text(*shortest, quantities, 0);
+    }
+    result.none = found.complete && !result.relation;
+    evidence.add("relations_up_to_degree", std::to_string(degree))
+        .add("relations_proved_by_symbols", texts)
+        .add("every_other_is_a_sum_of_their_multiples", found.complete)
+        .add("monomials", found.monomials)
+        .add("samples", found.samples);
+    return result;
+}
+
 /// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a
 /// point, if its gradient is a combination of theirs.
 Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
     const formula::Expr of = derive(claim.formula("of"), under);
     std::vector<formula::Expr> from;
+    std::vector<RelatedQuantity> quantities{{claim.text("of"), claim.formula("of")}};
     std::set<std::string> names = free_symbols(of);
-    for (const std::string& text : claim.list("from")) {
-        from.push_back(derive(
-            expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary), under));
+    const std::vector<std::string>& texts = claim.list("from");
+    const auto& formulas = claim.formulas("from");
+    for (std::size_t i = 0; i < formulas.size(); ++i) {
+        quantities.push_back({texts[i], formulas[i]});
+        from.push_back(derive(formulas[i], under));
         names.merge(free_symbols(from.back()));
     }
     const std::vector<std::string> variables(names.begin(), names.end());
@@ -132,11 +172,28 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
             alone += (alone.empty() ? "" : ", ") + name;
         }
     }
+    AlgebraicDependence algebraic;
+    if (claim.has("degree")) {
+        const long degree = claim.integer("degree");
+        if (degree < 1 || degree > 12) {
+            claim.reject("degree", "relations of degree " + std::to_string(degree),
+                         "give a degree from 1 to 12");
+        }
+        algebraic =
+            by_relations(quantities, static_cast<unsigned>(degree), under, outcome.evidence);
+    }
     if (independent == gradient_draws) {
         outcome.note = claim.text("of") + " is no function of the others" +
                        (alone.empty() ? "" : ": it depends on " + alone + ", and they do not");
     } else if (dependent == gradient_draws) {
         outcome.note = claim.text("of") + " is a function of the others";
+    }
+    if (algebraic.relation && dependent == gradient_draws) {
+        outcome.note += ", proved by symbols: " + *algebraic.relation;
+        outcome.computed = algebraic.solved ? algebraic.solved : algebraic.relation;
+    } else if (algebraic.none && independent == gradient_draws) {
+        outcome.note += "; no polynomial relation of degree up to " +
+                        std::to_string(claim.integer("degree")) + " holds it, proved by rank";
     }
     const bool says_independent = claim.text("says") == "independent";
     if ((says_independent ? independent : dependent) == gradient_draws) {
@@ -161,7 +218,8 @@ CheckKind dependence_kind() {
               .choices = {"independent", "function"}},
              {.name = "of", .type = Type::formula, .required = true},
              {.name = "from", .type = Type::formulas, .required = true},
-             {.name = "given", .type = Type::table}},
+             {.name = "degree", .type = Type::integer},
+             {.name = "given", .type = Type::formula_table}},
             check_dependence};
 }
 

@@ -205,9 +205,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const formula::Expr exact = claim.formula("of");
     const std::string variable = claim.text("variable");
     const SymbolicCase under = symbolic_case(claim, context);
-    const ExpansionIn in{variable,
-                         claim.text_or("edge", "right") == "right" ? contact::Edge::right
-                                                                   : contact::Edge::left,
+    const ExpansionIn in{variable, claim.edge(),
                          formula::Exact::parse(claim.text("through")).rational()};
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"));
@@ -245,33 +243,33 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     }
     if (claim.has("as_if")) {
         Evidence hypotheses;
-        for (const auto& [text, formulas] : claim.table("as_if")) {
-            const formula::Expr other = expand_definitions(
-                parse_formula(formulas.front(), claim.vocabulary), claim.vocabulary);
+        for (std::size_t i = 0; i < claim.table("as_if").size(); ++i) {
+            const std::string& text = claim.table("as_if")[i].first;
+            const formula::Expr& other = claim.formulas("as_if")[i];
             hypotheses.add(text, compare_expansions(printed, other, in, under).equal()
                                      ? "gives the printed line"
                                      : "does not give the printed line");
         }
         outcome.evidence.add("as_if", std::move(hypotheses));
     }
-    RefutedFormula patient;
-    patient.printed = claim.written("says");
-    patient.exact = claim.written("of");
-    patient.alphabet = alphabet_for(claim, patient.printed, exact);
-    std::erase(patient.alphabet.symbols, variable);
+    RefutedFormula refuted;
+    refuted.printed = claim.written("says");
+    refuted.exact = claim.written("of");
+    refuted.alphabet = alphabet_for(claim, refuted.printed, exact);
+    std::erase(refuted.alphabet.symbols, variable);
     std::vector<ExpansionTerm> derived;
     for (const auto& term : comparison.terms) {
         derived.push_back({term.exponent, term.derived});
     }
-    patient.derived = sum_of(derived, variable);
+    refuted.derived = sum_of(derived, variable);
     const QuickExpansion quick(claim, in, comparison, names, under);
-    patient.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
-    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
+    refuted.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
+    refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         return compare_expansions(expand_definitions(e, claim.vocabulary), exact, in, under).equal()
                    ? Verdict::proved
                    : Verdict::refuted;
     };
-    diagnose(patient, outcome);
+    diagnose(refuted, outcome);
     outcome.note = first + "; " + outcome.note;
     return outcome;
 }
@@ -285,8 +283,8 @@ CheckKind expansion_kind() {
              {.name = "of", .type = Type::formula, .required = true},
              {.name = "variable", .required = true},
              {.name = "through", .type = Type::number, .required = true},
-             {.name = "as_if", .type = Type::table},
-             {.name = "given", .type = Type::table}},
+             {.name = "as_if", .type = Type::formula_table},
+             {.name = "given", .type = Type::formula_table}},
             check_expansion};
 }
 

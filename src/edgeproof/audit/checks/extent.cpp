@@ -40,8 +40,7 @@ struct ReachInScene {
 
 ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
                       const QuotedFigure& figure) {
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     const auto terms = static_cast<std::size_t>(claim.integer("terms"));
     const formula::Exact tolerance = formula::Exact::parse(claim.text("tolerance"));
     contact::ExtentRange range;
@@ -81,8 +80,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
 
 /// The same figure in balls: every crossing found, and proved to be all that there are.
 Enclosed enclosed_reach(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     contact::ExtentRange range;
     if (claim.has("upto")) {
         range.to = exact_in(claim, "upto", scene);

@@ -93,13 +93,13 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         }
         return outcome;
     }
-    RefutedFormula patient;
-    patient.printed = claim.written("says");
-    patient.exact = claim.written("of");
-    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
+    RefutedFormula refuted;
+    refuted.printed = claim.written("says");
+    refuted.exact = claim.written("of");
+    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
                                     &samples_at.all().front().sample.scene);
-    patient.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
-    if (derived && !patient.ratio) {
+    refuted.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
+    if (derived && !refuted.ratio) {
         try {
             const formula::Expr ratio = derive(printed / *derived, under);
             outcome.evidence.add("ratio", to_text(ratio)).add("ratio_tex", to_tex(ratio));
@@ -107,7 +107,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
             outcome.evidence.add("ratio", "no closed form");
         }
     }
-    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
+    refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         const formula::Expr full = expand_definitions(e, claim.vocabulary);
         if (judge_samples(samples_at.compare(full, exact), context.digits_needed()) !=
             Verdict::confirmed) {
@@ -118,18 +118,18 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     std::optional<QuickSymbols> quick;
     std::optional<QuickSamples> sampled_quick;
     if (derived) {
-        patient.derived = derived;
-        quick.emplace(claim, under, *derived, patient.alphabet.symbols);
-        patient.passes_screening = [&](const formula::Expr& e) {
+        refuted.derived = derived;
+        quick.emplace(claim, under, *derived, refuted.alphabet.symbols);
+        refuted.passes_screening = [&](const formula::Expr& e) {
             return quick->passes_screening(e);
         };
     } else {
         sampled_quick.emplace(claim, context, exact);
-        patient.passes_screening = [&](const formula::Expr& e) {
+        refuted.passes_screening = [&](const formula::Expr& e) {
             return sampled_quick->passes_screening(e);
         };
     }
-    diagnose(patient, outcome);
+    diagnose(refuted, outcome);
     return outcome;
 }
 
@@ -140,7 +140,7 @@ CheckKind identity_kind() {
     return {"identity",
             {{.name = "says", .type = Type::formula, .required = true},
              {.name = "of", .type = Type::formula, .required = true},
-             {.name = "given", .type = Type::table}},
+             {.name = "given", .type = Type::formula_table}},
             check_identity};
 }
 

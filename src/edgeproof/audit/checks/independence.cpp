@@ -13,8 +13,7 @@ namespace {
 /// between the scenes, it does not depend on.
 Outcome check_independence(const Claim& claim, const AuditContext& context) {
     const formula::Expr e = claim.formula("of");
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     std::vector<formula::Exact> fractions;
     for (const std::string& text : claim.list("at")) {
         fractions.push_back(formula::Exact::parse(text));

@@ -23,9 +23,9 @@ Trend finite_trend(const std::vector<Real>& f, const Real& limit, const Real& no
     }
     const Real last_step = abs(f[n - 1] - f[n - 2]);
     if (d[n - 1] >= d[n - 2] || last_step * 100 < d[n - 1]) {
-        return Trend::away; // it grows, or has settled elsewhere
+        return Trend::away; // it grows, or converges elsewhere
     }
-    // It must fall, and not by less and less: then it would settle short of the limit.
+    // It must fall, and not by less and less: then it would converge short of the limit.
     const bool falls = d[n - 1] < d[n - 2] && d[n - 2] < d[n - 3] && d[n - 1] * 50 < most;
     const bool keeps_falling = d[n - 1] * d[n - 3] * 4 < d[n - 2] * d[n - 2] * 5;
     return falls && keeps_falling ? Trend::towards : Trend::unclear;
@@ -50,30 +50,30 @@ Trend infinite_trend(const std::vector<Real>& f) {
 Outcome check_limit(const Claim& claim, const AuditContext& context) {
     const bool infinite = claim.text("limit") == "infinity";
     const formula::Expr of = claim.formula("of");
-    const ParameterSweep ladder(claim, context, context.digits());
+    const ParameterSweep sweep(claim, context, context.digits());
     const PrecisionScope scope(context.digits() + 20);
     const Real noise = pow(Real(10), 5 - static_cast<int>(context.digits()));
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
         .add("limit", claim.text("limit"))
-        .add("along", ladder.name())
-        .add("values_taken", ladder.values())
-        .add("samples", ladder.samples());
+        .add("along", sweep.name())
+        .add("values_taken", sweep.values())
+        .add("samples", sweep.samples());
     Trend worst = Trend::towards;
     std::string against;
     std::optional<Difference> apart;
-    for (std::size_t k = 0; k < ladder.samples(); ++k) {
+    for (std::size_t k = 0; k < sweep.samples(); ++k) {
         std::vector<Real> f;
         std::vector<std::string> texts;
-        for (std::size_t j = 0; j < ladder.values().size(); ++j) {
-            f.push_back(ladder.sample_at(j, k).evaluate(of).value);
+        for (std::size_t j = 0; j < sweep.values().size(); ++j) {
+            f.push_back(sweep.sample_at(j, k).evaluate(of).value);
             texts.push_back(value_text(f.back(), 12));
             if (!isfinite(f.back())) {
                 outcome.note = "not evaluated here: a number beyond the range of the arithmetic";
                 return outcome;
             }
         }
-        const EvaluatedSample& last = ladder.sample_at(ladder.values().size() - 1, k);
+        const EvaluatedSample& last = sweep.sample_at(sweep.values().size() - 1, k);
         const Trend trend =
             infinite ? infinite_trend(f)
                      : finite_trend(f, last.evaluate(claim.formula("limit")).value, noise);
@@ -92,7 +92,7 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
             worst = trend;
         }
     }
-    const std::string samples = std::to_string(ladder.samples()) + " samples";
+    const std::string samples = std::to_string(sweep.samples()) + " samples";
     switch (worst) {
     case Trend::towards:
         outcome.verdict = NotRefuted::confirmed;
@@ -105,7 +105,7 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
         outcome.note = (infinite ? "does not grow without end: " : "goes elsewhere: ") + against;
         break;
     case Trend::unclear:
-        outcome.note = "more values along " + ladder.name() + " might decide";
+        outcome.note = "more values along " + sweep.name() + " might decide";
         break;
     }
     return outcome;
@@ -118,7 +118,7 @@ CheckKind limit_kind() {
     return {"limit",
             {{.name = "of", .type = Type::formula, .required = true},
              {.name = "along", .required = true},
-             {.name = "limit", .required = true}},
+             {.name = "limit", .type = Type::formula, .required = true, .choices = {"infinity"}}},
             check_limit};
 }
 

@@ -6,8 +6,8 @@
 namespace edgeproof::audit {
 namespace {
 
-std::string step_text(const ParameterSweep& ladder, std::size_t from) {
-    return ladder.name() + " = " + ladder.values()[from] + " to " + ladder.values()[from + 1];
+std::string step_text(const ParameterSweep& sweep, std::size_t from) {
+    return sweep.name() + " = " + sweep.values()[from] + " to " + sweep.values()[from + 1];
 }
 
 /// Falls (or rises) where the claim has it rise (or fall), or cannot be told.
@@ -23,19 +23,19 @@ struct Steps {
     std::vector<std::string> values;   ///< of `of`, at that sample or at the first
 };
 
-Steps count_steps(const ParameterSweep& ladder, const formula::Expr& of, bool rising,
+Steps count_steps(const ParameterSweep& sweep, const formula::Expr& of, bool rising,
                   unsigned digits) {
     Steps steps;
     const PrecisionScope scope(digits + 20);
     const Real noise = pow(Real(10), 2 - static_cast<int>(digits));
-    for (std::size_t k = 0; k < ladder.samples(); ++k) {
+    for (std::size_t k = 0; k < sweep.samples(); ++k) {
         std::vector<Real> f;
         std::vector<std::string> bad;
         std::size_t largest = 0;
         Real most(0);
         bool good_digits = true;
-        for (std::size_t j = 0; j < ladder.values().size(); ++j) {
-            const FormulaValue value = ladder.sample_at(j, k).evaluate(of);
+        for (std::size_t j = 0; j < sweep.values().size(); ++j) {
+            const FormulaValue value = sweep.sample_at(j, k).evaluate(of);
             good_digits = good_digits && value.converged;
             f.push_back(value.value);
         }
@@ -49,7 +49,7 @@ Steps count_steps(const ParameterSweep& ladder, const formula::Expr& of, bool ri
                 ++steps.unclear; // not a number
             } else {
                 ++steps.bad;
-                bad.push_back(step_text(ladder, j));
+                bad.push_back(step_text(sweep, j));
                 if (!steps.against) {
                     steps.against = Difference::of(f[j], f[j + 1], Real(0));
                 }
@@ -69,7 +69,7 @@ Steps count_steps(const ParameterSweep& ladder, const formula::Expr& of, bool ri
             steps.bad_steps = bad;
             steps.bad_sample = k;
             steps.bad_from = largest;
-            steps.bad_at = ladder.sample_at(0, k).text;
+            steps.bad_at = sweep.sample_at(0, k).text;
         }
     }
     return steps;
@@ -77,13 +77,13 @@ Steps count_steps(const ParameterSweep& ladder, const formula::Expr& of, bool ri
 
 Outcome check_monotone(const Claim& claim, const AuditContext& context) {
     const bool rising = claim.text("sense") == "increasing";
-    const ParameterSweep ladder(claim, context, context.digits());
-    const Steps steps = count_steps(ladder, claim.formula("of"), rising, context.digits());
+    const ParameterSweep sweep(claim, context, context.digits());
+    const Steps steps = count_steps(sweep, claim.formula("of"), rising, context.digits());
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
-        .add("along", ladder.name())
-        .add("values_taken", ladder.values())
-        .add("samples", ladder.samples())
+        .add("along", sweep.name())
+        .add("values_taken", sweep.values())
+        .add("samples", sweep.samples())
         .add("steps_as_claimed", steps.good)
         .add("steps_against", steps.bad);
     if (steps.unclear > 0) {
@@ -99,11 +99,10 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
                        std::to_string(steps.bad + steps.good + steps.unclear) + " steps)";
         const formula::Expr of = claim.formula("of");
         const auto at = [&](std::size_t value) {
-            return enclosed(of, ladder.sample_at(value, steps.bad_sample).sample, context.digits());
+            return enclosed(of, sweep.sample_at(value, steps.bad_sample).sample, context.digits());
         };
         add_pair("before", at(steps.bad_from), "after", at(steps.bad_from + 1),
-                 steps.bad_at + "; " + step_text(ladder, steps.bad_from), context.digits(),
-                 outcome);
+                 steps.bad_at + "; " + step_text(sweep, steps.bad_from), context.digits(), outcome);
     } else if (steps.unclear > 0 || steps.good == 0) {
         outcome.note = "some steps are too small for the digits at hand";
     } else {

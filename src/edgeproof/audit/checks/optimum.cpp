@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
+#include "edgeproof/audit/checks/parts/proved_optimum.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -26,9 +27,7 @@ public:
     Reach(const Claim& claim, const AuditContext& context, std::size_t scene,
           formula::Exact tolerance)
         : claim_(claim), context_(context), scene_(scene), tolerance_(std::move(tolerance)),
-          parameter_(claim.text("along")),
-          edge_(claim.text_or("edge", "right") == "right" ? contact::Edge::right
-                                                          : contact::Edge::left),
+          parameter_(claim.text("along")), edge_(claim.edge()),
           terms_(static_cast<std::size_t>(claim.integer("terms"))) {
         if (claim.has("upto")) {
             range_.to = formula::Exact::parse(claim.text("upto"));
@@ -137,6 +136,50 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
     return best;
 }
 
+/// What is known of the best value for one tolerance.
+struct OptimumFound {
+    bool is_best = false;              ///< the value claimed
+    Real off;                          ///< how far the best value is from it
+    std::optional<Difference> farther; ///< the reach of the value claimed against the best
+    std::string text;
+    Evidence evidence;
+};
+
+/// By branch and bound, for the families whose error is enclosed over a range: power laws along m.
+std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext& context,
+                                          std::size_t scene, const formula::Exact& tolerance,
+                                          const contact::ParameterRange& range,
+                                          const Rational& claimed) {
+    const SceneSpec spec = context.scenes(claim).at(scene);
+    if (claim.text("along") != "m" || spec.profile != "power-law" || !tolerance.is_rational()) {
+        return {};
+    }
+    const auto errors = contact::power_law_errors(formula::Expr::symbol("m"), {},
+                                                  {contact::Edge::right,
+                                                   static_cast<std::size_t>(claim.integer("terms")),
+                                                   contact::ReachUnit::fraction,
+                                                   {"m"}});
+    contact::ReachProblem problem;
+    problem.edges = {errors.get()};
+    problem.tolerance = tolerance.rational();
+    if (claim.has("upto")) {
+        problem.part = formula::Exact::parse(claim.text("upto")).rational();
+    }
+    const ProvedOptimum found =
+        proved_optimum(problem, range, Ball(claimed, optimum_bits), claim.text("along"));
+    if (!found.proved) {
+        return {};
+    }
+    OptimumFound result;
+    result.is_best = found.is_best;
+    result.off = abs(Real(found.best.value[0].midpoint() - Ball(claimed, optimum_bits).midpoint()));
+    result.farther = Difference::of(found.claimed_reach, found.best.shown_reach);
+    result.text = found.text + " for the tolerance " + tolerance.text();
+    result.evidence.add("tolerance", tolerance.text());
+    found.add_to(result.evidence);
+    return result;
+}
+
 Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     const Rational claimed = formula::Exact::parse(claim.text("at")).rational();
     const auto& between = claim.list("between");
@@ -161,6 +204,21 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     for (std::size_t k = 0; k < scenes; ++k) {
         std::optional<Real> last_off;
         for (const std::string& text : claim.list("tolerances")) {
+            if (auto found = proved_search(claim, context, k, formula::Exact::parse(text), {lo, hi},
+                                           claimed)) {
+                all_best = all_best && found->is_best;
+                if (!found->is_best && !farther) {
+                    farther = found->farther;
+                }
+                const Real away = found->is_best ? Real(0) : found->off;
+                approaching = approaching && (!last_off || away * 2 < *last_off || away == 0);
+                last_off = away;
+                list.emplace_back(std::move(found->evidence));
+                if (!outcome.computed) {
+                    outcome.computed = std::move(found->text);
+                }
+                continue;
+            }
             Reach reach(claim, context, k, formula::Exact::parse(text));
             const Real here = reach(claimed);
             const Best best = search(reach, claimed, lo, hi);
@@ -198,7 +256,8 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
         .add("extents_computed", calls);
     const bool right = all_best || (in_the_limit && approaching);
     outcome.verdict = right ? Judgement(NotRefuted::confirmed) : Judgement(farther);
-    outcome.note = all_best ? "none of the values tried reaches farther"
+    outcome.note = all_best ? calls == 0 ? "no value of the range reaches farther: proved"
+                                         : "none of the values tried reaches farther"
                    : right  ? "the best value tends to the one claimed as the tolerance is lowered"
                             : "reaches farthest with " + *outcome.computed;
     return outcome;

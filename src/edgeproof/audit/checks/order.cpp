@@ -100,7 +100,7 @@ Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
     bool higher = false;
     for (const OrderInScene& s : scenes.all) {
         if (!s.clear) {
-            note = "the order is not settled in " + s.text;
+            note = "the order is not determined in " + s.text;
             return NotRefuted::undecided;
         }
         if (s.order < s.order_said - slack) {
@@ -161,16 +161,15 @@ Outcome check_order(const Claim& claim, const AuditContext& context) {
     outcome.verdict = judge(scenes, universal, outcome.note);
     report(scenes, outcome.evidence);
     if (!holds(outcome.verdict) && claim.has("candidates")) {
-        for (const std::string& text : claim.list("candidates")) {
-            const formula::Expr says =
-                expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary);
-            const Scenes anew = measure_all(claim, context, says);
+        for (std::size_t i = 0; i < claim.list("candidates").size(); ++i) {
+            const std::string& text = claim.list("candidates")[i];
+            const Scenes anew = measure_all(claim, context, claim.formulas("candidates")[i]);
             std::string note;
             if (judge(anew, universal, note) == Verdict::confirmed) {
                 outcome.correct = text;
-                Evidence mended;
-                report(anew, mended);
-                outcome.evidence.add("with_the_correction", mended);
+                Evidence corrected;
+                report(anew, corrected);
+                outcome.evidence.add("with_the_correction", corrected);
                 break;
             }
         }

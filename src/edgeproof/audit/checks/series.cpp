@@ -86,17 +86,13 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     const std::vector<Real> orders = numbers(claim, "orders");
     std::vector<formula::Expr> terms;
     if (claim.has("terms")) {
-        for (const std::string& text : claim.list("terms")) {
-            terms.push_back(
-                expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary));
-        }
+        terms = claim.formulas("terms");
     }
     if (orders.empty() || orders.size() < terms.size() || orders.size() > 8) {
         claim.reject("orders", "the orders do not go with the terms",
                      "give one for each term, and one more for what is left, 8 at most");
     }
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     Outcome outcome;
     std::size_t scenes = 0;
     std::size_t vanishing = 0;

@@ -39,8 +39,7 @@ Quoted read_quoted(const Claim& claim) {
     for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
         q.key += "/" + claim.text_or(name, "");
     }
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     q.of = {edge, terms("terms"), number("tolerance")};
     if (claim.has("over_terms")) {
         q.over = ExtentOf{edge, terms("over_terms"), q.of.tolerance};

@@ -117,8 +117,7 @@ private:
 /// That the terms of a cut cancel between the two parts of an integral.
 Outcome check_split(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     const ExpansionIn in{claim.text("small"), edge,
                          formula::Exact::parse(claim.text("through")).rational()};
     const std::string variable = claim.text("variable");
@@ -133,9 +132,9 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
         .add("worst_at", left.at);
     if (claim.has("as_if")) {
         Evidence hypotheses;
-        for (const auto& [text, formulas] : claim.table("as_if")) {
-            const formula::Expr other = expand_definitions(
-                parse_formula(formulas.front(), claim.vocabulary), claim.vocabulary);
+        for (std::size_t i = 0; i < claim.table("as_if").size(); ++i) {
+            const std::string& text = claim.table("as_if")[i].first;
+            const formula::Expr& other = claim.formulas("as_if")[i];
             std::string found;
             try {
                 const Left with = splitting.left(cut_terms(other, variable, in, under));
@@ -173,8 +172,8 @@ CheckKind split_kind() {
              {.name = "variable", .required = true},
              {.name = "small", .required = true},
              {.name = "through", .type = Type::number, .required = true},
-             {.name = "as_if", .type = Type::table},
-             {.name = "given", .type = Type::table}},
+             {.name = "as_if", .type = Type::formula_table},
+             {.name = "given", .type = Type::formula_table}},
             check_split};
 }
 

@@ -42,18 +42,18 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         return outcome;
     }
     QuickSamples quick(claim, context, exact);
-    RefutedFormula patient;
-    patient.printed = claim.written("says");
-    patient.exact = claim.written("of");
-    patient.alphabet = alphabet_for(claim, patient.printed, claim.written("of"),
+    RefutedFormula refuted;
+    refuted.printed = claim.written("says");
+    refuted.exact = claim.written("of");
+    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
                                     &samples_at.all().front().sample.scene);
-    patient.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
-    patient.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
-    patient.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
+    refuted.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
+    refuted.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
+    refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         return judge_samples(
             samples_at.compare(expand_definitions(e, claim.vocabulary), exact, scale), needed);
     };
-    diagnose(patient, outcome);
+    diagnose(refuted, outcome);
     return outcome;
 }
 

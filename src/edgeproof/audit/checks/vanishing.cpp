@@ -2,8 +2,10 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/proved_optimum.hpp"
 #include "edgeproof/audit/diagnosis/ratio.hpp"
 #include "edgeproof/audit/sample/linear_loads.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -83,6 +85,33 @@ std::pair<Enclosed, Enclosed> enclosed_zero(const SceneSpec& scene, const Claim&
     return found;
 }
 
+/// At which ratio of tension to shear force one term stays within a tolerance for the longest
+/// distance from the right edge, beside the printed one: both by ratio sigma_0 (a + b)/(2 Q), which
+/// is all that the relative error depends on.
+void add_best_ratio(const Claim& claim, Outcome& outcome) {
+    const auto name = std::string("ratio");
+    const auto errors = contact::full_stick_errors(
+        formula::Expr::number(1), formula::Expr::symbol(name), formula::Expr::number(2),
+        {contact::Edge::right, 1, contact::ReachUnit::fraction, {name}});
+    const Ball printed = formula::enclosed_constant(claim.formula("says"), optimum_bits);
+    for (const std::string& text : claim.list("tolerances")) {
+        contact::ReachProblem problem;
+        problem.edges = {errors.get()};
+        problem.tolerance = formula::Exact::parse(text).rational();
+        const ProvedOptimum found =
+            proved_optimum(problem, {Rational(0), Rational(2)}, abs(printed), claim.text("ratio"));
+        Evidence one;
+        one.add("tolerance", text)
+            .add("edge", "right, for the ratio's size; left, for its negative");
+        found.add_to(one);
+        outcome.evidence.add("one_term_reaches_farthest", one);
+        if (found.proved) {
+            outcome.note +=
+                "; for the tolerance " + text + " one term reaches farthest at " + found.text;
+        }
+    }
+}
+
 Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     std::vector<LinearLoads> scenes;
     std::vector<Variables> parameters;
@@ -134,9 +163,9 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     if (claim.has("elsewhere")) {
         std::vector<std::string> at;
         Evidence others;
-        for (const std::string& text : claim.list("elsewhere")) {
-            const Zero other = zero_of(
-                expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary));
+        for (std::size_t i = 0; i < claim.list("elsewhere").size(); ++i) {
+            const std::string& text = claim.list("elsewhere")[i];
+            const Zero other = zero_of(claim.formulas("elsewhere")[i]);
             others.add(text, other.agrees ? "vanishes at the printed value"
                                           : "vanishes at " + other.value);
             if (other.agrees) {
@@ -147,6 +176,9 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
         for (const std::string& text : at) {
             outcome.note += "; it is " + text + " that vanishes at the printed value";
         }
+    }
+    if (claim.has("tolerances")) {
+        add_best_ratio(claim, outcome);
     }
     return outcome;
 }
@@ -160,6 +192,7 @@ CheckKind vanishing_kind() {
              {.name = "of", .type = Type::formula, .required = true},
              {.name = "ratio", .type = Type::formula, .required = true},
              {.name = "loads", .type = Type::list, .required = true},
+             {.name = "tolerances", .type = Type::list},
              {.name = "elsewhere", .type = Type::formulas}},
             check_vanishing};
 }

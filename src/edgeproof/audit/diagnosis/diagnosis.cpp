@@ -26,17 +26,17 @@ bool safe(const std::function<bool(const formula::Expr&)>& test, const formula::
     }
 }
 
-std::optional<Verdict> safe_verdict(const RefutedFormula& patient, const formula::Expr& e) {
+std::optional<Verdict> safe_verdict(const RefutedFormula& refuted, const formula::Expr& e) {
     try {
-        const auto verdict = patient.verdict_of(e);
+        const auto verdict = refuted.verdict_of(e);
         return verdict && holds(*verdict) ? verdict : std::nullopt;
     } catch (const Error&) {
         return std::nullopt;
     }
 }
 
-bool accept(const RefutedFormula& patient, const formula::Expr& formula, Outcome& outcome) {
-    const auto verdict = safe_verdict(patient, formula);
+bool accept(const RefutedFormula& refuted, const formula::Expr& formula, Outcome& outcome) {
+    const auto verdict = safe_verdict(refuted, formula);
     if (!verdict) {
         return false;
     }
@@ -48,21 +48,21 @@ bool accept(const RefutedFormula& patient, const formula::Expr& formula, Outcome
 
 } // namespace
 
-void diagnose(const RefutedFormula& patient, Outcome& outcome) {
+void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
     std::size_t tried = 0;
     std::size_t checked = 0;
-    for (const Edit& edit : single_edits(patient.printed, patient.alphabet)) {
+    for (const Edit& edit : single_edits(refuted.printed, refuted.alphabet)) {
         ++tried;
-        if (edit.formula == patient.exact) {
+        if (edit.formula == refuted.exact) {
             continue; // says nothing: a thing equals itself
         }
-        if (!safe(patient.passes_screening, edit.formula)) {
+        if (!safe(refuted.passes_screening, edit.formula)) {
             continue;
         }
         if (++checked > most_full_checks) {
             break;
         }
-        if (accept(patient, edit.formula, outcome)) {
+        if (accept(refuted, edit.formula, outcome)) {
             Evidence e;
             e.add("what", edit.what).add("printed", edit.before).add("correct", edit.after);
             outcome.evidence.add("edit", std::move(e));
@@ -72,17 +72,17 @@ void diagnose(const RefutedFormula& patient, Outcome& outcome) {
         }
     }
     outcome.evidence.add("edits_tried", tried);
-    if (patient.ratio) {
-        const formula::Expr& r = *patient.ratio;
+    if (refuted.ratio) {
+        const formula::Expr& r = *refuted.ratio;
         const formula::Expr corrected = r.kind() == formula::Expr::Kind::neg
-                                            ? -(patient.printed / r.arg(0))
-                                            : patient.printed / r;
-        if (accept(patient, corrected, outcome)) {
+                                            ? -(refuted.printed / r.arg(0))
+                                            : refuted.printed / r;
+        if (accept(refuted, corrected, outcome)) {
             outcome.note = "printed is " + to_text(r) + " times what is right";
             return;
         }
     }
-    if (patient.derived && accept(patient, *patient.derived, outcome)) {
+    if (refuted.derived && accept(refuted, *refuted.derived, outcome)) {
         outcome.note = "no single edit makes it right; the derived form is given";
         outcome.evidence.add("derived_instead", true);
         return;

@@ -25,7 +25,7 @@ struct RefutedFormula {
 /// Adds the diagnosis to the outcome: the smallest single edit that makes the formula come out
 /// confirmed or proved; failing that the printed formula divided by the ratio, or the derived one.
 /// `correct` is set only to a formula that itself came out so.
-void diagnose(const RefutedFormula& patient, Outcome& outcome);
+void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 
 /// The names that may stand for one another in a claim, and the factors that may have been lost:
 /// powers of those names, and of a scene's parameters.

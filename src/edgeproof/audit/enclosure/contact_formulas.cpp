@@ -157,41 +157,20 @@ formula::Expr ContactFormulas::traction(const formula::Expr& x) {
            root_of((edge_a - x) * (x + edge_b));
 }
 
-/// The numbers of ball_pressure.cpp: marks of the knots, jumps of g' and drops of g'' there.
 void ContactFormulas::read_pressure() {
-    const long bits = contact_.bits();
-    const auto constant = [&](const formula::Expr& e) {
-        return enclosed_constant(formula::Exact(e), bits);
-    };
-    Ball arc(0, bits);
-    contact::BallMark before = contact::BallMark::left_end(contact_.a(), contact_.b());
-    for (std::size_t i = 0; i <= profile_.knots().size(); ++i) {
-        const auto& piece = *profile_.pieces()[i].linear;
-        const bool last = i == profile_.knots().size();
-        const Ball knot = last ? contact_.a() : constant(profile_.knots()[i].expr());
-        const contact::BallMark mark =
-            last ? contact::BallMark::right_end(contact_.a(), contact_.b())
-                 : contact::BallMark::at(contact_.a(), contact_.b(), knot);
-        arc += constant(piece.rate) * (before.h - mark.h);
-        before = mark;
-        if (last || mark.outside) {
-            continue;
+    const auto& slope = contact_.slope();
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        if (contact_.bends_inside(i)) {
+            const contact::Mark<Ball>& mark = contact_.knot_marks()[i];
+            named(indexed("knot", i), slope.knots[i]);
+            named(indexed("jump", i), slope.jump(i));
+            named(indexed("drop", i), slope.rate_drop(i));
+            named(indexed("inset", i), contact::Field<Ball>::root(mark.right));
+            named(indexed("outset", i), contact::Field<Ball>::root(mark.left));
         }
-        const auto& next = *profile_.pieces()[i + 1].linear;
-        if (piece.rate == next.rate && piece.at_origin == next.at_origin) {
-            continue;
-        }
-        named(indexed("knot", i), knot);
-        named(indexed("jump", i), profile_.has_corner(i)
-                                      ? constant(next.at_origin) - constant(piece.at_origin) +
-                                            (constant(next.rate) - constant(piece.rate)) * knot
-                                      : Ball(0, bits));
-        named(indexed("drop", i), constant(piece.rate) - constant(next.rate));
-        named(indexed("inset", i), contact::root(mark.right));
-        named(indexed("outset", i), contact::root(mark.left));
     }
-    named("arc of the contact", arc);
-    named("factor of the pressure", modulus_ / (Ball::pi(bits) * 2));
+    named("arc of the contact", contact_.arc());
+    named("factor of the pressure", contact_.pressure_factor());
 }
 
 std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr& x) const {
@@ -220,7 +199,7 @@ std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr
         const auto at_knot = [&](const char* name) {
             return formula::Expr::symbol(indexed(name, i));
         };
-        // ball_green, with |v - x| as the real part of a logarithm has it.
+        // G, with |v - x| as the real part of a logarithm has it.
         const formula::Expr green =
             integer(2) * call_of("log", {at_knot("inset") * left + at_knot("outset") * right}) -
             call_of("log", {edge_a + (symmetric() ? edge_a : edge_b)}) -

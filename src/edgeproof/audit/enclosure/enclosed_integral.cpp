@@ -5,6 +5,7 @@
 #include "edgeproof/audit/enclosure/integrand.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
 #include "edgeproof/audit/enclosure/line_integral.hpp"
+#include "edgeproof/audit/enclosure/piece_integrals.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -12,16 +13,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-using Centre = Integrand::Centre;
-
-/// One end of a piece.
-struct PieceEnd {
-    formula::Expr written;
-    Ball at;
-    bool of_contacts = false; ///< where P1of and bof change their formula
-    Ball angle = {};          ///< on a path
-};
 
 class EnclosedIntegral {
 public:
@@ -220,17 +211,18 @@ private:
         if (f.vanishes()) {
             return Box(around_.bits);
         }
+        const PieceIntegrals pieces(lowest_, highest_, around_.bits, digits_);
         if (!pole_) {
-            return by_ends(f, from, to, path.has_value());
+            return pieces.by_ends(f, from, to, path.has_value());
         }
         const Ball pole = number(*pole_);
         if (certainly_less(pole, from.at) || certainly_less(to.at, pole)) {
-            return by_ends(f, from, to, path.has_value());
+            return pieces.by_ends(f, from, to, path.has_value());
         }
         if (path || !certainly_less(from.at, pole) || !certainly_less(pole, to.at)) {
             throw BudgetError("a pole that is not told from where the integrand changes");
         }
-        return over_pole(f, from, pole, to);
+        return pieces.over_pole(f, {*pole_, pole}, from, to);
     }
 
     /// `first`: where the path's angle is least.
@@ -241,97 +233,6 @@ private:
         }
         const formula::Expr s = substitute(argument, variable_, end.written);
         return path.angle_of(number(s), number(formula::Expr::call("bof", {s})));
-    }
-
-    static const Ball& position(const PieceEnd& end, bool by_angle) {
-        return by_angle ? end.angle : end.at;
-    }
-
-    /// From where it is counted to v; half the piece, or all of it.
-    [[nodiscard]] Box from_centre(Integrand& f, const Ball& near, const Ball& far) const {
-        const auto root_of_distance = [&](const Ball& x) {
-            Ball v(0, around_.bits);
-            if (arb_is_zero(x.data()) != 0) {
-                return Box(v); // of which Arb takes no root
-            }
-            arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), around_.bits);
-            return Box(v);
-        };
-        return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
-    }
-
-    /// The end to count from: of the piece, or of the whole integral where that is near enough for
-    /// what is singular there to matter.
-    [[nodiscard]] std::optional<PieceEnd> singular_end(Integrand& f, const PieceEnd& end,
-                                                       const PieceEnd& outermost, int direction,
-                                                       const Ball& length, bool by_angle) const {
-        f.centre(end.written, end.at, direction, end.angle, Centre::rooted);
-        if (f.power() > 1) {
-            return end;
-        }
-        if (by_angle || !certainly_less(abs(end.at - outermost.at) * 10, length)) {
-            return std::nullopt;
-        }
-        f.centre(outermost.written, outermost.at, direction, outermost.angle, Centre::rooted);
-        return f.power() > 1 ? std::optional(outermost) : std::nullopt;
-    }
-
-    [[nodiscard]] Box by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to,
-                              bool by_angle) const {
-        const Ball start = position(from, by_angle);
-        const Ball stop = position(to, by_angle);
-        const Ball length = abs(stop - start);
-        const auto right = singular_end(f, to, highest_, -1, length, by_angle);
-        const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
-        const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
-        Box sum(around_.bits);
-        const auto add = [&](const PieceEnd& end, const Ball& near) {
-            const Ball& at = position(end, by_angle);
-            sum = sum + from_centre(f, distance(at, near), distance(at, middle));
-        };
-        if (left) {
-            add(*left, start);
-        }
-        if (right) {
-            f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
-            add(*right, stop);
-        }
-        if (!left && !right) {
-            f.centre(from.written, from.at, 1, from.angle, Centre::regular);
-            sum = from_centre(f, Ball(0, around_.bits), length);
-        }
-        return sum;
-    }
-
-    /// Zero from a place to itself, however wide the ball.
-    [[nodiscard]] Ball distance(const Ball& x, const Ball& y) const {
-        return arb_equal(x.data(), y.data()) != 0 ? Ball(0, around_.bits) : abs(y - x);
-    }
-
-    [[nodiscard]] Box over_pole(Integrand& f, const PieceEnd& from, const Ball& pole,
-                                const PieceEnd& to) const {
-        f.centre(*pole_, pole, 1, {}, Centre::pole);
-        Ball r(min(pole - from.at, to.at - pole).midpoint(), around_.bits);
-        for (int k = 0; k < 16; ++k) {
-            r /= 2;
-            const Ball across = r * Ball::from_interval(Real(-1), Real(1), around_.bits);
-            const Integrand::Leading without = f.leading(Box(across, across));
-            if (without.power != -1 || !without.factor.is_finite()) {
-                continue;
-            }
-            const Ball zero(0, around_.bits);
-            const Box top(zero, r);
-            Box sum = line_integral(f, Box(-r), top, digits_) +
-                      line_integral(f, top, Box(r), digits_) +
-                      f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
-            const formula::Expr unnamed =
-                formula::Expr::symbol("a place inside"); // as no text has it
-            const PieceEnd before{unnamed, pole - r};
-            const PieceEnd behind{unnamed, pole + r};
-            sum = sum + by_ends(f, from, before, false);
-            return sum + by_ends(f, behind, to, false);
-        }
-        throw Error("the pole of a principal value is not shown to be a simple one");
     }
 
     /// Above the contact, from its left end to its right one. Nothing where the integrand has no
@@ -360,7 +261,7 @@ private:
         Box sum(bits);
         if (pole_) {
             const Ball pole = number(*pole_);
-            f.centre(*pole_, pole, 1, {}, Centre::pole);
+            f.centre(*pole_, pole, 1, {}, Integrand::Centre::pole);
             const Integrand::Leading without = f.leading(Box(bits));
             if (without.power != -1) {
                 return std::nullopt;
@@ -368,7 +269,7 @@ private:
             sum = without.factor * Box(Ball(0, bits), Ball::pi(bits));
         }
         const auto from_end = [&](const PieceEnd& end, int direction) {
-            f.centre(end.written, end.at, direction, {}, Centre::rooted);
+            f.centre(end.written, end.at, direction, {}, Integrand::Centre::rooted);
             if (f.power() != 2) {
                 throw Error("a pressure without a root at the edge");
             }

@@ -4,7 +4,7 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_shear.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluate.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -62,7 +62,7 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball x() const {
         return sample.edge == contact::Edge::right ? contact.a() - *u : *u - contact.b();
     }
-    [[nodiscard]] contact::BallShearLoad load() const {
+    [[nodiscard]] contact::ShearLoad<Ball> load() const {
         const auto Q = names.find("Q");
         const auto tension = names.find("sig0");
         if (Q == names.end() || tension == names.end()) {
@@ -340,11 +340,12 @@ std::string ball_text(const Ball& ball, unsigned digits) {
     // The first digit that the radius leaves in doubt, and the next; more would only look exact.
     const long known =
         std::min(ball.relative_accuracy_bits(), formula::bits_for(digits)) * 301 / 1000 + 2;
-    const std::string middle = to_decimal(
-        ball.midpoint(), static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
+    const Rounded middle =
+        round_ball(Ball(ball.midpoint(), ball.bits()),
+                   static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
     // What rounding the middle for the text moves it by counts, too.
-    const Ball off = abs(ball - Ball(parse_decimal(middle), ball.bits()));
-    return middle + " +- " + bound_text(off.upper());
+    const Ball off = abs(ball - Ball(middle.lower.value(), ball.bits()));
+    return middle.text + " +- " + bound_text(off.upper());
 }
 
 } // namespace edgeproof::audit

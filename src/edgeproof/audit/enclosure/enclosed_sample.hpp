@@ -10,14 +10,13 @@
 
 namespace edgeproof::audit {
 
-/// A sample of a claim in ball arithmetic: what a EvaluatedScene gives in Real, here proved. It
-/// shares no numerical code with it (BallContact, ball_shear.hpp, enclosed_integral.hpp). Symbols
-/// and functions are those of EvaluatedScene.
+/// A sample of a claim in ball arithmetic: what a EvaluatedScene gives in Real, here proved
+/// (BallContact, enclosed_integral.hpp). Symbols and functions are those of EvaluatedScene.
 class EnclosedSample {
 public:
     /// Throws BudgetError or DomainError where so many bits do not enclose the contact, and for
     /// profiles without a closed form.
-    /// `integral_digits`: what integrals aim at; all that the bits have room for would cost more
+    /// `integral_digits`: what integrals aim at; all that the bits can hold would cost more
     /// than it is worth.
     EnclosedSample(const Sample& sample, long bits, unsigned integral_digits = 20);
     ~EnclosedSample();

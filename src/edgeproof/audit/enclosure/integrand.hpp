@@ -32,7 +32,7 @@ struct IntegrandMeaning {
 /// A formula in one variable on boxes of the complex plane, counted from a point e, its centre, by
 /// v with variable = e +- v^n: parts that are proved to vanish at e are v^n times their divided
 /// difference, roots of these are powers of v times what is regular, and so a root that is singular
-/// at e is no singularity in v. A part's divided difference comes by the rules of differentiation
+/// at e is no singularity in v. A part's divided difference follows by the rules of differentiation
 /// in their finite form, and of b(s) by its derivative over the segment from e, as that is convex.
 ///
 /// Beside the functions of formulas it knows log_above(z), the logarithm continued from the upper

@@ -41,8 +41,7 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     options->eval_limit = most_evaluations;
     options->depth_limit = 4 * bits;
     // What is small beside the length times the value in the middle is small enough.
-    mag_t tolerance;
-    mag_init(tolerance);
+    MagValue tolerance;
     Box sample(bits);
     f.at(sample.get(), (from + to) * Box(Ball(Rational(1, 2), bits)), false);
     const Box size = sample * (to - from);
@@ -54,7 +53,6 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     Box sum(bits);
     acb_calc_integrate(sum.get(), integrand_on, &work, from.get(), to.get(), goal, tolerance,
                        options, bits);
-    mag_clear(tolerance);
     if (work.thrown) {
         std::rethrow_exception(work.thrown);
     }

@@ -69,8 +69,7 @@ Box TiltedPath::eta_at(const Box& kappa) const {
     }
     const Box residual = value(eta, fixed_part(kappa));
     const Box step = residual / rate(eta);
-    mag_t radius;
-    mag_init(radius);
+    MagValue radius;
     acb_get_mag(radius, step.get());
     Box image = nowhere(bits);
     for (int k = 0; k < 4; ++k) {
@@ -85,7 +84,6 @@ Box TiltedPath::eta_at(const Box& kappa) const {
             break;
         }
     }
-    mag_clear(radius);
     return image;
 }
 

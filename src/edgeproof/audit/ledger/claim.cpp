@@ -150,6 +150,10 @@ std::string Claim::text_or(std::string_view key, std::string_view otherwise) con
     return has(key) ? text(key) : std::string(otherwise);
 }
 
+contact::Edge Claim::edge() const {
+    return text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+}
+
 long Claim::integer(std::string_view key) const {
     const std::string& value = text(key);
     long n = 0;
@@ -185,39 +189,83 @@ const Field::Table& Claim::table(std::string_view key) const {
     return *value;
 }
 
-formula::Expr Claim::written(std::string_view key) const {
-    const std::string& value = text(key);
+void Claim::read(std::string_view key, const std::vector<std::string>& texts) {
+    Parsed p;
     try {
-        return parse_formula(value, vocabulary);
-    } catch (const formula::FormulaError& error) {
-        const InputError scoped = with_scope(error);
-        reject(key, scoped.problem(), scoped.instead());
-    }
-}
-
-formula::Expr Claim::formula(std::string_view key) const {
-    const formula::Expr e = written(key);
-    try {
-        return expand_definitions(e, vocabulary);
+        for (const std::string& text : texts) {
+            p.written.push_back(parse_formula(text, vocabulary));
+            p.formulas.push_back(expand_definitions(p.written.back(), vocabulary));
+        }
     } catch (const InputError& error) {
         const InputError scoped = with_scope(error);
         reject(key, scoped.problem(), scoped.instead());
     }
+    parsed_.insert_or_assign(std::string(key), std::move(p));
 }
 
-Condition Claim::condition(std::string_view key) const {
-    const std::string& value = text(key);
+void Claim::read_formula(std::string_view key) { read(key, {text(key)}); }
+
+void Claim::read_formulas(std::string_view key) { read(key, list(key)); }
+
+void Claim::read_formula_table(std::string_view key) {
+    std::vector<std::string> texts;
+    for (const auto& [name, values] : table(key)) {
+        if (values.size() != 1) {
+            reject(key, name + " has " + std::to_string(values.size()) + " formulas",
+                   "write " + std::string(key) + " = { \"" + name + "\" = \"...\" }");
+        }
+        texts.push_back(values.front());
+    }
+    read(key, texts);
+}
+
+void Claim::read_condition(std::string_view key) {
+    Parsed p;
     try {
-        Condition c = parse_condition(value, vocabulary);
-        for (Relation& r : c) {
+        p.condition = parse_condition(text(key), vocabulary);
+        for (Relation& r : p.condition) {
             r.lhs = expand_definitions(r.lhs, vocabulary);
             r.rhs = expand_definitions(r.rhs, vocabulary);
         }
-        return c;
     } catch (const InputError& error) {
         const InputError scoped = with_scope(error);
         reject(key, scoped.problem(), scoped.instead());
     }
+    parsed_.insert_or_assign(std::string(key), std::move(p));
+}
+
+void Claim::replace_formula(std::string_view key, std::string text) {
+    fields.find(key)->second.value = std::move(text);
+    read_formula(key);
+}
+
+const Claim::Parsed& Claim::parsed(std::string_view key) const {
+    const auto it = parsed_.find(key);
+    if (it == parsed_.end()) {
+        static_cast<void>(text(key)); // says what is missing
+        throw Error(std::string(key) + " of claim " + id + " is no formula");
+    }
+    return it->second;
+}
+
+const formula::Expr& Claim::formula(std::string_view key) const {
+    return parsed(key).formulas.at(0);
+}
+
+const formula::Expr& Claim::written(std::string_view key) const {
+    return parsed(key).written.at(0);
+}
+
+const formula::Expr* Claim::find_written(std::string_view key) const {
+    const auto it = parsed_.find(key);
+    return it == parsed_.end() || it->second.written.empty() ? nullptr
+                                                             : &it->second.written.front();
+}
+
+const Condition& Claim::condition(std::string_view key) const { return parsed(key).condition; }
+
+const std::vector<formula::Expr>& Claim::formulas(std::string_view key) const {
+    return parsed(key).formulas;
 }
 
 } // namespace edgeproof::audit

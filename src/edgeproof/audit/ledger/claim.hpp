@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/parse.hpp"
 
@@ -64,15 +65,9 @@ template <class Number>
 /// All of them must hold: "0 < x and x < a". "0 < x < a" is two.
 using Condition = std::vector<Relation>;
 
-/// One printed claim: a row's part, as the ledger has it.
+/// One printed claim: a row's part, as the ledger has it. Its formulas are parsed once, when the
+/// ledger is read.
 struct Claim {
-    /// Another way to take the words: it overrides fields of the claim.
-    struct Reading {
-        std::string text;
-        Fields fields;
-        std::size_t line = 0;
-    };
-
     std::string id;
     std::string kind;
     std::string printed;                       ///< TeX, letter for letter
@@ -80,11 +75,12 @@ struct Claim {
     std::string file;                          ///< the ledger
     std::size_t line = 0;                      ///< in the ledger
     Fields fields;                             ///< all keys but id, lines, printed, kind
-    std::vector<Reading> readings;
+    /// The claim under each other way to take its words: what a reading gives in place of the
+    /// claim's own fields, and the rest of them.
+    std::vector<Claim> readings;
     /// Names in `says` that the source does not define.
     std::vector<std::string> undefined;
-    std::string reading; ///< the text of the reading taken; empty: the claim's own
-    /// Shared by all readings that define nothing of their own.
+    std::string reading; ///< of a reading: its text
     Vocabulary vocabulary;
 
     [[nodiscard]] bool has(std::string_view key) const { return fields.contains(key); }
@@ -94,18 +90,43 @@ struct Claim {
     /// kind asked for.
     [[nodiscard]] const std::string& text(std::string_view key) const;
     [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
+    /// The edge that it speaks of: the right one, unless `edge` says otherwise.
+    [[nodiscard]] contact::Edge edge() const;
     [[nodiscard]] long integer(std::string_view key) const;
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;
-    /// A formula with all definitions put in: only names that a EvaluatedScene knows are left.
-    [[nodiscard]] formula::Expr formula(std::string_view key) const;
-    /// The formula as it is written, definitions not put in.
-    [[nodiscard]] formula::Expr written(std::string_view key) const;
-    [[nodiscard]] Condition condition(std::string_view key) const;
+    /// The fields that are formulas, as read below: with all definitions put in, so that only names
+    /// that an EvaluatedScene knows are left ...
+    [[nodiscard]] const formula::Expr& formula(std::string_view key) const;
+    [[nodiscard]] const Condition& condition(std::string_view key) const;
+    [[nodiscard]] const std::vector<formula::Expr>& formulas(std::string_view key) const;
+    /// ... and as written. The second: nullptr for a field that is no formula, or none at all.
+    [[nodiscard]] const formula::Expr& written(std::string_view key) const;
+    [[nodiscard]] const formula::Expr* find_written(std::string_view key) const;
+
+    /// Parse a field in the vocabulary: a formula, a condition, a list of formulas, a table of them
+    /// (whose formulas stand in the table's order). Throw InputError at the field's line.
+    void read_formula(std::string_view key);
+    void read_condition(std::string_view key);
+    void read_formulas(std::string_view key);
+    void read_formula_table(std::string_view key);
+    /// Another text for a formula, which is read.
+    void replace_formula(std::string_view key, std::string text);
+
     /// `problem; instead` at the line of a field (or of the claim, if it has no such field).
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
                              const std::string& instead) const;
+
+private:
+    struct Parsed {
+        std::vector<formula::Expr> written;
+        std::vector<formula::Expr> formulas;
+        Condition condition;
+    };
+    void read(std::string_view key, const std::vector<std::string>& texts);
+    [[nodiscard]] const Parsed& parsed(std::string_view key) const;
+    std::map<std::string, Parsed, std::less<>> parsed_;
 };
 
 /// Parses text in a vocabulary, dotted names ("right.c1") being one name with an underscore.

@@ -14,14 +14,15 @@ struct Outcome;
 struct KeySpec {
     enum class Type {
         text,      ///< any text
-        formula,   ///< parsed and its names checked when the ledger is read
+        formula,   ///< parsed and its names checked when the ledger is read; or one of `choices`
         condition, ///< "x > 0 and x < a", checked likewise
         number,    ///< an exact constant: "1 %" is not one, "1/100" is
         integer,
-        list,     ///< of texts
-        formulas, ///< a list of formulas
-        table,    ///< name = text or list of texts
-        choice,   ///< one of `choices`
+        list,          ///< of texts
+        formulas,      ///< a list of formulas
+        table,         ///< name = text or list of texts
+        formula_table, ///< name = formula
+        choice,        ///< one of `choices`
     };
     std::string_view name;
     Type type = Type::text;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/family.hpp"
 
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/split_mix.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -9,21 +11,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-std::uint64_t split_mix(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-}
-
-std::uint64_t fnv(std::string_view text) {
-    std::uint64_t h = 0xcbf29ce484222325ULL;
-    for (const char c : text) {
-        h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    }
-    return h;
-}
 
 /// Puts the parameters chosen into each other until none of their names is left.
 std::map<std::string, formula::Exact, std::less<>>
@@ -107,11 +94,11 @@ std::size_t stratified_index(std::string_view name, std::size_t size, std::size_
     if (size <= 1) {
         return 0;
     }
-    std::uint64_t state = fnv(name) + 0x632be59bd9b4e019ULL * (i / size);
+    SplitMix64 random(io::fnv1a(name) + 0x632be59bd9b4e019ULL * (i / size));
     std::vector<std::size_t> order(size);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (std::size_t k = size - 1; k > 0; --k) {
-        std::swap(order[k], order[split_mix(state) % (k + 1)]);
+        std::swap(order[k], order[random.below(k + 1)]);
     }
     return order[i % size];
 }

@@ -11,7 +11,7 @@
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/file_kind.hpp"
+#include "edgeproof/scene/input/file_kind.hpp"
 
 #include <algorithm>
 #include <set>
@@ -135,34 +135,32 @@ private:
                 claim.fields.emplace(std::string(key), read_field(table, key));
             }
         }
-        for (const io::TomlSection& part : table.sections_or_none("reading")) {
+        claim.vocabulary = vocabulary_of(ledger_, claim);
+        const std::vector<io::TomlSection> readings = table.sections_or_none("reading");
+        for (const io::TomlSection& part : readings) {
             Keys allowed{"text"};
             allowed.insert(allowed.end(), shared.begin(), shared.end());
             part.allow(allowed);
-            Claim::Reading reading;
-            reading.text = part.written("text");
-            reading.line = part.line();
+            Claim reading = claim;
+            reading.readings.clear();
+            reading.reading = part.written("text");
             for (const std::string_view key : shared) {
                 if (part.has(key)) {
-                    reading.fields.emplace(std::string(key), read_field(part, key));
+                    reading.fields.insert_or_assign(std::string(key), read_field(part, key));
                 }
             }
             claim.readings.push_back(std::move(reading));
         }
-        claim.vocabulary = vocabulary_of(ledger_, claim);
         // With readings, the claim itself need not be complete.
-        if (claim.readings.empty()) {
-            check_fields(claim, *kind, true);
-        } else {
-            check_fields(claim, *kind, false);
-            for (const Claim::Reading& reading : claim.readings) {
-                check_fields(under_reading(ledger_, claim, reading), *kind, true);
-            }
+        read_fields(claim, *kind, readings.empty());
+        for (Claim& reading : claim.readings) {
+            reading.vocabulary = vocabulary_of(ledger_, reading);
+            read_fields(reading, *kind, true);
         }
         return claim;
     }
 
-    void check_fields(const Claim& claim, const CheckKind& kind, bool complete) const {
+    static void read_fields(Claim& claim, const CheckKind& kind, bool complete) {
         for (const auto& keys : {common_keys(), kind.keys}) {
             for (const KeySpec& key : keys) {
                 if (!claim.has(key.name)) {
@@ -174,22 +172,25 @@ private:
                     }
                     continue;
                 }
-                check_field(claim, key);
+                read_checked(claim, key);
             }
         }
     }
 
-    void check_field(const Claim& claim, const KeySpec& key) const {
+    static void read_checked(Claim& claim, const KeySpec& key) {
         using Type = KeySpec::Type;
         switch (key.type) {
         case Type::text:
             static_cast<void>(claim.text(key.name));
             break;
         case Type::formula:
-            static_cast<void>(claim.formula(key.name));
+            if (std::find(key.choices.begin(), key.choices.end(), claim.text(key.name)) ==
+                key.choices.end()) {
+                claim.read_formula(key.name);
+            }
             break;
         case Type::condition:
-            static_cast<void>(claim.condition(key.name));
+            claim.read_condition(key.name);
             break;
         case Type::integer:
             static_cast<void>(claim.integer(key.name));
@@ -205,13 +206,10 @@ private:
             static_cast<void>(claim.list(key.name));
             break;
         case Type::formulas:
-            for (const std::string& text : claim.list(key.name)) {
-                try {
-                    static_cast<void>(parse_formula(text, claim.vocabulary));
-                } catch (const formula::FormulaError& error) {
-                    claim.reject(key.name, error.problem(), error.instead());
-                }
-            }
+            claim.read_formulas(key.name);
+            break;
+        case Type::formula_table:
+            claim.read_formula_table(key.name);
             break;
         case Type::table:
             static_cast<void>(claim.table(key.name));
@@ -251,17 +249,6 @@ Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors 
 Ledger read_ledger(const std::filesystem::path& file, ClaimErrors errors) {
     return parse_ledger(io::read_text(file, "ledger (TOML)", io::most_toml_bytes), file.string(),
                         errors);
-}
-
-Claim under_reading(const Ledger& ledger, const Claim& claim, const Claim::Reading& reading) {
-    Claim taken = claim;
-    taken.readings.clear();
-    taken.reading = reading.text;
-    for (const auto& [key, field] : reading.fields) {
-        taken.fields.insert_or_assign(key, field);
-    }
-    taken.vocabulary = vocabulary_of(ledger, taken);
-    return taken;
 }
 
 } // namespace edgeproof::audit

@@ -43,8 +43,4 @@ enum class ClaimErrors { thrown, kept };
 [[nodiscard]] Ledger parse_ledger(std::string_view text, const std::string& file,
                                   ClaimErrors errors = ClaimErrors::thrown);
 
-/// The claim with the fields of one of its readings.
-[[nodiscard]] Claim under_reading(const Ledger& ledger, const Claim& claim,
-                                  const Claim::Reading& reading);
-
 } // namespace edgeproof::audit

@@ -17,7 +17,7 @@ struct Ledger;
 [[nodiscard]] std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
                                                                    const io::TomlSection& table);
 
-/// All names that the formulas of a claim may use: a evaluated scene's, those of its family, its
+/// All names that the formulas of a claim may use: an evaluated scene's, those of its family, its
 /// free variables, what is undefined in print, the ledger's definitions and its own, which come
 /// first.
 [[nodiscard]] Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim);

@@ -33,6 +33,7 @@ void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string
     for (const char c : id) {
         mixed = mixed * 1099511628211U + static_cast<unsigned char>(c);
     }
+    // Not SplitMix64: a seed that is recorded somewhere draws the same mutants as ever.
     std::mt19937_64 random(mixed);
     // Not std::shuffle: what it does is not the same in every library.
     for (std::size_t k = mutants.size(); k > 1; --k) {
@@ -42,15 +43,15 @@ void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string
 
 Claim broken(const Claim& claim, const formula::Expr& formula) {
     Claim mutant = claim;
-    mutant.fields.find("says")->second.value = to_text(formula);
+    mutant.replace_formula("says", to_text(formula));
     // Its fractions are written as decimals here, and are none in print.
     mutant.fields.insert_or_assign("decimals", Field{std::string("exact"), mutant.line});
     return mutant;
 }
 
-Outcome outcome_of(const Claim& claim, const AuditContext& context) {
+Outcome outcome_of(const Claim& claim, const Mutant& mutant, const AuditContext& context) {
     try {
-        return find_check_kind(claim.kind)->check(claim, context);
+        return find_check_kind(claim.kind)->check(broken(claim, mutant.formula), context);
     } catch (const Error& e) {
         Outcome o;
         o.note = e.what();
@@ -62,15 +63,14 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
     MutantFate fate;
     fate.claim = claim.id;
     fate.kind = mutant.kind;
-    const formula::Expr original = claim.written("says");
+    const formula::Expr& original = claim.written("says");
     fate.original = to_text(original);
     fate.mutated = to_text(mutant.formula);
-    const Outcome outcome = outcome_of(broken(claim, mutant.formula), context);
+    const Outcome outcome = outcome_of(claim, mutant, context);
     fate.verdict = outcome.verdict;
     fate.note = outcome.note;
     const auto same_as_original = [&](const formula::Expr& e) {
-        return surely_equal(expand_definitions(e, claim.vocabulary),
-                            expand_definitions(original, claim.vocabulary),
+        return surely_equal(expand_definitions(e, claim.vocabulary), claim.formula("says"),
                             symbolic_case(claim, context));
     };
     if (!fate.caught()) {
@@ -83,7 +83,7 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
     return fate;
 }
 
-/// The fates as they are found, laid aside every few seconds.
+/// The fates as they are found, saved every few seconds.
 class Fates {
 public:
     Fates(const MutationOptions& options, std::size_t size)
@@ -112,13 +112,13 @@ public:
             options_.audit.progress(done_, fates_.size());
         }
         const auto now = std::chrono::steady_clock::now();
-        if (now - laid_aside_ > std::chrono::seconds(5)) {
-            lay_aside();
-            laid_aside_ = now;
+        if (now - saved_at_ > std::chrono::seconds(5)) {
+            save();
+            saved_at_ = now;
         }
     }
 
-    void lay_aside() const {
+    void save() const {
         if (!options_.checkpoint) {
             return;
         }
@@ -143,7 +143,7 @@ private:
     std::vector<MutantFate> fates_;
     std::vector<bool> found_;
     std::size_t done_ = 0;
-    std::chrono::steady_clock::time_point laid_aside_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point saved_at_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
 };
 
@@ -199,10 +199,10 @@ MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
                 tbb::simple_partitioner());
         });
     } catch (const Interrupted&) {
-        fates.lay_aside();
+        fates.save();
         throw;
     }
-    fates.lay_aside();
+    fates.save();
     run.fates = fates.all();
     return run;
 }

@@ -37,7 +37,7 @@ std::string Sample::text() const {
 
 std::shared_ptr<void> AuditContext::take(const std::string& key) const {
     const std::lock_guard lock(lent_mutex_);
-    std::vector<std::shared_ptr<void>>& idle = at_home_[key];
+    std::vector<std::shared_ptr<void>>& idle = idle_[key];
     if (idle.empty()) {
         return nullptr;
     }
@@ -48,7 +48,7 @@ std::shared_ptr<void> AuditContext::take(const std::string& key) const {
 
 void AuditContext::give_back(const std::string& key, std::shared_ptr<void> object) const {
     const std::lock_guard lock(lent_mutex_);
-    at_home_[key].push_back(std::move(object));
+    idle_[key].push_back(std::move(object));
 }
 
 std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
@@ -56,8 +56,7 @@ std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
 }
 
 std::vector<Sample> AuditContext::samples(const Claim& claim) const {
-    const contact::Edge edge =
-        claim.text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
+    const contact::Edge edge = claim.edge();
     std::vector<Sample> samples;
     std::size_t i = 0;
     for (const SceneSpec& scene : scenes(claim)) {

@@ -55,8 +55,8 @@ public:
     /// Scenes, places (from the claim's `edge`; in `points` per scene) and values of `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
-    /// What several claims need and is dear: made once a run, by whoever asks first; the others
-    /// wait. The key says all that the result depends on.
+    /// What several claims need and is expensive: made once a run, by whoever asks first; the
+    /// others wait. The key says all that the result depends on.
     template <class T>
     [[nodiscard]] std::shared_ptr<const T> once(const std::string& key,
                                                 const std::function<T()>& make) const {
@@ -68,8 +68,8 @@ public:
         return std::static_pointer_cast<const T>(slot.value);
     }
 
-    /// What belongs to one thread at a time and is dear to make: one that was given back, or a new
-    /// one. It goes back when the last pointer to it does; the context must outlive it.
+    /// What belongs to one thread at a time and is expensive to make: one that was given back, or a
+    /// new one. It goes back when the last pointer to it does; the context must outlive it.
     template <class T>
     [[nodiscard]] std::shared_ptr<T> borrow(const std::string& key,
                                             const std::function<std::unique_ptr<T>()>& make) const {
@@ -97,7 +97,7 @@ private:
     const Ledger& ledger_;
     unsigned digits_;
     mutable std::mutex lent_mutex_;
-    mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> at_home_;
+    mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> idle_;
     mutable std::mutex slots_mutex_;
     mutable std::map<std::string, Slot, std::less<>> slots_;
 };

@@ -48,7 +48,7 @@ using NaiveIntegrand = std::function<Real(const Real&)>;
 
 /// The integral of f from lo to hi (also for hi < lo). `cuts` are places where f is not analytic,
 /// inside (the interval is split there) or outside (an end near to one is taken care of).
-/// Throws DivergentIntegral for one that does not settle and grows at an end.
+/// Throws DivergentIntegral for one that does not converge and grows at an end.
 [[nodiscard]] NaiveIntegral integrate_naively(const NaiveIntegrand& f, const Real& lo,
                                               const Real& hi, std::vector<Real> cuts,
                                               const NaivePrecision& precision);

@@ -103,12 +103,7 @@ public:
         std::vector<T> c = edge == contact::Edge::right ? right_edge_brackets(law, a)
                                                         : left_edge_derivation(law, a).brackets;
         c.resize(count, T(0));
-        using std::sqrt;
-        const T unit = field.pi() * sqrt(T(a + field.symbol("b")));
-        for (T& x : c) {
-            x = x / unit;
-        }
-        return c;
+        return contact::coefficients_of(std::move(c), T(a + field.symbol("b")), field.pi());
     }
 
 private:

@@ -87,7 +87,7 @@ bool is_zero(const ex& e) {
         return true;
     }
     if (is_not_zero_somewhere(e)) {
-        return false; // nearly always so, and the canonical form is dear
+        return false; // nearly always so, and the canonical form is expensive
     }
     if (e.expand().is_zero()) {
         return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
 #include "edgeproof/audit/symbolic/ginac_roots.hpp"
+#include "edgeproof/audit/symbolic/polynomial_factors.hpp"
 #include "edgeproof/formula/quotient.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -201,7 +202,7 @@ Factored factored(const ex& polynomial, const Roots& roots, bool collect) {
             result.multiply(to_expr(restored), exponent);
         }
     };
-    const ex whole = GiNaC::factor(polynomial.expand());
+    const ex whole = polynomial_factors(polynomial);
     if (is_a<GiNaC::mul>(whole)) {
         for (const ex& factor : whole) {
             take(factor);

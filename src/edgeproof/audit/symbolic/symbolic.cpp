@@ -68,6 +68,9 @@ private:
             const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
             return ExpansionEnvironment<ex, SymbolField>::coefficients(*this, edge, count).back();
         }
+        if (const auto given = under_.names.find(name); given != under_.names.end()) {
+            return from(given->second);
+        }
         if ((name == "P" || (numbered && name[0] == 'P')) && under_.P) {
             return from(*under_.P).diff(a(), k);
         }

@@ -4,6 +4,8 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/rational.hpp"
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +18,8 @@ struct SymbolicCase {
     bool symmetric = false;
     std::optional<formula::Expr> P;
     std::optional<formula::Expr> b;
+    /// Further names that stand for formulas in free symbols, such as P2 = m*P1/a.
+    std::map<std::string, formula::Expr, std::less<>> names = {};
 };
 
 /// One term of an expansion: coefficient times variable^exponent.

@@ -9,6 +9,7 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -38,7 +39,7 @@ std::string written(const report::Table& table, const Output& o) {
     return o.csv    ? write_table(table, report::TableFormat::csv)
            : o.json ? write_table(table, report::TableFormat::json)
            : o.md   ? write_table(table, report::TableFormat::markdown)
-                    : aligned_text(table);
+                    : aligned_text(table) + report::program_line() + "\n";
 }
 
 unsigned digits_of_option(const std::string& text) {

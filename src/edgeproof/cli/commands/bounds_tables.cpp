@@ -33,10 +33,10 @@ report::Table case_table(const std::vector<validation::HardCase>& cases,
                          const std::vector<validation::CaseOutcome>& outcomes, unsigned digits) {
     report::Table t;
     t.title = "Hard cases at " + std::to_string(digits) + " digits";
-    t.notes = {"double ... MPFR 50: digits right of the obvious formula in that arithmetic",
+    t.notes = {"double ... MPFR 50: digits right of the textbook formula in that arithmetic",
                "proved: digits of the enclosure; route_1, route_2: digits in which two routes in "
                "Real agree with it, as far as it goes",
-               "fault: empty where the enclosure settles every digit and both routes agree"};
+               "fault: empty where the enclosure determines every digit and both routes agree"};
     t.columns = {{"case", Kind::text},
                  {"class", Kind::text},
                  {"quantity", Kind::text},
@@ -49,7 +49,7 @@ report::Table case_table(const std::vector<validation::HardCase>& cases,
     t.columns.push_back({"fault", Kind::text});
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const validation::CaseOutcome& o = outcomes[i];
-        std::vector<std::string> row{cases[i].name, cases[i].family, asked_text(cases[i].asked),
+        std::vector<std::string> row{cases[i].name, cases[i].family, text_of(cases[i].asked),
                                      o.value, o.bound};
         for (const unsigned d : o.plain) {
             row.push_back(std::to_string(d));
@@ -68,9 +68,9 @@ report::Table family_table(const std::vector<validation::HardCase>& cases,
                            const std::vector<validation::CaseOutcome>& outcomes, unsigned digits) {
     report::Table t;
     t.title = "Hard cases, class by class, at " + std::to_string(digits) + " digits";
-    t.notes = {"digits right of the obvious formula in each arithmetic, and of ours as proved: "
+    t.notes = {"digits right of the textbook formula in each arithmetic, and of ours as proved: "
                "worst / median of the class",
-               "agree: cases in which the enclosure settles every digit and two routes in Real "
+               "agree: cases in which the enclosure determines every digit and two routes in Real "
                "have them too"};
     t.columns = {{"class", Kind::text}, {"cases", Kind::count}, {"agree", Kind::count}};
     for (const std::string_view name : validation::plain_arithmetics) {

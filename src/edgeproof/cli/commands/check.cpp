@@ -3,6 +3,7 @@
 #include "edgeproof/cli/commands/check_kinds.hpp"
 #include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -126,7 +127,7 @@ conformance::Answers ask_program(const CheckOptions& o) {
     options.write_csv = [&](const conformance::Questions& part) {
         return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
     };
-    return interview(asked, options);
+    return ask_program_in_batches(asked, options);
 }
 
 conformance::Answers answers_of(const CheckOptions& o) {
@@ -217,7 +218,12 @@ void add_check(CLI::App& app, int& code) {
     sub->add_option("--files", o->self.files, "of --self-test: spoilt files")
         ->capture_default_str();
     sub->add_option("--threads", o->threads, "threads (default: one a processor)");
-    sub->callback([o, &code] { code = check(*o); });
+    sub->callback([o, &code] {
+        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
+        o->recipe = file_or_shipped(o->recipe, shipped_recipes);
+        o->answers = file_or_shipped(o->answers, shipped_recipes);
+        code = check(*o);
+    });
 }
 
 } // namespace edgeproof::cli

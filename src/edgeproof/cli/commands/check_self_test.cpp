@@ -8,6 +8,7 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <cstdio>
 #include <map>
@@ -84,6 +85,7 @@ int self_test(const std::string& recipe_file, const SelfTestOptions& o,
     for (const auto& [kind, t] : tallies) {
         std::printf("%-44s%8zu%8zu\n", kind.c_str(), t.files, t.found);
     }
+    std::printf("%s\n", report::program_line().c_str());
     std::printf("%s%s", missed.c_str(), said.c_str());
     std::printf("the right answers %s; %zu of %zu spoilt files found (seed %zu, %zu answers a "
                 "file, target 0.5 ulps)\n",

@@ -5,6 +5,7 @@
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/page/cost_page.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -54,9 +55,8 @@ std::vector<cost::CostCase> cases_of(const CostArguments& a) {
     return cases;
 }
 
-report::CostReport measured(const CostArguments& a, const std::string& version) {
+report::CostReport measured(const CostArguments& a) {
     report::CostReport report;
-    report.version = version;
     report.machine = cost::machine();
     report.cases = cases_of(a);
     cost::CostOptions options;
@@ -94,19 +94,19 @@ void print(const report::CostReport& report, bool usual) {
     show(growth_table(report));
     show(bound_table(report));
     show(effect_table(report));
-    std::string where = report.version;
+    std::string where = report::program_line();
     for (const auto& [name, value] : report.machine) {
         where += fmt::format("{} {} {}", name == "processor" ? ";" : ",", name, value);
     }
     std::printf("%s\n", where.c_str());
 }
 
-int cost(const CostArguments& a, const std::string& version) {
+int cost(const CostArguments& a) {
     std::optional<io::StagedFolder> staged; // fails before minutes of work, not after
     if (!a.out.empty()) {
         staged.emplace(a.out);
     }
-    const report::CostReport report = measured(a, version);
+    const report::CostReport report = measured(a);
     if (staged) {
         try {
             write_cost_page(report, staged->path());
@@ -140,7 +140,7 @@ void add_cost(CLI::App& app, int& code) {
                   "every route at every point and number of digits, however long it takes");
     sub->add_option("--out", a->out, "write cost.html, CSV files and figures to this folder");
     sub->add_flag("--json", a->json, "print JSON, with every point");
-    sub->callback([a, &code, &app] { code = cost(*a, app.version()); });
+    sub->callback([a, &code] { code = cost(*a); });
 }
 
 } // namespace edgeproof::cli

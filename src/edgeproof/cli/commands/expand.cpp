@@ -25,15 +25,13 @@ int expand(const ExpandOptions& o) {
                               : scene.ask.terms.empty() ? usual_terms
                                                         : scene.ask.most_terms();
     scene.ask.terms = {terms};
-    const bool contact = scene.ask.wants(scene::Quantity::contact);
-    scene.ask.quantities = {scene::Quantity::coefficients};
+    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
+    scene.ask.quantities = {scene::QuantityGroup::coefficients};
     if (contact) {
-        scene.ask.quantities.insert(scene::Quantity::contact);
+        scene.ask.quantities.insert(scene::QuantityGroup::contact);
     }
     const scene::SceneResult result = done(scene);
-    report::Table table;
-    table.title = scene.title;
-    table.facts = facts_of(scene, result);
+    report::Table table = values_table(scene, result);
     table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
                    "bound",
                    "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};

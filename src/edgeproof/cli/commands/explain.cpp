@@ -34,8 +34,8 @@ std::string profile_text(const scene::Scene& scene) {
 
 std::string asked_text(const scene::Scene& scene) {
     std::string text;
-    for (const scene::Quantity q : scene.ask.quantities) {
-        text += (text.empty() ? "" : ", ") + quantity_name(q);
+    for (const scene::QuantityGroup group : scene.ask.quantities) {
+        text += (text.empty() ? "" : ", ") + group_name(group);
     }
     text += scene.ask.edges.size() == 2 ? "; both edges"
                                         : "; the " + scene::edge_name(scene.ask.edges[0]) + " edge";
@@ -71,6 +71,9 @@ public:
         for (const auto* v : {&contact.alpha, &contact.force, &contact.moment}) {
             add(*v);
         }
+        for (const auto& other : contact.others) {
+            add(other.second);
+        }
         for (const scene::PointRow& point : result.points) {
             add(point.values.x);
             add(point.values.p);
@@ -87,6 +90,19 @@ public:
                 for (const scene::BoundedValue& v : *list) {
                     add(v);
                 }
+            }
+        }
+        if (result.stick) {
+            add(result.stick->load_ratio);
+            add(result.stick->a);
+            add(result.stick->b);
+        }
+        for (const scene::SlipValues& edge : result.slips) {
+            add(edge.size);
+            for (const scene::SlipTerms& t : edge.terms) {
+                add(t.size);
+                add(t.relative_error);
+                add(t.reach);
             }
         }
         for (const scene::ExtentValues& e : result.extents) {
@@ -146,7 +162,7 @@ int explain(const ExplainOptions& o) {
                    {"bounds", (plan.proved ? "proved: " : "estimated: ") + plan.proved_why},
                    {"precision",
                     plan.proved ? fmt::format("balls of {} bits at first{}, more where {} digits "
-                                              "are not settled by them",
+                                              "are not determined by them",
                                               plan.bits, narrow_text(plan), plan.digits.count)
                                 : fmt::format("{} digits at first for {}, more where edges, knots "
                                               "and points lie close",

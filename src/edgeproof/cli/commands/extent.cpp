@@ -37,11 +37,9 @@ int extent(const ExtentOptions& o) {
     } else if (scene.ask.terms.empty()) {
         scene.ask.terms = {1, 2, 3};
     }
-    scene.ask.quantities = {scene::Quantity::extent};
+    scene.ask.quantities = {scene::QuantityGroup::extent};
     const scene::SceneResult result = done(scene);
-    report::Table table;
-    table.title = scene.title;
-    table.facts = facts_of(scene, result);
+    report::Table table = values_table(scene, result);
     table.facts.push_back(
         {"tolerance", o.tolerance.empty() ? scene.ask.tolerance->text() : o.tolerance});
     if (scene.ask.process_zone) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -8,6 +9,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 #include "edgeproof/report/tables/mutation_report.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +50,7 @@ std::vector<std::string> false_alarms(const audit::MutationRun& run, const std::
     return all;
 }
 
-int mutate(const MutateOptions& o, const std::string& version) {
+int mutate(const MutateOptions& o) {
     if (o.digits < 10 || o.digits > 1000) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to 1000");
@@ -67,9 +69,9 @@ int mutate(const MutateOptions& o, const std::string& version) {
     options.mutants = static_cast<std::size_t>(o.mutants);
     options.seed = o.seed;
     if (!o.state.empty()) {
-        const std::string of =
-            fmt::format("edgeproof mutate, ledger {:016x}, {} digits, {}",
-                        io::fnv1a(io::read_text(o.ledger, "ledger (TOML)")), o.digits, version);
+        const std::string of = fmt::format("edgeproof mutate, ledger {:016x}, {} digits, {}",
+                                           io::fnv1a(io::read_text(o.ledger, "ledger (TOML)")),
+                                           o.digits, report::program_line());
         if (std::filesystem::exists(o.state)) {
             options.known = report::parse_mutation_state(io::read_text(o.state, "state of mutants"),
                                                          o.state, of);
@@ -118,7 +120,10 @@ void add_mutate(CLI::App& app, int& code) {
                     "file that keeps what is done: a run that was stopped goes on from it");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
-    sub->callback([o, &code, &app] { code = mutate(*o, app.version()); });
+    sub->callback([o, &code] {
+        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
+        code = mutate(*o);
+    });
 }
 
 } // namespace edgeproof::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 
 #include <memory>
@@ -21,7 +22,8 @@ void add_points(CLI::App& app, int& code) {
                   "numbers as the recipe gives them (default: rounded to binary64, so that a "
                   "program reads them exactly)");
     sub->callback([o, &code] {
-        const conformance::Recipe recipe = conformance::read_recipe(o->recipe);
+        const conformance::Recipe recipe =
+            conformance::read_recipe(file_or_shipped(o->recipe, shipped_recipes));
         SceneOptions output;
         output.out = o->out;
         emit(report::question_table(

@@ -20,7 +20,11 @@ std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::P
     approximations("");
     if (plan.shear) {
         value.add(columns, "q", "q_route");
-        approximations("q_");
+        if (plan.partial_slip) {
+            columns.push_back({"state", report::Column::Kind::text});
+        } else {
+            approximations("q_");
+        }
     }
     return columns;
 }
@@ -48,6 +52,12 @@ scene::BoundedValue marked(const scene::BoundedValue& value, const std::string& 
     return all;
 }
 
+std::string state_name(const std::optional<contact::SlipState>& state) {
+    return !state || *state == contact::SlipState::undecided ? "undecided"
+           : *state == contact::SlipState::stick             ? "stick"
+                                                             : "slip";
+}
+
 std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& plan,
                                 const scene::PointRow& point) {
     const ValueColumns value(scene);
@@ -64,6 +74,9 @@ std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& pl
     approximations(point.values.p_local);
     if (plan.shear) {
         value.add(row, marked(*point.values.q, "q_", point.values.x, point.values.q_local), true);
+        if (plan.partial_slip) {
+            row.push_back(state_name(point.values.state));
+        }
         approximations(point.values.q_local);
     }
     return row;
@@ -71,26 +84,29 @@ std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& pl
 
 int pressure(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    const bool contact = scene.ask.wants(scene::Quantity::contact);
-    const bool shear = scene.ask.wants(scene::Quantity::shear);
-    scene.ask.quantities = {scene::Quantity::pressure};
+    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
+    const bool shear = scene.ask.wants(scene::QuantityGroup::shear);
+    scene.ask.quantities = {scene::QuantityGroup::pressure};
     if (shear) {
-        scene.ask.quantities.insert(scene::Quantity::shear);
+        scene.ask.quantities.insert(scene::QuantityGroup::shear);
     }
     if (contact) {
-        scene.ask.quantities.insert(scene::Quantity::contact);
+        scene.ask.quantities.insert(scene::QuantityGroup::contact);
     }
     const scene::SceneResult result = done(scene);
-    report::Table table;
-    table.title = scene.title;
-    table.facts = facts_of(scene, result);
+    report::Table table = values_table(scene, result);
     table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
                    "contact modulus; |p - exact| <= p_bound"};
     if (result.plan.terms > 0) {
         table.notes.emplace_back(
             "local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
     }
-    if (result.plan.shear) {
+    if (result.plan.partial_slip) {
+        add_slip_facts(table.facts, scene, result);
+        table.notes.emplace_back(
+            "q: shear traction in partial slip, positive towards +x on the body that Q acts on; "
+            "state: slip where |q| = f p, stick between; the q columns are as those of p");
+    } else if (result.plan.shear) {
         table.notes.emplace_back(
             "q: shear traction under full stick, positive towards +x on the body "
             "that Q acts on; the q columns are as those of p");

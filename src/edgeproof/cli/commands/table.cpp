@@ -3,6 +3,7 @@
 #include "edgeproof/cli/commands/table_in_parts.hpp"
 #include "edgeproof/cli/launched.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -44,7 +45,7 @@ std::filesystem::path table_of(const TableOptions& o) {
                          : std::filesystem::path(o.out);
 }
 
-int check(const TableOptions& o, conformance::Recipe& recipe, const std::string& version) {
+int check(const TableOptions& o, conformance::Recipe& recipe) {
     const std::filesystem::path file = table_of(o);
     const io::Csv old = io::parse_csv(io::read_text(file, "table (CSV)"), file.string());
     const std::size_t every =
@@ -58,7 +59,7 @@ int check(const TableOptions& o, conformance::Recipe& recipe, const std::string&
     }
     Progress progress("values");
     const auto values = references(recipe.questions, reference_options(o, recipe, progress));
-    const report::Table made = report::reference_table(recipe, values, version);
+    const report::Table made = report::reference_table(recipe, values);
     const auto said = table_differences(old, made, every > 1);
     for (std::size_t i = 0; i < said.size() && i < most_said; ++i) {
         std::fprintf(stderr, "%s\n", said[i].c_str());
@@ -73,7 +74,7 @@ int check(const TableOptions& o, conformance::Recipe& recipe, const std::string&
     return said.empty() ? 0 : 1;
 }
 
-int to_file(const TableOptions& o, const std::string& version) {
+int to_file(const TableOptions& o) {
     const auto processes = launched_together();
     const bool leads = processes == nullptr || processes->number() == 0;
     std::optional<conformance::RecipeGrid> recipe;
@@ -82,7 +83,7 @@ int to_file(const TableOptions& o, const std::string& version) {
     try {
         threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
         recipe = conformance::RecipeGrid::read(o.recipe);
-        table.emplace(*recipe, o.out, *report::table_format(o.format), version);
+        table.emplace(*recipe, o.out, *report::table_format(o.format));
         if (leads) {
             io::check_output(o.out);
             table->open();
@@ -106,7 +107,7 @@ int to_file(const TableOptions& o, const std::string& version) {
     return 0;
 }
 
-int table(const TableOptions& o, const std::string& version) {
+int table(const TableOptions& o) {
     SceneOptions output;
     output.format = o.format;
     output.out = o.out;
@@ -122,20 +123,20 @@ int table(const TableOptions& o, const std::string& version) {
     }
     if (!o.out.empty() && !o.check) {
         if (o.out != "-" && !io::OutputTarget::of(o.out).special) {
-            return to_file(o, version);
+            return to_file(o);
         }
         io::check_output(o.out); // nothing is kept beside a device
     }
     conformance::Recipe recipe = conformance::read_recipe(o.recipe);
     if (o.check) {
-        return check(o, recipe, version);
+        return check(o, recipe);
     }
     std::vector<conformance::Reference> values;
     {
         Progress progress("values");
         values = references(recipe.questions, reference_options(o, recipe, progress));
     }
-    emit(report::reference_table(recipe, values, version), output);
+    emit(report::reference_table(recipe, values), output);
     return 0;
 }
 
@@ -156,7 +157,10 @@ void add_table(CLI::App& app, int& code) {
                   "make the table anew and compare it with --out (default: the .csv beside the "
                   "recipe); exit 1 where a digit differs");
     sub->add_option("--every", o->every, "with --check: every Nth row only");
-    sub->callback([o, &code, &app] { code = table(*o, app.version()); });
+    sub->callback([o, &code] {
+        o->recipe = file_or_shipped(o->recipe, shipped_recipes);
+        code = table(*o);
+    });
 }
 
 } // namespace edgeproof::cli

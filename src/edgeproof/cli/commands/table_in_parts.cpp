@@ -11,6 +11,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -26,12 +27,12 @@ namespace edgeproof::cli {
 namespace {
 
 /// This very program: another may compute otherwise under the same version.
-std::string program_mark(const std::string& version) {
+std::string program_mark() {
     struct stat self {};
     if (::stat("/proc/self/exe", &self) != 0) {
-        return version;
+        return report::program_line();
     }
-    return fmt::format("{} {} {}.{}", version, self.st_size, self.st_mtim.tv_sec,
+    return fmt::format("{} {} {}.{}", report::program_line(), self.st_size, self.st_mtim.tv_sec,
                        self.st_mtim.tv_nsec);
 }
 
@@ -97,11 +98,11 @@ void write(const report::Table& head, const conformance::RecipeGrid& recipe,
 } // namespace
 
 TableInParts::TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
-                           report::TableFormat format, std::string version)
-    : recipe_(recipe), file_(std::move(file)), format_(format), version_(std::move(version)) {}
+                           report::TableFormat format)
+    : recipe_(recipe), file_(std::move(file)), format_(format) {}
 
 std::string TableInParts::sign() const {
-    return fmt::format("{} {:016x}", version_, recipe_.fingerprint());
+    return fmt::format("{} {:016x}", report::program_line(), recipe_.fingerprint());
 }
 
 void TableInParts::help(unsigned threads, parallel::Processes& processes) const {
@@ -109,8 +110,8 @@ void TableInParts::help(unsigned threads, parallel::Processes& processes) const 
 }
 
 void TableInParts::open() {
-    part_.emplace(file_.string() + ".part",
-                  io::fnv1a(program_mark(version_), recipe_.fingerprint()), recipe_.pieces());
+    part_.emplace(file_.string() + ".part", io::fnv1a(program_mark(), recipe_.fingerprint()),
+                  recipe_.pieces());
 }
 
 void TableInParts::make(unsigned threads, parallel::Processes* processes) {
@@ -161,12 +162,12 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
         throw;
     } catch (const Error&) {
         if (!cannot_keep) {
-            part.remove(); // the recipe must be mended, and is another one then
+            part.remove(); // the recipe must be corrected, and is another one then
         }
         throw;
     }
     const report::Table head = report::ReferenceRows(recipe_).table(
-        version_, total, part.marked(), [&](const auto& take) { each_row(recipe_, part, take); });
+        total, part.marked(), [&](const auto& take) { each_row(recipe_, part, take); });
     write(head, recipe_, part, format_, file_);
     part.remove();
 }

@@ -19,7 +19,7 @@ class TableInParts {
 public:
     /// Keeps a reference to the recipe.
     TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
-                 report::TableFormat format, std::string version);
+                 report::TableFormat format);
     /// Opens the part file. Throws InputError where it cannot be written or another run holds it.
     void open();
     /// After open(). Throws as references() does, InputError where it cannot be written, Error when
@@ -34,7 +34,6 @@ private:
     const conformance::RecipeGrid& recipe_;
     std::filesystem::path file_;
     report::TableFormat format_;
-    std::string version_;
     std::optional<io::CheckpointFile> part_;
 };
 

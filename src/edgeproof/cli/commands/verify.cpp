@@ -2,6 +2,7 @@
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -125,7 +126,10 @@ void add_verify(CLI::App& app, int& code) {
     sub->add_flag("--strict", o->strict,
                   "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
                   "and definition");
-    sub->callback([o, &code] { code = verify(*o); });
+    sub->callback([o, &code] {
+        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
+        code = verify(*o);
+    });
 }
 
 } // namespace edgeproof::cli

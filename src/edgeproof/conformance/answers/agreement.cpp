@@ -36,8 +36,8 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
         line.emplace(q.contact, q.line);
     }
     for (const auto& [contact, at] : line) {
-        for (const auto kind : {Wanted::Kind::a, Wanted::Kind::b, Wanted::Kind::P}) {
-            sizes.list.push_back({"", contact, {kind}, contact::Edge::right, {}, {}, at});
+        for (const auto size : {scene::Quantity::a, scene::Quantity::b, scene::Quantity::P}) {
+            sizes.list.push_back({{size}, "", contact, at});
         }
     }
     options.digits.count = 20;
@@ -52,10 +52,10 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
 }
 
 Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& sizes) {
-    if (!q.wanted.at_edge()) {
+    if (!q.at_edge()) {
         return Regime::contact;
     }
-    if (!q.wanted.at_point()) {
+    if (!q.at_point()) {
         return Regime::coefficient;
     }
     const double length = sizes.a + sizes.b;
@@ -81,30 +81,6 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
 bool is_outside(const Question& q, const Sizes& sizes) {
     const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
     return q.u && !(u > 0 && u < sizes.a + sizes.b);
-}
-
-/// What a value of that kind is to be measured by where it is zero itself.
-double scale_of(const Wanted& wanted, const Sizes& s) {
-    const double length = s.a + s.b;
-    const double force = std::abs(s.force);
-    const auto k = static_cast<double>(wanted.k);
-    switch (wanted.kind) {
-    case Wanted::Kind::p:
-    case Wanted::Kind::q:
-        return force / length;
-    case Wanted::Kind::c:
-        return force / std::pow(length, k + 1.5);
-    case Wanted::Kind::s:
-        return force / std::pow(length, k + 0.5);
-    case Wanted::Kind::P:
-        return force;
-    case Wanted::Kind::M:
-        return force * length;
-    case Wanted::Kind::alpha:
-        return 1;
-    default:
-        return length;
-    }
 }
 
 /// The unit in the last place of the binary64 of x.
@@ -219,8 +195,9 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
                 is_outside(q, s) ? Regime::outside : regime_of(q, questions.contacts[q.contact], s);
             continue;
         }
-        result.cases.push_back(held(answers.given[i], result.references[i], scale_of(q.wanted, s),
-                                    target, result.digits));
+        result.cases.push_back(held(answers.given[i], result.references[i],
+                                    scale_of(q, std::abs(s.force), s.a + s.b), target,
+                                    result.digits));
         result.cases.back().regime = regime_of(q, questions.contacts[q.contact], s);
         result.estimates += result.references[i].value.proved ? 0 : 1;
     }

@@ -37,25 +37,27 @@ public:
         Question q;
         q.id = id;
         q.line = row.line;
-        const auto wanted = wanted_named(row.cells[*quantity_]);
-        if (!wanted) {
+        const auto named = scene::quantity_named(row.cells[*quantity_]);
+        if (!named) {
             reject(row, "unknown quantity '" + row.cells[*quantity_] + "'",
                    "keep the question's cells as they are and add the value");
         }
-        q.wanted = *wanted;
+        q.quantity = named->quantity;
+        q.k = named->k;
         q.contact = contact_of(row);
-        check_askable(to_.contacts[q.contact], q.wanted, csv_.file, row.line);
-        if (q.wanted.at_edge()) {
-            const std::string edge = edge_ ? row.cells[*edge_] : "";
-            if (edge != "right" && edge != "left") {
-                reject(row, "there is no edge '" + edge + "'", "write right or left");
+        check_askable(to_.contacts[q.contact], q, csv_.file, row.line);
+        if (q.at_edge()) {
+            const std::string name = edge_ ? row.cells[*edge_] : "";
+            const auto edge = scene::edge_named(name);
+            if (!edge) {
+                reject(row, "there is no edge '" + name + "'", "write right or left");
             }
-            q.edge = edge == "right" ? contact::Edge::right : contact::Edge::left;
+            q.edge = *edge;
         }
-        if (q.wanted.at_point()) {
+        if (q.at_point()) {
             q.u = point_of(row);
         }
-        if (q.wanted.of_terms()) {
+        if (q.to_a_tolerance()) {
             try {
                 q.tolerance = scene::parse_tolerance(tolerance_ ? row.cells[*tolerance_] : "");
             } catch (const InputError& error) {
@@ -206,7 +208,7 @@ bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
 }
 
 bool same_question(const Question& echoed, const Question& asked) {
-    return echoed.wanted == asked.wanted && echoed.edge == asked.edge &&
+    return echoed.quantity == asked.quantity && echoed.k == asked.k && echoed.edge == asked.edge &&
            (!asked.u || same_number(*echoed.u, *asked.u)) &&
            (!asked.tolerance || same_number(*echoed.tolerance, *asked.tolerance));
 }

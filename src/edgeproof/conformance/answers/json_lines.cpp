@@ -98,8 +98,8 @@ std::string json_lines(const Questions& questions) {
         for (const Parameter& p : questions.contacts[q.contact].parameters) {
             object[p.key] = p.text;
         }
-        object["quantity"] = wanted_name(q.wanted);
-        if (q.wanted.at_edge()) {
+        object["quantity"] = symbol_of(q);
+        if (q.at_edge()) {
             object["edge"] = scene::edge_name(q.edge);
         }
         if (q.tolerance) {

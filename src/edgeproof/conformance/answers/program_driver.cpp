@@ -208,7 +208,7 @@ private:
 
 } // namespace
 
-Answers interview(const Questions& asked, const ProgramDriverOptions& options) {
+Answers ask_program_in_batches(const Questions& asked, const ProgramDriverOptions& options) {
     return ProgramDriver(asked, options).run();
 }
 

@@ -35,7 +35,8 @@ struct ProgramDriverOptions {
 /// none was ever answered it is given up, as it is after options.runs: what is left is missing, and
 /// a fault says so. What is kept of a run is bounded by the questions it is asked. Throws
 /// Interrupted; Error where no program can be started at all.
-[[nodiscard]] Answers interview(const Questions& asked, const ProgramDriverOptions& options);
+[[nodiscard]] Answers ask_program_in_batches(const Questions& asked,
+                                             const ProgramDriverOptions& options);
 
 /// The questions as JSON lines: an object each, every value a string, empty ones left out.
 [[nodiscard]] std::string json_lines(const Questions& questions);

@@ -15,11 +15,7 @@
 namespace edgeproof::conformance {
 namespace {
 
-using convention_rule::digits_between;
-using convention_rule::enough;
-using convention_rule::least_digits;
-using convention_rule::least_rows;
-using convention_rule::most_digits;
+using namespace convention_rule;
 
 /// times/over, and pi or the root of 2 to a power.
 struct Factor {
@@ -164,7 +160,7 @@ std::map<std::size_t, Ball> mirrored_references(const Answers& answers,
     std::vector<std::size_t> of;
     for (const std::size_t i : failing) {
         Question q = answers.questions.list[i];
-        if (q.wanted.at_edge() && !mirrored.contacts[q.contact].scene.symmetric()) {
+        if (q.at_edge() && !mirrored.contacts[q.contact].scene.symmetric()) {
             q.edge = opposite(q.edge);
             mirrored.list.push_back(std::move(q));
             of.push_back(i);
@@ -219,10 +215,10 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
         if (other != mirrored.end() && !contains_zero(other->second)) {
             row.mirrored = value / other->second.midpoint();
         }
-        const std::string name = wanted_name(q.wanted);
-        const std::string family = family_name(q.wanted);
+        const std::string name = symbol_of(q);
+        const std::string family = family_of(q);
         group(family).push_back(row);
-        if (q.wanted.at_edge()) {
+        if (q.at_edge()) {
             group(family + ", " + scene::edge_name(q.edge) + " edge").push_back(row);
         }
         if (family != name) {
@@ -255,7 +251,7 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     std::erase_if(failing, [&](std::size_t i) { return explained.contains(i); });
     for (Convention& reading : infer_unit_mistakes(answers, agreements, failing, options)) {
         for (const std::size_t i : failing) {
-            if (family_name(answers.questions.list[i].wanted) == reading.of) {
+            if (family_of(answers.questions.list[i]) == reading.of) {
                 explained.insert(i);
             }
         }

@@ -19,7 +19,7 @@ struct Convention {
 };
 
 /// Looks in the failing rows for numbers of few digits, for questions read otherwise
-/// (misreading.hpp), and for a uniform factor (2, 1/2, pi, degrees for radians, ... or any
+/// (unit_mistake.hpp), and for a uniform factor (2, 1/2, pi, degrees for radians, ... or any
 /// other), a sign, and the edges taken for one another: quantity by quantity, at both edges, else
 /// at one. A convention counts when at least 3 failing rows, and 9 of 10, agree with it to 6
 /// digits.

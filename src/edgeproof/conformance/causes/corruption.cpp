@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/precision/split_mix.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
-#include <random>
 #include <set>
 #include <utility>
 
@@ -71,7 +71,7 @@ public:
     static const std::vector<std::pair<std::string, Change>>& kinds();
 
 private:
-    std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+    std::size_t below(std::size_t n) { return random_.below(n); }
     std::size_t row(const io::Csv& csv) { return below(csv.rows.size()); }
     static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
     /// Every digit of it.
@@ -214,7 +214,7 @@ private:
     }
 
     const io::Csv& right_;
-    std::mt19937_64 random_;
+    SplitMix64 random_;
     std::size_t id_ = 0;
     std::size_t value_ = 0;
     std::optional<std::size_t> quantity_;

@@ -72,7 +72,7 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         if (!number || held.pass || (held.digits < least_digits_kept && !cut)) {
             continue;
         }
-        Tally& t = families[family_name(answers.questions.list[i].wanted)];
+        Tally& t = families[family_of(answers.questions.list[i])];
         ++t.failing;
         t.single += is_single(answer) ? 1 : 0;
         t.cut += cut ? 1 : 0;

@@ -15,11 +15,7 @@
 namespace edgeproof::conformance {
 namespace {
 
-using convention_rule::digits_between;
-using convention_rule::enough;
-using convention_rule::least_digits;
-using convention_rule::least_rows;
-using convention_rule::most_digits;
+using namespace convention_rule;
 
 constexpr std::size_t most_rows_of_a_family = 60; // enough to tell which readings to hold to all
 constexpr unsigned reading_digits = 30;
@@ -157,7 +153,7 @@ public:
         : answers_(answers), agreements_(agreements), options_(options) {
         std::map<std::string, std::size_t> taken;
         for (const std::size_t i : failing) {
-            const std::string family = family_name(answers.questions.list[i].wanted);
+            const std::string family = family_of(answers.questions.list[i]);
             failing_[family].push_back(i);
             if (taken[family]++ < most_rows_of_a_family) {
                 sample_.push_back(i);
@@ -236,8 +232,8 @@ private:
         sizes.contacts = answers_.questions.contacts;
         for (const std::size_t i : which) {
             const Question& q = answers_.questions.list[i];
-            for (const auto kind : {Wanted::Kind::a, Wanted::Kind::b}) {
-                sizes.list.push_back({"", q.contact, {kind}, contact::Edge::right, {}, {}, q.line});
+            for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
+                sizes.list.push_back({{size}, "", q.contact, q.line});
             }
         }
         const auto values = references_where_any(sizes, options_);
@@ -261,7 +257,7 @@ private:
             return; // the same, however it is read
         }
         const Real value = Ball(answers_.given[i].value, 256).midpoint();
-        Rows& rows = held.families[family_name(answers_.questions.list[i].wanted)];
+        Rows& rows = held.families[family_of(answers_.questions.list[i])];
         ++rows.count;
         const double digits = digits_between(value, other);
         if (digits >= least_digits) {
@@ -300,12 +296,6 @@ private:
 };
 
 } // namespace
-
-std::string family_name(const Wanted& wanted) {
-    const std::string name = wanted_name(wanted);
-    const std::size_t underscore = name.find('_');
-    return underscore == std::string::npos ? name : name.substr(0, underscore + 1) + "k";
-}
 
 std::vector<Convention> infer_unit_mistakes(const Answers& answers, const Agreements& agreements,
                                             const std::vector<std::size_t>& failing,

@@ -21,7 +21,4 @@ namespace edgeproof::conformance {
 [[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
                                                            const Agreements& agreements);
 
-/// "p", "c_k": what is looked at together.
-[[nodiscard]] std::string family_name(const Wanted& wanted);
-
 } // namespace edgeproof::conformance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/asked_contact.hpp"
 
+#include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -27,7 +28,7 @@ constexpr Key all_keys[] = {
     {"E1", "load"},        {"nu1", "load"},
     {"E2", "load"},        {"nu2", "load"},
     {"Q", "shear"},        {"bulk_tension", "shear"},
-    {"path", "shear"},
+    {"path", "shear"},     {"friction", "shear"},
 };
 
 std::size_t place_of(std::string_view key) {
@@ -35,36 +36,27 @@ std::size_t place_of(std::string_view key) {
     return static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
 }
 
-std::string quoted(const Parameter& p, std::string_view text, const std::string& file) {
-    std::string out = "\"";
-    for (const char c : text) {
+/// As a scene's file would have it.
+io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t line) {
+    for (const char c : p.text) {
         if (static_cast<unsigned char>(c) < 0x20) {
             throw InputError(p.key + " holds a control character",
                              "write a number or an expression")
                 .at(file, p.line);
         }
-        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
     }
-    return out + "\"";
-}
-
-std::string toml_value(const Parameter& p, const std::string& file) {
     if (p.key == "symmetric") {
         if (p.text != "true" && p.text != "false") {
             throw InputError("symmetric = " + p.text + " is neither true nor false",
                              "write true or false")
                 .at(file, p.line);
         }
-        return p.text;
+        return {p.key, p.text == "true", line};
     }
-    if (!is_list_key(p.key)) {
-        return quoted(p, p.text, file);
+    if (is_list_key(p.key)) {
+        return {p.key, list_items(p.text), line};
     }
-    std::string list;
-    for (const std::string& item : list_items(p.text)) {
-        list += (list.empty() ? "[" : ", ") + quoted(p, item, file);
-    }
-    return list.empty() ? "[]" : list + "]";
+    return {p.key, p.text, line};
 }
 
 } // namespace
@@ -106,37 +98,37 @@ AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::st
     std::stable_sort(parameters.begin(), parameters.end(), [](const auto& x, const auto& y) {
         return place_of(x.key) < place_of(y.key);
     });
-    std::string text;
-    std::vector<std::size_t> lines; // of `file`, for each line of `text`
+    // Each key has a line of its own, in the order of columns, so that of several wrong keys the
+    // first one is told; `lines` has the file's line for each.
+    std::vector<io::TomlTable> tables;
+    std::vector<std::size_t> lines;
     for (const std::string_view section : {"profile", "load", "shear"}) {
-        const bool any = std::any_of(parameters.begin(), parameters.end(),
-                                     [&](const auto& p) { return section_of(p.key) == section; });
-        if (!any) {
-            continue;
-        }
-        text += "[" + std::string(section) + "]\n";
-        lines.push_back(line);
         for (const Parameter& p : parameters) {
-            if (section_of(p.key) == section) {
-                text += p.key + " = " + toml_value(p, file) + "\n";
-                lines.push_back(p.line != 0 ? p.line : line);
+            if (section_of(p.key) != section) {
+                continue;
             }
+            if (tables.empty() || tables.back().name != section) {
+                lines.push_back(line);
+                tables.push_back({std::string(section), lines.size(), {}});
+            }
+            lines.push_back(p.line != 0 ? p.line : line);
+            tables.back().entries.push_back(entry_of(p, file, lines.size()));
         }
     }
+    const auto mapped = [&](std::size_t at) {
+        return at >= 1 && at <= lines.size() ? lines[at - 1] : line;
+    };
     try {
-        AskedContact contact{std::move(parameters), scene::parse_scene(text, file)};
-        contact.scene.ask = {};
-        const auto mapped = [&](std::size_t at) {
-            return at >= 1 && at <= lines.size() ? lines[at - 1] : line;
-        };
+        AskedContact contact{std::move(parameters),
+                             scene::read_contact(io::TomlSection::made(tables, file))};
         contact.scene.profile_line = mapped(contact.scene.profile_line);
         contact.scene.load_line = mapped(contact.scene.load_line);
+        contact.scene.friction_line = mapped(contact.scene.friction_line);
+        contact.scene.tension_line = mapped(contact.scene.tension_line);
         contact.scene.ask_line = line;
         return contact;
     } catch (const InputError& error) {
-        const std::size_t at = error.line();
-        throw InputError(error.problem(), error.instead())
-            .at(file, at >= 1 && at <= lines.size() ? lines[at - 1] : line);
+        throw InputError(error.problem(), error.instead()).at(file, mapped(error.line()));
     }
 }
 

@@ -207,9 +207,7 @@ std::vector<std::optional<Conditioning>> conditioning(const Questions& questions
             if (scaled(q, n)) {
                 const formula::Exact modulus = formula::Exact::parse(
                     parameter_text(questions.contacts[q.contact], "contact_modulus"));
-                const bool moves = q.wanted.at_point() || q.wanted.kind == Wanted::Kind::c ||
-                                   q.wanted.kind == Wanted::Kind::P ||
-                                   q.wanted.kind == Wanted::Kind::M;
+                const bool moves = row_of(q.quantity).force_power != 0;
                 const auto above = neighbour(modulus, 1);
                 if (moves && above) {
                     sum += abs(Real(above->to<Real>() / modulus.to<Real>() - 1));

@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/questions/asked_contact.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
 
 #include <cstddef>
-#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace edgeproof::conformance {
 
-/// A number that may be asked for: p and q at a point, c_k and s_k (the coefficients of u^(k+1/2)
-/// in p, and those of q from its lowest power on) at an edge, a, b, P, M and alpha of a contact;
-/// of the first k terms at an edge, the distance at which their relative error first reaches a
-/// tolerance (extent_k) and the length of all that lies within it (measure_k).
-struct Wanted {
-    enum class Kind { p, q, c, s, a, b, P, M, alpha, extent, measure };
-    Kind kind = Kind::p;
-    std::size_t k = 0; ///< of c and s; terms of extent and measure
-
-    [[nodiscard]] bool at_point() const { return kind == Kind::p || kind == Kind::q; }
-    [[nodiscard]] bool of_terms() const { return kind == Kind::extent || kind == Kind::measure; }
-    [[nodiscard]] bool at_edge() const {
-        return at_point() || of_terms() || kind == Kind::c || kind == Kind::s;
-    }
-    friend bool operator==(const Wanted&, const Wanted&) = default;
-};
-/// "p", "c_0", "alpha", "extent_1", ... Nothing for other names, for k > 399 and for no terms.
-[[nodiscard]] std::optional<Wanted> wanted_named(std::string_view name);
-[[nodiscard]] std::string wanted_name(const Wanted& wanted);
-
-struct Question {
+/// A value that is asked of a contact (scene/input/quantity.hpp).
+struct Question : scene::AskedValue {
     std::string id;
     std::size_t contact = 0; ///< index into Questions::contacts
-    Wanted wanted;
-    contact::Edge edge = contact::Edge::right;    ///< where wanted.at_edge()
-    std::optional<formula::Exact> u;              ///< where wanted.at_point()
-    std::optional<formula::Exact> tolerance = {}; ///< where wanted.of_terms()
-    std::size_t line = 0;                         ///< of the file that asks it
+    std::size_t line = 0;    ///< of the file that asks it
+
+    [[nodiscard]] bool at_point() const { return row_of(quantity).at_point(); }
+    [[nodiscard]] bool at_edge() const { return row_of(quantity).at_edge(); }
+    [[nodiscard]] bool to_a_tolerance() const { return row_of(quantity).tolerance; }
 };
 
 /// Questions, in the order that they are asked in.
@@ -49,6 +31,7 @@ struct Questions {
     /// The keys of parameters that any contact has.
     [[nodiscard]] std::vector<std::string> columns() const;
     [[nodiscard]] bool has_tolerances() const;
+    [[nodiscard]] std::set<scene::Quantity> quantities() const;
 };
 
 /// The text of a parameter, empty where the contact does not have it.
@@ -60,7 +43,7 @@ struct Questions {
 
 /// Throws InputError where a contact does not have what is asked of it: q or s without shear, alpha
 /// where the tilt is given.
-void check_askable(const AskedContact& contact, const Wanted& wanted, const std::string& file,
-                   std::size_t line);
+void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
+                   const std::string& file, std::size_t line);
 
 } // namespace edgeproof::conformance

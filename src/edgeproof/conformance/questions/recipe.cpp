@@ -5,8 +5,8 @@
 #include "edgeproof/io/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/file_kind.hpp"
-#include "edgeproof/scene/points.hpp"
+#include "edgeproof/scene/input/file_kind.hpp"
+#include "edgeproof/scene/input/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -129,7 +129,7 @@ std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
 struct Asked {
     std::vector<contact::Edge> edges;
     std::vector<scene::AskedPoint> u;
-    std::vector<Wanted> wanted;
+    std::vector<scene::NamedQuantity> quantities;
     std::vector<formula::Exact> tolerances;
     std::size_t line = 0; ///< of the quantities
 };
@@ -153,35 +153,36 @@ Asked read_asked(const io::TomlSection& scene) {
     Asked asked;
     asked.line = scene.line("quantities");
     for (const std::string& name : scene.texts("quantities")) {
-        const auto wanted = wanted_named(name);
-        if (!wanted) {
+        const auto quantity = scene::quantity_named(name);
+        if (!quantity) {
             scene.reject("quantities", "unknown quantity '" + name + "'",
-                         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, extent_1 or "
-                         "measure_1");
+                         scene::quantity_advice(name));
         }
-        asked.wanted.push_back(*wanted);
+        asked.quantities.push_back(*quantity);
     }
     for (const std::string& name :
          scene.has("edges") ? scene.texts("edges") : std::vector<std::string>{"right"}) {
-        if (name != "right" && name != "left") {
+        const auto edge = scene::edge_named(name);
+        if (!edge) {
             scene.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
         }
-        asked.edges.push_back(name == "right" ? contact::Edge::right : contact::Edge::left);
+        asked.edges.push_back(*edge);
     }
     asked.u = read_points(scene);
     asked.tolerances = read_tolerances(scene);
-    const auto of_terms = [](const Wanted& w) { return w.of_terms(); };
-    if (asked.tolerances.empty() &&
-        std::any_of(asked.wanted.begin(), asked.wanted.end(), of_terms)) {
+    const auto any = [&](const auto& is) {
+        return std::any_of(asked.quantities.begin(), asked.quantities.end(),
+                           [&](const scene::NamedQuantity& q) { return is(row_of(q.quantity)); });
+    };
+    if (asked.tolerances.empty() && any([](const auto& row) { return row.tolerance; })) {
         scene.reject("quantities", "an extent is asked for and there is no tolerance",
                      "add tolerance = \"1%\"");
     }
-    const auto at_point = [](const Wanted& w) { return w.at_point(); };
-    if (asked.u.empty() && std::any_of(asked.wanted.begin(), asked.wanted.end(), at_point)) {
+    if (asked.u.empty() && any([](const auto& row) { return row.at_point(); })) {
         scene.reject("quantities", "p or q is asked for and there are no points",
                      "add u = [\"1e-3\", \"0.1\"]");
     }
-    if (asked.wanted.empty() || asked.edges.empty()) {
+    if (asked.quantities.empty() || asked.edges.empty()) {
         scene.reject(scene.line(), "nothing is asked for",
                      "add quantities = [\"p\"] and edges = [\"right\"]");
     }
@@ -191,37 +192,41 @@ Asked read_asked(const io::TomlSection& scene) {
 /// What one contact is asked, in the order of the rows.
 std::vector<Question> asked_of_one(const Asked& asked) {
     std::vector<Question> list;
-    const auto add = [&](const std::string& from, const Wanted& w, contact::Edge edge,
+    const auto add = [&](const std::string& from, const scene::AskedValue& value,
                          std::size_t line) {
-        list.push_back({from + ":" + wanted_name(w), 0, w, edge, {}, {}, line});
-        return &list.back();
+        list.push_back({value, from + ":" + symbol_of(value), 0, line});
     };
-    for (const Wanted& w : asked.wanted) {
-        if (!w.at_edge()) {
-            add("", w, contact::Edge::right, asked.line);
+    const auto each = [&](const auto& is, const auto& ask) {
+        for (const scene::NamedQuantity& q : asked.quantities) {
+            if (is(row_of(q.quantity))) {
+                ask(scene::AskedValue{.quantity = q.quantity, .k = q.k});
+            }
         }
-    }
+    };
+    each([](const auto& row) { return !row.at_edge(); },
+         [&](const scene::AskedValue& value) { add("", value, asked.line); });
     for (const contact::Edge edge : asked.edges) {
         const std::string from = ":" + scene::edge_name(edge);
-        for (const Wanted& w : asked.wanted) {
-            if (w.at_edge() && !w.at_point() && !w.of_terms()) {
-                add(from, w, edge, asked.line);
-            }
-        }
+        each([](const auto& row) { return row.at_edge() && !row.at_point() && !row.tolerance; },
+             [&](scene::AskedValue value) {
+                 value.edge = edge;
+                 add(from, value, asked.line);
+             });
         for (const formula::Exact& tolerance : asked.tolerances) {
-            for (const Wanted& w : asked.wanted) {
-                if (w.of_terms()) {
-                    add(from + ":tolerance=" + tolerance.text(), w, edge, asked.line)->tolerance =
-                        tolerance;
-                }
-            }
+            each([](const auto& row) { return row.tolerance; },
+                 [&](scene::AskedValue value) {
+                     value.edge = edge;
+                     value.tolerance = tolerance;
+                     add(from + ":tolerance=" + tolerance.text(), value, asked.line);
+                 });
         }
         for (const scene::AskedPoint& point : asked.u) {
-            for (const Wanted& w : asked.wanted) {
-                if (w.at_point()) {
-                    add(from + ":u=" + point.u.text(), w, edge, point.line)->u = point.u;
-                }
-            }
+            each([](const auto& row) { return row.at_point(); },
+                 [&](scene::AskedValue value) {
+                     value.edge = edge;
+                     value.u = point.u;
+                     add(from + ":u=" + point.u.text(), value, point.line);
+                 });
         }
     }
     return list;

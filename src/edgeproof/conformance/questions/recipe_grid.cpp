@@ -141,7 +141,7 @@ void RecipeGrid::check_values(const GridScene& scene) const {
     const std::vector<std::size_t> first(scene.axes.size(), 0);
     const AskedContact contact = contact_of(scene, first, file_);
     for (const Question& q : scene.asked) {
-        check_askable(contact, q.wanted, file_, scene.asked_line);
+        check_askable(contact, q, file_, scene.asked_line);
     }
     for (std::size_t i = 0; i < scene.axes.size(); ++i) {
         for (std::size_t k = 1; k < scene.axes[i].values.size(); ++k) {
@@ -247,6 +247,16 @@ bool RecipeGrid::has_tolerances() const {
     });
 }
 
+std::set<scene::Quantity> RecipeGrid::quantities() const {
+    std::set<scene::Quantity> asked;
+    for (const Part& part : parts_) {
+        for (const Question& q : part.scene.asked) {
+            asked.insert(q.quantity);
+        }
+    }
+    return asked;
+}
+
 std::uint64_t RecipeGrid::fingerprint() const {
     std::uint64_t hash = io::fnv1a("recipe\n");
     const auto add = [&](const std::string& text) { hash = io::fnv1a(text + "\n", hash); };
@@ -262,7 +272,7 @@ std::uint64_t RecipeGrid::fingerprint() const {
             }
         }
         for (const Question& q : part.scene.asked) {
-            add(q.id + " " + wanted_name(q.wanted) + " " + scene::edge_name(q.edge));
+            add(q.id + " " + symbol_of(q) + " " + scene::edge_name(q.edge));
             add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
         }
     }

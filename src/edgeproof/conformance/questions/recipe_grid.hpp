@@ -60,6 +60,7 @@ public:
     /// As Questions has them.
     [[nodiscard]] std::vector<std::string> columns() const;
     [[nodiscard]] bool has_tolerances() const;
+    [[nodiscard]] std::set<scene::Quantity> quantities() const;
     /// Tells what is asked, and how many digits of it, from anything else.
     [[nodiscard]] std::uint64_t fingerprint() const;
 

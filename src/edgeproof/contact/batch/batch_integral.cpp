@@ -2,6 +2,8 @@
 #include "edgeproof/contact/batch/batch_integral.hpp"
 
 #include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/formula/parity.hpp"
 #include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
@@ -17,17 +19,15 @@ namespace {
 constexpr int first_level = 3;
 constexpr int last_level = 12;
 
-/// What is known of an expression at a few points that no formula meets by chance.
-bool is_odd(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& offset) {
-    const CurvedSlope g(slopes, piece, offset, false, 256);
-    for (const long k : {3L, 17L, 101L}) {
-        const Ball at = Ball(Rational(k, 1009), 256);
-        const Ball sum = g.G(at) + g.G(-at);
-        if (!sum.is_finite() || !contains_zero(sum)) {
-            return false;
-        }
+/// Whether a slope g is proved to be odd but for g(0): by its form, or by exact algebra.
+bool proved_odd(const formula::Expr& slope) {
+    if (formula::odd_but_for_a_constant(slope, "x")) {
+        return true;
     }
-    return true;
+    const formula::Expr zero;
+    const formula::Expr mirrored = substitute(slope, "x", -formula::Expr::symbol("x"));
+    return formula::proved_zero(slope + mirrored -
+                                formula::Expr::number(2) * substitute(slope, "x", zero));
 }
 
 } // namespace
@@ -61,7 +61,7 @@ BatchIntegral::BatchIntegral(const Profile& profile, const Real& modulus, const 
         } else {
             const long bits = mpfr_get_prec(raw(corners)) + 40;
             const Ball offset = folded ? Ball(corners, bits) : Ball(0, bits);
-            odd = origin && is_odd(slope_, circle_.pieces[i], offset.with_bits(256));
+            odd = origin && proved_odd(piece.expression);
             curved = std::make_unique<CurvedSlope>(slope_, circle_.pieces[i], offset, folded, bits);
         }
         pieces_.push_back(

@@ -2,7 +2,8 @@
 #include "edgeproof/contact/batch/batch_piece.hpp"
 
 #include "edgeproof/formula/complex_taylor.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
@@ -14,15 +15,6 @@
 
 namespace edgeproof::contact {
 namespace {
-
-struct BallConstants {
-    long bits;
-    [[nodiscard]] Ball number(const Rational& q) const { return {q, bits}; }
-    [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
-    [[nodiscard]] static Ball symbol(std::string_view name) {
-        throw Error("the constant has a variable " + std::string(name));
-    }
-};
 
 Real middle_of(const Ball& x) {
     if (!x.is_finite()) {
@@ -36,8 +28,9 @@ Real middle_of(const Ball& x) {
 CurvedSlope::CurvedSlope(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& corners,
                          bool folded, long bits)
     : slopes_(&slopes), piece_(piece), slope_(slopes.pieces()[piece].expression),
-      program_(slope_, {"x"}), constants_(constants_of<Ball>(program_, BallConstants{bits})),
-      corners_(corners), folded_(folded) {}
+      program_(slope_, {"x"}),
+      constants_(constants_of<Ball>(program_, formula::BallConstants{bits})), corners_(corners),
+      folded_(folded) {}
 
 Real CurvedSlope::quotient(const Real& v, const Real& s, const Real& delta) const {
     return slopes_->quotient(piece_, v, s, delta);
@@ -56,7 +49,7 @@ BatchPiece::BatchPiece(const BatchCircle& circle, std::size_t index, Real a, Rea
       curved(std::move(curve)), lo(&circle.marks[index]), hi(&circle.marks[index + 1]),
       circle_length_(circle.length) {
     // About the middle of a folded contact G is even only if g' is odd there as an expression.
-    const bool even_left = at_left_edge && (!folded || odd || (!curved && alpha == 0));
+    even_left = at_left_edge && (!folded || odd || (!curved && alpha == 0));
     doubled = at_right_edge || even_left;
     // One number of each pair cancels; the other has its digits.
     span = lo->right < hi->left ? Real(lo->right - hi->right) : Real(hi->left - lo->left);
@@ -119,12 +112,9 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
             acb_add_arb(s, s, left.data(), low);
         }
     };
-    acb_poly_t taylor;
-    acb_poly_init(taylor);
-    acb_t s;
-    acb_init(s);
-    acb_t middle;
-    acb_init(middle);
+    AcbPolyValue taylor;
+    AcbValue s;
+    AcbValue middle;
     const Ball corners = curved->corners();
     const auto G = [&](acb_t out, const acb_t phi) {
         s_of(s, phi);
@@ -135,8 +125,7 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
             acb_mul(out, out, s, low);
         }
     };
-    acb_t at;
-    acb_init(at);
+    AcbValue at;
     acb_set_arb(at, middle_angle.data());
     G(middle, at);
     const double centre =
@@ -150,7 +139,8 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
     if (!at_left_edge) {
         most = std::min(most, 0.9 * (std::numbers::pi - phi_right - angle_double));
     }
-    if (has_complex_taylor(curved->slope()) && (doubled || !(at_left_edge || at_right_edge))) {
+    // About an apex in which G is not even the image of x is a pole, as near as x is to the apex.
+    if (has_complex_taylor(curved->slope()) && (even_left || !at_left_edge)) {
         reach = quadrature::holomorphic_reach(
             [&](acb_t out, const acb_t phi) {
                 G(out, phi);
@@ -159,10 +149,6 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
             },
             centre, half_length, most, ln_tolerance);
     }
-    acb_clear(at);
-    acb_clear(middle);
-    acb_clear(s);
-    acb_poly_clear(taylor);
 }
 
 Real BatchPiece::rise_from_lo(const Real& x, const Real& step) const {
@@ -228,20 +214,20 @@ const BatchNodes& BatchPiece::gauss(std::size_t n) const {
     const long bits = mpfr_get_prec(angle.backend().data());
     const auto rule = quadrature::gauss_legendre_rule(rule_size(n), bits);
     BatchNodes& nodes = gauss_[n];
-    for (std::size_t k = 0; k < rule->x.size(); ++k) {
-        const Real& x = rule->x[k];
-        const Real& rest = rule->from_end[k];
+    for (std::size_t k = 0; k < rule.x.size(); ++k) {
+        const Real& x = rule.x[k];
+        const Real& rest = rule.from_end[k];
         if (doubled) {
             // x runs from the edge of the contact inwards.
             const Real near = angle * x;
             const Real far = angle * rest;
-            const Real weight = angle * rule->weight[k];
+            const Real weight = angle * rule.weight[k];
             at_right_edge ? add(nodes, near, far, weight) : add(nodes, far, near, weight);
             continue;
         }
         const Real near = angle * rest / 2;
         const Real far = angle * (1 + x) / 2;
-        const Real weight = angle * rule->weight[k] / 2;
+        const Real weight = angle * rule.weight[k] / 2;
         add(nodes, near, far, weight);
         if (x != 0) {
             add(nodes, far, near, weight);
@@ -258,7 +244,8 @@ const BatchNodes& BatchPiece::level(int level) const {
     BatchNodes& nodes = levels_[level];
     // The integrand is bounded in phi: what lies nearer to an end than roundoff has no weight.
     const Real least = pow(Real(10), -static_cast<int>(working_digits()) - 2);
-    for (const auto& node : quadrature::tanh_sinh_nodes<Real>().level(level)) {
+    const auto table = quadrature::tanh_sinh_nodes<Real>();
+    for (const auto& node : table->level(level)) {
         if (node.near < least) {
             break;
         }

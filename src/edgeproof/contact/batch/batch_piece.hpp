@@ -86,6 +86,7 @@ public:
     bool flat; ///< G is constant
     bool at_left_edge;
     bool at_right_edge;
+    bool even_left; ///< at the left edge, in which the integrand is even
     bool doubled;
     Real alpha;
     Real beta;

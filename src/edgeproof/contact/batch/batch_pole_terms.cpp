@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/batch/batch_integral.hpp"
 
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -15,12 +16,6 @@ Real log_one_plus(const Real& x) {
     const Ball l = log1p(Ball(x, bits));
     arf_get_mpfr(raw(r), arb_midref(l.data()), MPFR_RNDN);
     return r;
-}
-
-/// ln of the integral of dv/(w (x - v)) from a knot to the end, cleared of differences: near an
-/// edge its argument is near 1. `p`, `q` and their roots as in logarithmic_closed_form.
-Real green_excess(const Real& p, const Real& q, const Real& root, const Real& gap) {
-    return Real(2 * ((p < q ? p : q) + root) / gap);
 }
 
 } // namespace
@@ -39,9 +34,10 @@ Real BatchIntegral::pole_integral(const BatchPiece& piece, const Task& task) {
     const Real root_right = sqrt(at_.right);
     const Real root_left = sqrt(at_.left);
     const auto logarithm = [&](const CircleMark& m, const Real& gap) {
-        return log_one_plus(green_excess(Real(m.right * at_.left), Real(at_.right * m.left),
-                                         Real(m.root_right * root_left * root_right * m.root_left),
-                                         Real(circle_.length * gap)));
+        const Real root = m.root_right * root_left * root_right * m.root_left;
+        return log_one_plus(
+            Real(green_excess(Real(m.right * at_.left), Real(at_.right * m.left), root) /
+                 (circle_.length * gap)));
     };
     Real l = logarithm(near, task.gap);
     if (!far_is_end) {
@@ -62,8 +58,8 @@ Real BatchIntegral::mirror_integral(const BatchPiece& piece) const {
         const Real right = m.right / left;
         const Real p = right * to_left;
         const Real q = to_right * left;
-        return log_one_plus(
-            green_excess(p, q, Real(m.root_right * sqrt(at_.right)), Real(length * (m.v + at_.x))));
+        return log_one_plus(Real(green_excess(p, q, Real(m.root_right * sqrt(at_.right))) /
+                                 (length * (m.v + at_.x))));
     };
     Real l = logarithm(*piece.lo);
     if (!piece.at_right_edge) {
@@ -88,7 +84,7 @@ Real BatchIntegral::corners(const Point<Real>& at) {
             }
             const Real p = at_working_precision(v_right * left);
             const Real q = at_working_precision(right * v_left);
-            return green_excess(p, q, Real(sqrt(p) * sqrt(q)), Real(length * gap));
+            return Real(green_excess(p, q, Real(sqrt(p) * sqrt(q))) / (length * gap));
         };
         Real e = excess(corner.right, corner.left);
         if (corner.pair) {

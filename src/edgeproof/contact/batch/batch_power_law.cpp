@@ -272,9 +272,9 @@ const BatchPowerLaw::Nodes& BatchPowerLaw::power_nodes(std::size_t n) {
     auto& nodes = powers_[n];
     if (nodes.from.empty()) {
         const auto rule = quadrature::gauss_legendre_rule(2 * n, precision_of(below_));
-        for (std::size_t k = 0; k < rule->x.size(); ++k) {
-            nodes.from.push_back(rule->from_end[k] * (1 + rule->x[k]));
-            nodes.weight.push_back(rule->weight[k]);
+        for (std::size_t k = 0; k < rule.x.size(); ++k) {
+            nodes.from.push_back(rule.from_end[k] * (1 + rule.x[k]));
+            nodes.weight.push_back(rule.weight[k]);
         }
     }
     return nodes;
@@ -299,7 +299,8 @@ const BatchPowerLaw::Nodes& BatchPowerLaw::power_level(int level) {
     auto& nodes = power_levels_[level];
     if (nodes.from.empty()) {
         const Real least = pow(Real(10), -static_cast<int>(working_digits()) - 2);
-        for (const auto& node : quadrature::tanh_sinh_nodes<Real>().level(level)) {
+        const auto table = quadrature::tanh_sinh_nodes<Real>();
+        for (const auto& node : table->level(level)) {
             if (node.near < least) {
                 break;
             }
@@ -334,7 +335,8 @@ const BatchPowerLaw::Nodes& BatchPowerLaw::edge_level(int level) {
         Real norm;
         set_middle(norm, gamma(b + r + 2) / (gamma(b + 1) * gamma(r + 1)));
         const Real half_n = n_ / 2;
-        for (const auto& node : quadrature::tanh_sinh_nodes<Real>().level(level)) {
+        const auto table = quadrature::tanh_sinh_nodes<Real>();
+        for (const auto& node : table->level(level)) {
             const auto add = [&](const Real& t, const Real& rest) {
                 nodes.from.push_back(rest);
                 nodes.weight.push_back(node.weight * norm * weight_at(t, rest, b_, half_n));
@@ -373,9 +375,10 @@ BatchPowerLaw::Share BatchPowerLaw::far_by_levels() {
         set_middle(above_, scaled * (beyond + 1) / sqrt(beyond * (beyond + 2)));
         return above_;
     };
+    const auto table = quadrature::tanh_sinh_nodes<Real>();
     Share share = by_levels([&](Real& sum, int k) {
         std::size_t count = 0;
-        for (const auto& node : quadrature::tanh_sinh_nodes<Real>().level(k)) {
+        for (const auto& node : table->level(k)) {
             if (node.near < least) {
                 break;
             }

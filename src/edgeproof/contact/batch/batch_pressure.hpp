@@ -25,8 +25,9 @@ public:
         /// The number of nodes follows from Bernstein's ellipse, inside which the integrand is
         /// proved to be holomorphic (and how large it is there), so that `estimate` is a bound of
         /// the rule's own error; roundoff is not in it. A pole that comes near (x beside a knot) is
-        /// taken out with a logarithm. A piece of g' that is singular at an end is left to the
-        /// other rule.
+        /// taken out with a logarithm. A piece of g' that is singular at an end, or begins at the
+        /// apex of a symmetric contact and is not proved to be odd there, is left to the other
+        /// rule.
         gauss_legendre,
         /// Levels until two agree; `estimate` is their difference. The reference.
         tanh_sinh

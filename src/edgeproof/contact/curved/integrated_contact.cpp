@@ -19,6 +19,13 @@ namespace {
 /// the more the higher the power.
 constexpr std::size_t least_terms_of_disk = 6;
 
+/// Between edges that are wide balls an integral has few bits, and looking for more takes long.
+long goal_between(const Ball& a, const Ball& b, long bits) {
+    constexpr long spare = 8;
+    const long accuracy = Ball(a + b).relative_accuracy_bits(); // of an exact one beyond all bits
+    return accuracy >= bits ? bits : std::min(bits, std::max(spare, accuracy + spare));
+}
+
 } // namespace
 
 bool IntegratedContact::handles(const Profile& profile) {
@@ -81,16 +88,14 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const
     Ball from(0, bits_);
     for (std::size_t i = knots_.size() + 1; i-- > 0;) {
         const auto here = i > 0 ? on_edge_[i - 1] : std::optional<Edge>(Edge::left);
-        const BallMark next = !here                 ? BallMark::at(a, b, knots_[i - 1])
-                              : here == Edge::right ? BallMark::right_end(a, b)
-                                                    : BallMark::left_end(a, b);
-        const bool beyond_right = i > 0 && next.outside && contains_zero(next.right);
-        if (beyond_right) {
+        const Mark<Ball> next =
+            here ? end_mark(Extent<Ball>{a, b}, *here) : clamped_mark({a, b}, knots_[i - 1]);
+        if (i > 0 && next.end == Edge::right) {
             continue;
         }
         list.push_back({i, from, next.h});
         from = next.h;
-        if (next.outside) {
+        if (next.end) {
             break;
         }
     }
@@ -102,6 +107,7 @@ Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmon
     for (const quadrature::ThetaSpan& span : spans(a, b)) {
         SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a - b) / 2, (a + b) / 2};
         f.harmonic = harmonic;
+        f.goal = zone_ ? goal_between(a, b, bits_) : 0;
         sum += integrate(f, span.from, span.to, bits_);
     }
     return sum;
@@ -123,7 +129,7 @@ Ball IntegratedContact::moment() const {
 }
 
 std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) const {
-    if (edge == Edge::left && !profile_.symmetric()) {
+    if (edge == Edge::left && (zone_ || !profile_.symmetric())) {
         IntegratedContact mirror(*this);
         mirror.profile_ = profile_.reflected();
         mirror.knots_.clear();
@@ -153,6 +159,7 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
         f.holds_x = span.piece == piece;
         f.taylor = &head;
         f.from_right_edge = from_right_edge;
+        f.goal = zone_ ? goal_between(a_, b_, bits_) : 0;
         sum += integrate(f, span.from, span.to, bits_);
     }
     return sum;

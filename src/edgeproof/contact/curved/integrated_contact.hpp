@@ -32,6 +32,7 @@ public:
     IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
                       const Load& load, long bits);
 
+    [[nodiscard]] const Ball& modulus() const { return modulus_; }
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
@@ -57,6 +58,17 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     [[nodiscard]] std::size_t cost() const override { return 40; }
+
+    /// The zone -b < x < a of the same profile, whatever tilt makes it a contact; a power law is
+    /// integrated like any other slope here. Of it: as BallContact::between.
+    [[nodiscard]] IntegratedContact between(const Ball& a, const Ball& b, long bits) const;
+    [[nodiscard]] Ball zone_force() const { return force_of(a_, b_); }
+    [[nodiscard]] Ball zone_mean_slope() const;
+    [[nodiscard]] Ball zone_rate(Edge edge) const;
+    [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u) const;
+    /// A zone to begin with, of a profile whose contact other means enclose.
+    IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus, const Ball& a,
+                      const Ball& b, long bits);
 
 private:
     [[nodiscard]] std::vector<quadrature::ThetaSpan> spans(const Ball& a, const Ball& b) const;
@@ -108,7 +120,8 @@ private:
     std::vector<std::optional<Edge>> on_edge_; ///< knots that are known to be an edge exactly
     Ball a_;
     Ball b_;
-    bool odd_ = false; ///< g' is odd in the contact, whatever it is beyond
+    bool odd_ = false;  ///< g' is odd in the contact, whatever it is beyond
+    bool zone_ = false; ///< no contact, so that b may differ from a where g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
 };

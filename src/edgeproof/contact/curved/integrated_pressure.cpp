@@ -70,7 +70,7 @@ const SlopeOverTheta& IntegratedContact::over_theta() const {
         all.half_length = (a_ + b_) / 2;
         const Ball highest = series_of_slope(all.spans.front().piece, a_, 1)[0];
         const Ball lowest = series_of_slope(all.spans.back().piece, -b_, 1)[0];
-        all.most_change = quadrature::Magnitude(Ball(highest - lowest));
+        all.most_change = Magnitude(Ball(highest - lowest));
         over_theta_ = std::make_shared<const SlopeOverTheta>(std::move(all));
     }
     return *over_theta_;
@@ -152,7 +152,8 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
 
 /// p = E*/(2 pi) sqrt(u (D - u)) I.
 Ball IntegratedContact::with_root(const Ball& u, const Ball& I) const {
-    return modulus_ / (Ball::pi(bits_) * 2) * root(clamped(u) * clamped(a_ + b_ - u)) * I;
+    return modulus_ / (Ball::pi(bits_) * 2) * Field<Ball>::root(clamped(u) * clamped(a_ + b_ - u)) *
+           I;
 }
 
 Ball IntegratedContact::pressure(Edge edge, const Ball& u) const {
@@ -262,8 +263,8 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
         return not_finite(bits_);
     }
     const SlopeOverTheta& all = over_theta();
-    const Ball from = BallMark::at(a_, b_, hi).h;
-    const Ball to = BallMark::at(a_, b_, lo).h;
+    const Ball from = clamped_mark({a_, b_}, hi).h;
+    const Ball to = clamped_mark({a_, b_}, lo).h;
     std::vector<quadrature::ThetaSpan> outer(all.spans);
     for (quadrature::ThetaSpan& span : outer) {
         if (span.piece == i + 1) {

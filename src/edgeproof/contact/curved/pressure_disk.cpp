@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -18,40 +19,22 @@ constexpr long outer_bits = 48; ///< of an integral that is wide anyway
 
 Ball exact_lower(const Ball& x) { return {x.with_bits(32).lower(), box_bits}; }
 
-/// A complex box and a polynomial to evaluate over it.
-class Box {
-public:
-    Box() {
-        acb_init(z_);
-        acb_poly_init(poly_);
-    }
-    ~Box() {
-        acb_clear(z_);
-        acb_poly_clear(poly_);
-    }
-    Box(const Box&) = delete;
-    Box& operator=(const Box&) = delete;
-    acb_ptr z() { return z_; }
-    /// g'(s) - g0, put into z.
-    void slope_change(const formula::Expr& slope, const acb_t s, const Ball& g0, long bits) {
-        complex_taylor(poly_, slope, s, 1, bits);
-        acb_poly_get_coeff_acb(z_, poly_, 0);
-        acb_sub_arb(z_, z_, g0.data(), bits);
-    }
-
-private:
-    acb_t z_;
-    acb_poly_t poly_;
-};
+/// g'(s) - g0.
+void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, const Ball& g0,
+                  long bits) {
+    AcbPolyValue taylor;
+    complex_taylor(taylor, slope, s, 1, bits);
+    acb_poly_get_coeff_acb(change, taylor, 0);
+    acb_sub_arb(change, change, g0.data(), bits);
+}
 
 /// The largest |g'(z) - g'(x)| for |z - x| <= r, by the formula of a piece, covered with boxes;
 /// infinite where it may not be holomorphic. g' is real on the real axis: half the disk will do.
-quadrature::Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& g0,
-                                     const Ball& r) {
+Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& g0, const Ball& r) {
     constexpr int across = 3;
-    Box s;
-    Box change;
-    quadrature::Magnitude most;
+    AcbValue s;
+    AcbValue change;
+    Magnitude most;
     const Ball step = r / (2L * across) * Ball(Rational(1025, 1024), box_bits);
     for (int i = -across; i < across; ++i) {
         for (int j = 0; j < across; ++j) {
@@ -59,12 +42,12 @@ quadrature::Magnitude largest_change(const formula::Expr& slope, const Ball& x, 
             if (near * near + j * j >= across * across) {
                 continue;
             }
-            acb_set_arb(s.z(), Ball(x + step * (2 * i + 1)).data());
-            arb_set(acb_imagref(s.z()), Ball(step * (2 * j + 1)).data());
-            arb_add_error(acb_realref(s.z()), step.data());
-            arb_add_error(acb_imagref(s.z()), step.data());
-            change.slope_change(slope, s.z(), g0, box_bits);
-            const quadrature::Magnitude here(change.z());
+            acb_set_arb(s, Ball(x + step * (2 * i + 1)).data());
+            arb_set(acb_imagref(s), Ball(step * (2 * j + 1)).data());
+            arb_add_error(acb_realref(s), step.data());
+            arb_add_error(acb_imagref(s), step.data());
+            slope_change(change, slope, s, g0, box_bits);
+            const Magnitude here(change);
             most = here <= most ? most : here;
             if (!most.is_finite()) {
                 return most;
@@ -81,13 +64,13 @@ public:
     /// g: Taylor coefficients about x, more than `terms`; r: the radius of a disk on which |g' -
     /// g_0| <= change.
     DiskIntegrand(const SlopeOverTheta& integral, std::size_t holds, const Ball& x,
-                  std::vector<Ball> g, const Ball& r, const quadrature::Magnitude& change,
-                  std::size_t terms, long bits)
+                  std::vector<Ball> g, const Ball& r, const Magnitude& change, std::size_t terms,
+                  long bits)
         : integral_(integral), holds_(holds), x_(x), g_(std::move(g)), near_(r / 2), far_(r / 4),
           terms_(terms), bits_(bits) {
         // |g_j| <= change/r^j, so that |D_k(s)| <= 2 change/r^(k+1) for |s - x| <= r/2.
-        const quadrature::Magnitude least = quadrature::Magnitude::least(r);
-        quadrature::Magnitude most = change + change;
+        const Magnitude least = Magnitude::least(r);
+        Magnitude most = change + change;
         for (std::size_t k = 0; k < g_.size(); ++k) {
             most = most / least;
             near_bounds_.push_back(most);
@@ -95,20 +78,19 @@ public:
         }
     }
     [[nodiscard]] std::size_t count() const override { return terms_; }
-    bool bound(std::size_t piece, const acb_t s,
-               std::vector<quadrature::Magnitude>& most) const override {
-        acb_ptr gap = gap_.z();
+    bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
+        acb_ptr gap = gap_;
         acb_sub_arb(gap, s, x_.data(), bits_);
-        if (piece == holds_ && quadrature::Magnitude(gap) <= quadrature::Magnitude::least(near_)) {
+        if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
             std::copy_n(near_bounds_.begin(), terms_, most.begin());
             return true;
         }
-        const quadrature::Magnitude least = quadrature::Magnitude::least(gap);
-        if (least.is_zero() || (piece == holds_ && least <= quadrature::Magnitude(far_))) {
+        const Magnitude least = Magnitude::least(gap);
+        if (least.is_zero() || (piece == holds_ && least <= Magnitude(far_))) {
             return false;
         }
-        change_.slope_change(integral_.slopes[piece], s, g_[0], box_bits);
-        quadrature::Magnitude size(change_.z());
+        slope_change(change_, integral_.slopes[piece], s, g_[0], box_bits);
+        Magnitude size(change_);
         if (!size.is_finite()) {
             if (arb_is_zero(acb_imagref(s)) == 0) {
                 return false;
@@ -123,7 +105,7 @@ public:
     }
     void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const override {
         const Ball gap = s - x_;
-        if (piece == holds_ && quadrature::Magnitude(gap) <= quadrature::Magnitude::least(near_)) {
+        if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
             Ball D = near_bounds_.back().ball(bits_);
             for (std::size_t k = g_.size(); --k > 0;) {
                 D *= gap;
@@ -134,9 +116,9 @@ public:
             }
             return;
         }
-        change_.slope_change(integral_.slopes[piece], acb_of(s), g_[0], bits_);
+        slope_change(change_, integral_.slopes[piece], acb_of(s), g_[0], bits_);
         Ball D(0, bits_);
-        arb_set(D.data(), acb_realref(change_.z()));
+        arb_set(D.data(), acb_realref(change_));
         const Ball inverse = 1 / gap;
         for (std::size_t k = 0; k < terms_; ++k) {
             if (k > 0) {
@@ -149,8 +131,8 @@ public:
 
 private:
     acb_srcptr acb_of(const Ball& s) const {
-        acb_set_arb(gap_.z(), s.data());
-        return gap_.z();
+        acb_set_arb(gap_, s.data());
+        return gap_;
     }
 
     const SlopeOverTheta& integral_;
@@ -161,30 +143,25 @@ private:
     Ball far_;
     std::size_t terms_;
     long bits_;
-    std::vector<quadrature::Magnitude> near_bounds_;
-    std::vector<quadrature::Magnitude> sizes_;
-    mutable Box gap_;
-    mutable Box change_;
+    std::vector<Magnitude> near_bounds_;
+    std::vector<Magnitude> sizes_;
+    mutable AcbValue gap_;
+    mutable AcbValue change_;
 };
 
 /// |I(z)| for |z - x| <= reach: over real cells of theta.
 class Majorant {
 public:
     Majorant(const SlopeOverTheta& integral, std::size_t holds, const Ball& x, const Ball& g0,
-             const Ball& r, const Ball& reach, const quadrature::Magnitude& change)
+             const Ball& r, const Ball& reach, const Magnitude& change)
         : integral_(integral), holds_(holds), x_(x), g0_(g0), near_(r / 2), reach_(reach),
           // |g'(z) - g'(x)| <= change |z - x|/r; and for |s - x| <= r/2, |z - x| <= 2 r/5 the
           // quotient is a sum over |g_j| that comes to at most (10/3) change/r.
-          at_point_(change * quadrature::Magnitude(Ball(reach / r))),
-          quotient_(change * quadrature::Magnitude(Ball(10, 64)) /
-                    quadrature::Magnitude(Ball(3, 64)) / quadrature::Magnitude::least(r)) {
-        acb_init(s_);
-    }
-    ~Majorant() { acb_clear(s_); }
-    Majorant(const Majorant&) = delete;
-    Majorant& operator=(const Majorant&) = delete;
+          at_point_(change * Magnitude(Ball(reach / r))),
+          quotient_(change * Magnitude(Ball(10, 64)) / Magnitude(Ball(3, 64)) /
+                    Magnitude::least(r)) {}
 
-    std::optional<quadrature::Magnitude> operator()() {
+    std::optional<Magnitude> operator()() {
         for (const quadrature::ThetaSpan& span : integral_.spans) {
             // The radii of its ends included, which cells of two spans may share.
             const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
@@ -201,8 +178,8 @@ private:
         const Ball s =
             integral_.centre + integral_.half_length * cos(Ball::hull(lo, hi).with_bits(128));
         const Ball gap = abs(Ball(s - x_));
-        const quadrature::Magnitude length(Ball(hi - lo));
-        if (piece == holds_ && quadrature::Magnitude(gap) <= quadrature::Magnitude::least(near_)) {
+        const Magnitude length(Ball(hi - lo));
+        if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
             sum_ = sum_ + length * quotient_;
             return true;
         }
@@ -210,12 +187,12 @@ private:
         const Ball width(s.radius(), box_bits);
         if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
             acb_set_arb(s_, s.data());
-            change_.slope_change(integral_.slopes[piece], s_, g0_, box_bits);
-            quadrature::Magnitude size(change_.z());
+            slope_change(change_, integral_.slopes[piece], s_, g0_, box_bits);
+            Magnitude size(change_);
             if (!(size <= integral_.most_change)) {
                 size = integral_.most_change;
             }
-            sum_ = sum_ + length * (size + at_point_) / quadrature::Magnitude::least(from_disk);
+            sum_ = sum_ + length * (size + at_point_) / Magnitude::least(from_disk);
             return true;
         }
         Ball middle = (lo + hi) / 2;
@@ -230,11 +207,11 @@ private:
     const Ball& g0_;
     Ball near_;
     Ball reach_;
-    quadrature::Magnitude at_point_;
-    quadrature::Magnitude quotient_;
-    quadrature::Magnitude sum_;
-    Box change_;
-    acb_t s_;
+    Magnitude at_point_;
+    Magnitude quotient_;
+    Magnitude sum_;
+    AcbValue change_;
+    AcbValue s_;
 };
 
 /// (g'(s) - g'(x))/(s - x) for all x of a ball.
@@ -243,12 +220,11 @@ public:
     OuterIntegrand(const SlopeOverTheta& integral, const Ball& x, const Ball& slope_at_x, long bits)
         : integral_(integral), x_(x), slope_at_x_(slope_at_x), bits_(bits) {}
     [[nodiscard]] std::size_t count() const override { return 1; }
-    bool bound(std::size_t piece, const acb_t s,
-               std::vector<quadrature::Magnitude>& most) const override {
-        acb_sub_arb(gap_.z(), s, x_.data(), bits_);
-        const quadrature::Magnitude least = quadrature::Magnitude::least(gap_.z());
-        change_.slope_change(integral_.slopes[piece], s, slope_at_x_, box_bits);
-        quadrature::Magnitude size(change_.z());
+    bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
+        acb_sub_arb(gap_, s, x_.data(), bits_);
+        const Magnitude least = Magnitude::least(gap_);
+        slope_change(change_, integral_.slopes[piece], s, slope_at_x_, box_bits);
+        Magnitude size(change_);
         if (!size.is_finite() && arb_is_zero(acb_imagref(s)) != 0) {
             size = integral_.most_change;
         }
@@ -256,9 +232,9 @@ public:
         return most[0].is_finite();
     }
     void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const override {
-        acb_set_arb(gap_.z(), s.data());
-        change_.slope_change(integral_.slopes[piece], gap_.z(), slope_at_x_, bits_);
-        arb_set(f[0].data(), acb_realref(change_.z()));
+        acb_set_arb(gap_, s.data());
+        slope_change(change_, integral_.slopes[piece], gap_, slope_at_x_, bits_);
+        arb_set(f[0].data(), acb_realref(change_));
         f[0] /= s - x_;
     }
 
@@ -267,8 +243,8 @@ private:
     const Ball& x_;
     const Ball& slope_at_x_;
     long bits_;
-    mutable Box gap_;
-    mutable Box change_;
+    mutable AcbValue gap_;
+    mutable AcbValue change_;
 };
 
 } // namespace
@@ -281,22 +257,20 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
     if (!g0.is_finite() || !certainly_positive(gap)) {
         return;
     }
-    const quadrature::Magnitude mean =
-        integral.most_change / quadrature::Magnitude::least(integral.half_length * 2);
+    const Magnitude mean = integral.most_change / Magnitude::least(integral.half_length * 2);
     // The largest disk where g' is no more than so much steeper than on the mean; else the
     // smallest.
     std::optional<Ball> chosen;
-    quadrature::Magnitude change;
+    Magnitude change;
     Ball r = exact_lower(gap * 7 / 4);
     for (int k = 0; k < ladder; ++k, r = exact_lower(r * 5 / 7)) {
-        const quadrature::Magnitude here = largest_change(slope, x, g0, r);
+        const Magnitude here = largest_change(slope, x, g0, r);
         if (!here.is_finite()) {
             continue;
         }
         chosen = r;
         change = here;
-        if (change <=
-            mean * quadrature::Magnitude(r) * quadrature::Magnitude(Ball(steepest, box_bits))) {
+        if (change <= mean * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
             break;
         }
     }
@@ -314,11 +288,11 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
     quadrature::ThetaGoal wanted;
     Ball tolerance = bound_.ball(box_bits);
     arb_mul_2exp_si(tolerance.data(), tolerance.data(), -goal);
-    wanted.tolerance = quadrature::Magnitude(tolerance);
-    quadrature::Magnitude scale(Ball(1, box_bits));
+    wanted.tolerance = Magnitude(tolerance);
+    Magnitude scale(Ball(1, box_bits));
     for (std::size_t k = 0; k < terms; ++k) {
         wanted.scale.push_back(scale);
-        scale = scale * quadrature::Magnitude(radius_);
+        scale = scale * Magnitude(radius_);
     }
     wanted.nodes = static_cast<std::size_t>(goal / 4 + 8);
     wanted.depth = 2 * static_cast<int>(bits);
@@ -339,8 +313,8 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
     }
     c.resize(order, Ball(0, bits_));
     // What is left out: the sum over j >= terms of binomial(j, k) bound q^(j - k)/radius^k.
-    const quadrature::Magnitude q(Ball(z / radius_));
-    quadrature::Magnitude rest = bound_;
+    const Magnitude q(Ball(z / radius_));
+    Magnitude rest = bound_;
     for (std::size_t j = 0; j < terms; ++j) {
         rest = rest * q;
     }
@@ -356,10 +330,9 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
             arb_indeterminate(c[static_cast<std::size_t>(k)].data());
             continue;
         }
-        c[static_cast<std::size_t>(k)] += (rest / quadrature::Magnitude::least(less)).ball(bits_);
-        rest = rest * quadrature::Magnitude(Ball(n - k, box_bits)) /
-               quadrature::Magnitude(Ball(k + 1, box_bits)) / q /
-               quadrature::Magnitude::least(radius_);
+        c[static_cast<std::size_t>(k)] += (rest / Magnitude::least(less)).ball(bits_);
+        rest = rest * Magnitude(Ball(n - k, box_bits)) / Magnitude(Ball(k + 1, box_bits)) / q /
+               Magnitude::least(radius_);
     }
     return BallSeries(c);
 }
@@ -378,8 +351,8 @@ Ball outer_integral(const SlopeOverTheta& integral, const std::vector<quadrature
     quadrature::ThetaGoal goal;
     Ball tolerance = integral.most_change.ball(box_bits) / integral.half_length;
     arb_mul_2exp_si(tolerance.data(), tolerance.data(), -outer_bits);
-    goal.tolerance = quadrature::Magnitude(tolerance);
-    goal.scale = {quadrature::Magnitude(Ball(1, box_bits))};
+    goal.tolerance = Magnitude(tolerance);
+    goal.scale = {Magnitude(Ball(1, box_bits))};
     goal.nodes = outer_bits / 4 + 4;
     goal.depth = 2 * static_cast<int>(bits);
     return integrate_cells(integrand, outer, integral.centre, integral.half_length, goal, bits)[0];

@@ -3,6 +3,7 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
+#include "edgeproof/precision/ball/magnitude.hpp"
 #include "edgeproof/quadrature/theta_cells.hpp"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ struct SlopeOverTheta {
     std::vector<quadrature::ThetaSpan> spans;
     Ball centre;
     Ball half_length;
-    quadrature::Magnitude most_change; ///< of g' from one edge to the other: g' does not decrease
+    Magnitude most_change; ///< of g' from one edge to the other: g' does not decrease
 };
 
 /// Bits to which the coefficients of a disk are driven, of the working ones: enough beside a
@@ -48,7 +49,7 @@ public:
 private:
     std::vector<Ball> coefficients_;
     Ball radius_;
-    quadrature::Magnitude bound_;
+    Magnitude bound_;
     std::size_t terms_;
     long bits_;
     bool found_ = false;

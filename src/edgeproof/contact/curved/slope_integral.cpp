@@ -2,6 +2,8 @@
 #include "edgeproof/contact/curved/slope_integral.hpp"
 
 #include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 namespace edgeproof::contact {
 namespace {
@@ -10,12 +12,9 @@ namespace {
 void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeIntegrand& f,
                      slong order, slong bits) {
     const auto terms = static_cast<slong>(f.taylor->size());
-    acb_t r;
-    acb_t power;
-    acb_init(r);
-    acb_init(power);
-    acb_poly_t g;
-    acb_poly_init(g);
+    AcbValue r;
+    AcbValue power;
+    AcbPolyValue g;
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
     if (f.from_right_edge) {
         // s - a = -2 d sin^2(theta/2)
@@ -34,8 +33,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
         taylor(g, *f.slope, power, terms + 1, bits);
         acb_poly_get_coeff_acb(out, g, terms);
     } else {
-        acb_t sum;
-        acb_init(sum);
+        AcbValue sum;
         for (slong k = terms; k-- > 0;) {
             acb_mul(sum, sum, r, bits);
             acb_add_arb(sum, sum, (*f.taylor)[static_cast<std::size_t>(k)].data(), bits);
@@ -45,22 +43,27 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
         acb_sub(out, out, sum, bits);
         acb_pow_ui(power, r, static_cast<ulong>(terms), bits);
         acb_div(out, out, power, bits);
-        acb_clear(sum);
     }
-    acb_poly_clear(g);
-    acb_clear(power);
-    acb_clear(r);
 }
 
 /// order = 0: an enclosure of the values on a piece of the path, which is real, will do.
+/// Nothing is thrown through Arb: once an interruption is seen, all that is left is zero, and
+/// whoever called it throws.
+struct Evaluation {
+    const SlopeIntegrand& f;
+    bool interrupted = false;
+};
 int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong bits) {
-    const auto& f = *static_cast<const SlopeIntegrand*>(parameter);
-    acb_t cosine;
-    acb_t s;
-    acb_init(cosine);
-    acb_init(s);
-    acb_poly_t g;
-    acb_poly_init(g);
+    auto& evaluation = *static_cast<Evaluation*>(parameter);
+    const SlopeIntegrand& f = evaluation.f;
+    evaluation.interrupted = evaluation.interrupted || interruption_requested() != 0;
+    if (evaluation.interrupted) {
+        acb_zero(out);
+        return 0;
+    }
+    AcbValue cosine;
+    AcbValue s;
+    AcbPolyValue g;
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
     acb_cos(cosine, theta, bits);
     acb_mul_arb(s, cosine, f.half_length.data(), bits);
@@ -74,76 +77,60 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
         acb_cos(cosine, cosine, bits);
         acb_mul(out, out, cosine, bits);
     } else {
-        acb_t gap;
-        acb_init(gap);
+        AcbValue gap;
         acb_sub_arb(gap, s, f.x->data(), bits);
         if (f.holds_x && acb_contains_zero(gap) != 0) {
             // The quotient is a mean of g'' over the way from x to s, which stays in their hull.
-            acb_t hull;
-            acb_init(hull);
+            AcbValue hull;
             acb_set_arb(hull, f.x->data());
             acb_union(hull, hull, s, bits);
             taylor(g, *f.slope, hull, 2, bits);
             acb_poly_get_coeff_acb(out, g, 1);
-            acb_clear(hull);
         } else {
             taylor(g, *f.slope, s, 1, bits);
             acb_poly_get_coeff_acb(out, g, 0);
             acb_sub_arb(out, out, f.slope_at_x->data(), bits);
             acb_div(out, out, gap, bits);
         }
-        acb_clear(gap);
     }
-    acb_poly_clear(g);
-    acb_clear(s);
-    acb_clear(cosine);
     return 0;
 }
 
 } // namespace
 
 Ball integrate(const SlopeIntegrand& f, const Ball& lo, const Ball& hi, long bits) {
-    acb_t from;
-    acb_t to;
-    acb_t sum;
-    acb_t end;
-    acb_init(from);
-    acb_init(to);
-    acb_init(sum);
-    acb_init(end);
+    AcbValue from;
+    AcbValue to;
+    AcbValue sum;
+    AcbValue end;
     arb_get_mid_arb(acb_realref(from), lo.data());
     arb_get_mid_arb(acb_realref(to), hi.data());
-    mag_t tolerance;
-    mag_init(tolerance);
+    MagValue tolerance;
     mag_set_ui_2exp_si(tolerance, 1, -bits - 64);
-    auto* parameter = const_cast<SlopeIntegrand*>(&f); // NOLINT: Arb's signature; never written to
-    acb_calc_integrate(sum, evaluate, parameter, from, to, bits, tolerance, nullptr, bits);
+    Evaluation evaluation{f};
+    acb_calc_integrate(sum, evaluate, &evaluation, from, to, f.goal != 0 ? f.goal : bits, tolerance,
+                       nullptr, bits);
     Ball result(0, bits);
     arb_set(result.data(), acb_realref(sum));
     for (const Ball* limit : {&lo, &hi}) {
         acb_set_arb(from, limit->data());
-        evaluate(end, from, parameter, 0, bits);
+        evaluate(end, from, &evaluation, 0, bits);
         Ball rest(0, bits);
         arb_set(rest.data(), acb_realref(end));
         const Ball radius(limit->radius(), bits);
         result += rest * radius * Ball::from_interval(Real(-1), Real(1), bits);
     }
-    mag_clear(tolerance);
-    acb_clear(from);
-    acb_clear(to);
-    acb_clear(sum);
-    acb_clear(end);
+    if (evaluation.interrupted) {
+        throw Interrupted();
+    }
     return result;
 }
 
 std::vector<Ball> slope_series(const formula::Expr& slope, const Ball& x, std::size_t terms,
                                long bits) {
-    acb_t at;
-    acb_t value;
-    acb_poly_t g;
-    acb_init(at);
-    acb_init(value);
-    acb_poly_init(g);
+    AcbValue at;
+    AcbValue value;
+    AcbPolyValue g;
     acb_set_arb(at, x.data());
     real_taylor(g, slope, at, static_cast<slong>(terms), bits);
     std::vector<Ball> series;
@@ -152,9 +139,6 @@ std::vector<Ball> slope_series(const formula::Expr& slope, const Ball& x, std::s
         series.emplace_back(0, bits);
         arb_set(series.back().data(), acb_realref(value));
     }
-    acb_poly_clear(g);
-    acb_clear(value);
-    acb_clear(at);
     return series;
 }
 

@@ -21,6 +21,7 @@ struct SlopeIntegrand {
     bool holds_x = false; ///< g' is this piece's at x too, so that the quotient has no pole
     const std::vector<Ball>* taylor = nullptr; ///< its k + 1 coefficients
     bool from_right_edge = false;              ///< x is the right edge: s - x without cancellation
+    long goal = 0; ///< bits of the integral that are worth their work; 0: all
 };
 
 /// The integral from lo to hi, enclosed by Arb's rigorous integration: F. Johansson, "Numerical

@@ -4,7 +4,9 @@
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/law/power_law.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/exact/enclosed_constant.hpp"
@@ -17,9 +19,8 @@
 namespace edgeproof::contact {
 
 /// A normal contact in ball arithmetic: every value is an enclosure, proved. For profiles with a
-/// closed form: g' piecewise linear (logarithms), or a power law (power_law_integral.hpp). It
-/// shares no numerical code with the routes in Real: the formulas are those of eqn:SIEPressure
-/// integrated exactly, the arithmetic is Arb's.
+/// closed form: g' piecewise linear (logarithms), or a power law (power_law_integral.hpp). The
+/// formulas are those of contact/law/: eqn:SIEPressure integrated exactly; the arithmetic is Arb's.
 ///
 /// The edges are enclosed by the interval form of Newton's method, which proves that the edge
 /// inside the ball exists and is the only one. Radii grow with the condition of the problem;
@@ -39,6 +40,10 @@ public:
 
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
 
+    [[nodiscard]] bool piecewise_linear() const { return !power_; }
+    [[nodiscard]] const Ball& modulus() const { return modulus_; }
+    /// Where the minimum, which may be a flat, ends on that side: its distance from the origin.
+    [[nodiscard]] Ball minimum_end(Edge edge) const;
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
@@ -80,43 +85,50 @@ public:
     /// so or proved, is expanded from inside the contact. One that may lie on a knot, as far as the
     /// bits tell, has no enclosed expansion: the coefficients are not finite.
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    /// What the logarithms of a piecewise linear slope are made of (logarithmic_pressure.hpp): the
+    /// marks of its knots; whether one is inside and g' does not go on by one formula there; the
+    /// integral of g'' over the angle. p is `pressure_factor` times them, for a power law P'(a)/pi.
+    [[nodiscard]] const LinearSlope<Ball>& slope() const { return slope_; }
+    [[nodiscard]] const std::vector<Mark<Ball>>& knot_marks() const { return fixed_.marks; }
+    [[nodiscard]] bool bends_inside(std::size_t knot) const { return fixed_.bends[knot]; }
+    [[nodiscard]] const Ball& arc() const { return fixed_.arc; }
+    [[nodiscard]] const Ball& pressure_factor() const { return fixed_.factor; }
     /// The same contact seen in a mirror, edges and all.
     [[nodiscard]] BallContact mirrored() const;
     /// The contact of the same profile whose right edge is a number in the ball. Throws BudgetError
     /// where the bits, or the ball, do not isolate the left edge.
     [[nodiscard]] BallContact with_right_edge(const Ball& a) const;
 
+    /// The zone -b < x < a of the same profile, whatever it takes to make it a contact (a tilt):
+    /// its pressures are those of eqn:SIEPressure, to which a tilt adds nothing. Of a power law,
+    /// symmetric zones only.
+    [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
+    /// Of that zone, piecewise linear: the force; E*/2 times the kernel A, or B, of
+    /// docs/mechanics.md; the mean of g' over the zone, weighted by 1/(pi w).
+    [[nodiscard]] Ball zone_force() const { return force_of({a_, b_}); }
+    [[nodiscard]] Ball zone_rate(Edge edge) const { return force_rate_of({a_, b_}, edge); }
+    [[nodiscard]] Ball zone_mean_slope() const;
+
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);
     void read_profile();
     void tilt_by(const Ball& alpha);
-    void find_jumps();
     void solve(const formula::Exact& contact_modulus, const Load& load);
     void lie_at(const ExactEdges& edges);
     [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
-    /// The integral of a kernel over dg' as a power series in z, the edges being a + z and b(z).
-    template <class AtKnot, class Between>
-    [[nodiscard]] BallSeries over_measure(const BallSeries& a, const BallSeries& b,
-                                          const AtKnot& at_knot, const Between& between) const;
     [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
     /// P'(a + z) along the family of contacts.
     [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
-    [[nodiscard]] BallSeries force_rate_series(const BallSeries& a, const BallSeries& b,
-                                               Edge edge) const;
-    struct Piece {
-        Ball at_origin;
-        Ball rate;
-    };
+    [[nodiscard]] std::vector<Mark<BallSeries>> marks(const Extent<BallSeries>& e) const;
     [[nodiscard]] Ball constant(const formula::Expr& e) const;
     void find_knots_on_edges();
     /// What the pressure has of the contact and not of the point.
     struct Fixed {
-        std::vector<BallMark> marks;  ///< of the knots
-        std::vector<bool> bends;      ///< whether a knot inside has a part in the pressure
-        std::vector<Ball> rate_drops; ///< of g'' across a knot
-        std::vector<Ball> insets;     ///< a - knot
-        std::vector<Ball> outsets;    ///< b + knot
+        std::vector<Mark<Ball>> marks; ///< of the knots
+        std::vector<bool> bends;       ///< whether a knot inside has a part in the pressure
+        std::vector<Ball> insets;      ///< a - knot
+        std::vector<Ball> outsets;     ///< b + knot
         /// The same two where they are exactly known.
         std::vector<std::optional<Rational>> exact_insets;
         std::vector<std::optional<Rational>> exact_outsets;
@@ -130,35 +142,29 @@ private:
     [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
     /// False at a knot where g' goes on by one formula (the origin of a parabola).
     [[nodiscard]] bool bends(std::size_t knot) const;
-    [[nodiscard]] BallMark mark(const Ball& a, const Ball& b, std::size_t knot) const;
+    /// Of the knots.
+    [[nodiscard]] std::vector<Mark<Ball>> marks(const Extent<Ball>& e) const;
     /// `prove`: else the zero is the middle of a ball, about right.
     [[nodiscard]] Ball solve_left_edge(const Ball& a, bool prove = true) const;
     /// The left edge to a given right one, solved for as its distance from `end`.
     [[nodiscard]] Ball left_edge_from(const Ball& end, const Ball& start, const Ball& a,
                                       bool prove) const;
     [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P, bool prove = true) const;
-    [[nodiscard]] Ball imbalance(const Ball& a, const Ball& b) const;
-    [[nodiscard]] Ball imbalance_rate(const Ball& a, const Ball& b) const;
-    [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
-    [[nodiscard]] Ball force_rate_of(const Ball& a, const Ball& b, Edge edge) const;
-    template <class AtKnot, class Between>
-    [[nodiscard]] Ball over_measure(const Ball& a, const Ball& b, const AtKnot& at_knot,
-                                    const Between& between) const;
+    [[nodiscard]] Ball imbalance(const Extent<Ball>& e) const;
+    [[nodiscard]] Ball force_of(const Extent<Ball>& e) const;
+    [[nodiscard]] Ball force_rate_of(const Extent<Ball>& e, Edge edge) const;
+    template <class Kernel> [[nodiscard]] Ball over_measure(const Extent<Ball>& e) const;
 
     Profile profile_;
     long bits_;
     Ball modulus_;
-    std::vector<Ball> knots_;
-    std::vector<Piece> pieces_;
-    std::vector<Ball> jumps_;
+    LinearSlope<Ball> slope_; ///< of a power law the knot alone
     /// Knots that are known to lie on an edge exactly, which no ball tells.
     std::vector<std::optional<Edge>> on_edge_;
     std::optional<formula::Exact> known_a_;
     std::optional<formula::Exact> known_b_;
-    bool power_law_ = false;
     std::optional<PowerLawIntegral> power_law_integral_;
-    Ball exponent_;
-    Ball power_factor_; ///< P = power_factor a^(m+1)
+    std::optional<PowerLaw<Ball>> power_;
     Ball a_;
     Ball b_;
     Fixed fixed_;

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -50,6 +51,7 @@ private:
         return {contact, edge_, n_, tolerance_};
     }
     void count(const RelativeError& f) {
+        check_interruption();
         evaluations += f.cost();
         if (evaluations > most_evaluations) {
             throw BudgetError("undecided after " + std::to_string(most_evaluations / f.cost()) +

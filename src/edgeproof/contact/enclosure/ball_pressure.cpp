@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
 
@@ -20,9 +21,9 @@ void BallContact::fix() {
         const Rational* q = e.rational();
         return q != nullptr ? std::optional<Rational>(*q) : std::nullopt;
     };
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        fixed_.insets.push_back(a_ - knots_[i]);
-        fixed_.outsets.push_back(b_ + knots_[i]);
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        fixed_.insets.push_back(a_ - slope_.knots[i]);
+        fixed_.outsets.push_back(b_ + slope_.knots[i]);
         std::optional<Rational> inset;
         std::optional<Rational> outset;
         if (known_a_) {
@@ -34,23 +35,17 @@ void BallContact::fix() {
         fixed_.exact_insets.push_back(std::move(inset));
         fixed_.exact_outsets.push_back(std::move(outset));
     }
-    if (power_law_) {
+    if (power_) {
         // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
-        fixed_.factor = power_factor_ * (exponent_ + 1) * pow(a_, exponent_) / Ball::pi(bits_);
+        fixed_.factor = power_->force_rate(a_) / Ball::pi(bits_);
         return;
     }
     fixed_.factor = modulus_ / (Ball::pi(bits_) * 2);
-    fixed_.arc = Ball(0, bits_);
-    BallMark previous = BallMark::left_end(a_, b_);
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        BallMark next = mark(a_, b_, i);
-        fixed_.arc += pieces_[i].rate * (previous.h - next.h);
-        fixed_.bends.push_back(!next.outside && bends(i));
-        fixed_.rate_drops.push_back(pieces_[i].rate - pieces_[i + 1].rate);
-        fixed_.marks.push_back(next);
-        previous = std::move(next);
+    fixed_.marks = marks(Extent<Ball>{a_, b_});
+    fixed_.arc = arc_of(slope_, Extent<Ball>{a_, b_}, fixed_.marks);
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        fixed_.bends.push_back(!fixed_.marks[i].end && bends(i));
     }
-    fixed_.arc += pieces_.back().rate * previous.h;
 }
 
 BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
@@ -61,8 +56,8 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
     // A ball that reaches beyond an edge stands for its part inside.
     Place at{
         clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
-    at.offsets.reserve(knots_.size());
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
+    at.offsets.reserve(slope_.knots.size());
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         at.offsets.push_back(edge == Edge::right ? u - fixed_.insets[i] : fixed_.outsets[i] - u);
     }
     return at;
@@ -73,7 +68,7 @@ Ball BallContact::pressure(Edge edge, const formula::Exact& u) const {
     if (const auto& distance_of_edge = known(edge)) {
         // x is known exactly: so is whether it is on a knot, and how far from it.
         const Rational* distance = u.expr().rational();
-        for (std::size_t i = 0; i < knots_.size(); ++i) {
+        for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
             if (at.offsets[i].relative_accuracy_bits() >= bits_ - 8) {
                 continue;
             }
@@ -103,27 +98,23 @@ Ball BallContact::least_pressure(Edge edge, const Ball& u) const {
 }
 
 Ball BallContact::pressure(const Place& at, bool least) const {
-    if (power_law_) {
+    if (power_) {
         const Ball y = at.right * at.left / (a_ * a_);
         return fixed_.factor * (*power_law_integral_)(abs(at.offsets[0]) / a_, y);
     }
-    // The sum over the pieces of g'' times ((v - x) G + w_x h) between their ends, the terms of
-    // each knot taken together; G is 0 at the edges.
-    const Ball w_x = root(at.right * at.left);
-    Ball sum = fixed_.arc * w_x;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (!fixed_.bends[i]) {
-            continue;
-        }
-        const BallGreen green =
-            ball_green(fixed_.marks[i], at.right, at.left, w_x, fixed_.length, at.offsets[i]);
-        if (profile_.has_corner(i)) {
-            sum += jumps_[i] * (least ? green.least : green.value);
-        }
-        arb_addmul(sum.data(), fixed_.rate_drops[i].data(), green.moment.data(), bits_);
-    }
-    sum *= fixed_.factor;
-    return sum;
+    const Ball w_x = Field<Ball>::root(at.right * at.left);
+    return logarithmic_sum(
+               slope_, slope_.knots.size(), fixed_.arc * w_x,
+               [&](std::size_t i) { return fixed_.bends[i]; },
+               [&](std::size_t i) {
+                   BallGreen green = ball_green(fixed_.marks[i], at.right, at.left, w_x,
+                                                fixed_.length, at.offsets[i]);
+                   if (least) {
+                       green.value = green.least;
+                   }
+                   return green;
+               }) *
+           fixed_.factor;
 }
 
 Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
+
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
@@ -32,7 +35,7 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
     if (!certainly_positive(u) || !certainly_positive(other[0])) {
         return nowhere(order, bits_);
     }
-    if (power_law_) {
+    if (power_) {
         const Ball x = a_ - u;
         if (contains_zero(x)) {
             return nowhere(order, bits_);
@@ -47,10 +50,10 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
         std::vector<Ball> I{(*power_law_integral_)(q, y)};
         for (std::size_t k = 0; k + 1 < order; ++k) {
             const long n = static_cast<long>(k);
-            I.push_back(((exponent_ - n) * I[k] - s[k]) / (q * (n + 1)));
+            I.push_back(((power_->exponent - n) * I[k] - s[k]) / (q * (n + 1)));
         }
         const Ball rate = certainly_positive(x) ? -(1 / a_) : 1 / a_;
-        Ball scale = power_factor_ * (exponent_ + 1) * pow(a_, exponent_) / Ball::pi(bits_);
+        Ball scale = fixed_.factor;
         for (Ball& c : I) {
             c *= scale;
             scale *= rate;
@@ -62,41 +65,36 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
     const Ball& left_x = right ? other[0] : u;
     const BallSeries w_x = sqrt(from * other);
     const BallSeries zero(Ball(0, bits_), order);
-    BallSeries sum = zero;
-    BallMark previous = BallMark::left_end(a_, b_);
-    BallSeries previous_moment = zero;
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const bool edge_here = i == knots_.size();
-        const BallMark next = edge_here ? BallMark::right_end(a_, b_) : mark(a_, b_, i);
-        BallSeries moment = zero;
-        if (!edge_here && !next.outside && bends(i)) {
-            const BallSeries offset =
-                right ? from + (knots_[i] - a_) : -from + (b_ + knots_[i]); // v - x
+    struct Green {
+        BallSeries value;
+        BallSeries moment;
+    };
+    bool on_knot = false;
+    const BallSeries sum = logarithmic_sum(
+        slope_, slope_.knots.size(), w_x * fixed_.arc,
+        [&](std::size_t i) { return fixed_.bends[i] && !on_knot; },
+        [&](std::size_t i) {
+            const Ball& knot = slope_.knots[i];
+            const BallSeries offset = right ? from + (knot - a_) : -from + (b_ + knot); // v - x
             if (contains_zero(offset[0])) {
-                return nowhere(order, bits_);
+                on_knot = true;
+                return Green{zero, zero};
             }
             // dG/du = w(v)/(w(x) (distance of v - u)).
-            const BallSeries gap = right ? -offset : offset;
-            const BallSeries rate = BallSeries(next.w, order) / (w_x * gap);
-            const BallSeries G =
-                integral(rate, ball_green(next, right_x, left_x, D, offset[0]).value);
-            moment = offset * G;
-            if (profile_.has_corner(i)) {
-                sum = sum + G * jumps_[i];
-            }
-        }
-        sum = sum + (moment - previous_moment + w_x * (previous.h - next.h)) * pieces_[i].rate;
-        previous = next;
-        previous_moment = moment;
-    }
-    return sum * (modulus_ / (Ball::pi(bits_) * 2));
+            const Mark<Ball>& v = fixed_.marks[i];
+            const BallSeries rate = BallSeries(v.w, order) / (w_x * (right ? -offset : offset));
+            BallSeries G = integral(rate, ball_green(v, right_x, left_x, D, offset[0]).value);
+            BallSeries moment = offset * G;
+            return Green{std::move(G), std::move(moment)};
+        });
+    return on_knot ? nowhere(order, bits_) : sum * fixed_.factor;
 }
 
 std::vector<Ball> BallContact::corners(Edge edge) const {
     std::vector<Ball> distances;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (profile_.has_corner(i) && !mark(a_, b_, i).outside) {
-            distances.push_back(edge == Edge::right ? a_ - knots_[i] : b_ + knots_[i]);
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (profile_.has_corner(i) && !fixed_.marks[i].end) {
+            distances.push_back(edge == Edge::right ? a_ - slope_.knots[i] : b_ + slope_.knots[i]);
         }
     }
     return distances;
@@ -104,12 +102,12 @@ std::vector<Ball> BallContact::corners(Edge edge) const {
 
 Ball BallContact::reach(Edge edge) const {
     Ball least = a_ + b_;
-    if (power_law_) {
-        return a_ / (exponent_ + 4);
+    if (power_) {
+        return a_ / (power_->exponent + 4);
     }
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        const BallMark m = mark(a_, b_, i);
-        if (!m.outside && bends(i)) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        const Mark<Ball>& m = fixed_.marks[i];
+        if (fixed_.bends[i]) {
             least = min(least, edge == Edge::right ? m.right : m.left);
         }
     }
@@ -120,13 +118,13 @@ Ball BallContact::majorant(Edge edge, const Ball& rho) const {
     // Each coefficient is at most that of the majorant in size, so that c_k rho^k <= M.
     const Ball D = a_ + b_;
     const Ball pi = Ball::pi(bits_);
-    if (power_law_) {
+    if (power_) {
         // p/sqrt(u) = (P'/(pi a)) sqrt(2a - u) 2F1(1, (1 - m)/2; 3/2; y): 2 sqrt(2a), and
         // (1 - Y)^(-|1 - m|/2) with Y = 2 rho/a + (rho/a)^2 for y.
         const Ball eta = rho / a_;
-        const Ball rate = power_factor_ * (exponent_ + 1) * pow(a_, exponent_);
+        const Ball rate = power_->force_rate(a_);
         return rate / (pi * a_) * sqrt(a_ * 2) * 2 *
-               pow(1 - eta * 2 - eta * eta, -(abs(1 - exponent_) / 2));
+               pow(1 - eta * 2 - eta * eta, -(abs(1 - power_->exponent) / 2));
     }
     // With z = u (D - u_v)/((D - u) u_v): G = 2 artanh sqrt(z) = 2 (z^(1/2) + z^(3/2)/3 + ...), and
     // G/sqrt(u) has no negative coefficient; sqrt(D - u) has |coefficients| that sum to < 2
@@ -134,26 +132,21 @@ Ball BallContact::majorant(Edge edge, const Ball& rho) const {
     const bool right = edge == Edge::right;
     const Ball other = D - rho;
     Ball sum(0, bits_);
-    Ball arc(0, bits_);
-    BallMark previous = BallMark::left_end(a_, b_);
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const bool edge_here = i == knots_.size();
-        const BallMark next = edge_here ? BallMark::right_end(a_, b_) : mark(a_, b_, i);
-        arc += pieces_[i].rate * (previous.h - next.h);
-        if (!edge_here && !next.outside && bends(i)) {
-            const Ball distance = right ? next.right : next.left;
-            const Ball offset = right ? rho - distance : distance - rho;
-            const Ball G =
-                ball_green(next, right ? rho : other, right ? other : rho, D, offset).value /
-                sqrt(rho);
-            sum += abs(pieces_[i + 1].rate - pieces_[i].rate) * (rho + distance) * G;
-            if (profile_.has_corner(i)) {
-                sum += abs(jumps_[i]) * G;
-            }
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (!fixed_.bends[i]) {
+            continue;
         }
-        previous = next;
+        const Mark<Ball>& v = fixed_.marks[i];
+        const Ball distance = right ? v.right : v.left;
+        const Ball offset = right ? rho - distance : distance - rho;
+        const Ball G =
+            ball_green(v, right ? rho : other, right ? other : rho, D, offset).value / sqrt(rho);
+        sum += abs(slope_.rate_drop(i)) * (rho + distance) * G;
+        if (profile_.has_corner(i)) {
+            sum += abs(slope_.jump(i)) * G;
+        }
     }
-    return modulus_ / (pi * 2) * (sum + abs(arc) * sqrt(D) * 2);
+    return modulus_ / (pi * 2) * (sum + abs(fixed_.arc) * sqrt(D) * 2);
 }
 
 } // namespace edgeproof::contact

@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/series/functions.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ ExactContact::ExactContact(const Profile& profile, const formula::Exact& contact
     if (power_law_) {
         read_power_law();
     } else if (profile.piecewise_linear()) {
-        read_pieces();
+        slope_ = linear_slope<formula::ExactNumber>(profile_, formula::ExactNumber::of);
     } else {
         power_factor_ = formula::ExactNumber::unknown();
         if (load.kind == Load::Kind::right_edge) {
@@ -81,21 +82,6 @@ void ExactContact::read_power_law() {
     }
     power_factor_ =
         modulus_ * formula::ExactNumber::of(profile_.parameters().at("C").expr()) * factor;
-}
-
-void ExactContact::read_pieces() {
-    for (const formula::Exact& knot : profile_.knots()) {
-        knots_.push_back(formula::ExactNumber::of(knot.expr()));
-    }
-    for (const SlopePiece& piece : profile_.pieces()) {
-        pieces_.push_back({formula::ExactNumber::of(piece.linear->at_origin),
-                           formula::ExactNumber::of(piece.linear->rate)});
-    }
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        const auto at = [&](const Piece& p) { return p.at_origin + p.rate * knots_[i]; };
-        jumps_.push_back(profile_.has_corner(i) ? at(pieces_[i + 1]) - at(pieces_[i])
-                                                : formula::ExactNumber(0));
-    }
 }
 
 void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
@@ -146,67 +132,27 @@ void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& 
 void ExactContact::place_knots() {
     marks_.clear();
     placed_ = true;
-    const formula::ExactNumber half = (a_ + b_) / 2;
-    for (const formula::ExactNumber& v : knots_) {
-        const formula::ExactNumber right = a_ - v;
-        const formula::ExactNumber left = b_ + v;
-        const auto from_right = right.sign();
-        const auto from_left = left.sign();
+    const Extent<formula::ExactNumber> e{a_, b_};
+    for (const formula::ExactNumber& v : slope_.knots) {
+        const auto from_right = (a_ - v).sign();
+        const auto from_left = (b_ + v).sign();
         if (!from_right || !from_left) {
             placed_ = false;
             return;
         }
-        if (*from_right <= 0) {
-            marks_.push_back({half, 0, 0});
-        } else if (*from_left <= 0) {
-            marks_.push_back({-half, 0, formula::ExactNumber::pi()});
-        } else {
-            const formula::ExactNumber y = (left - right) / 2;
-            marks_.push_back({y, sqrt(right * left), angle_of_cosine(y / half), true});
-        }
+        marks_.push_back(*from_right <= 0  ? right_end(e)
+                         : *from_left <= 0 ? left_end(e)
+                                           : mark(e, v));
     }
 }
 
-template <class AtKnot, class Between>
-formula::ExactNumber ExactContact::over_measure(const AtKnot& at_knot,
-                                                const Between& between) const {
-    if (!placed_) {
-        return formula::ExactNumber::unknown();
-    }
-    const formula::ExactNumber half = (a_ + b_) / 2;
-    formula::ExactNumber sum;
-    Mark previous{-half, 0, formula::ExactNumber::pi()};
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const Mark next = i < knots_.size() ? marks_[i] : Mark{half, 0, 0};
-        // A piece with a constant g' weighs nothing, whatever is not known of its ends.
-        if (!pieces_[i].rate.is_zero()) {
-            sum += pieces_[i].rate * between(i, previous, next);
-        }
-        if (i < knots_.size() && next.inside && !jumps_[i].is_zero()) {
-            sum += at_knot(i, next);
-        }
-        previous = next;
-    }
-    return sum;
+template <class Kernel> formula::ExactNumber ExactContact::over_measure() const {
+    return placed_ ? over_linear_measure<Kernel>(slope_, {a_, b_}, marks_)
+                   : formula::ExactNumber::unknown();
 }
 
 bool ExactContact::balanced() const {
-    const std::size_t o = profile_.origin();
-    const formula::ExactNumber pi = formula::ExactNumber::pi();
-    return over_measure(
-               [&](std::size_t i, const Mark& m) {
-                   if (i != o) {
-                       return i > o ? jumps_[i] * m.h : -(jumps_[i] * (pi - m.h));
-                   }
-                   return pieces_[i + 1].at_origin * m.h + pieces_[i].at_origin * (pi - m.h);
-               },
-               [&](std::size_t i, const Mark& m, const Mark& n) {
-                   if (i > o) {
-                       return n.y * n.h - m.y * m.h + m.w - n.w;
-                   }
-                   return -(n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w);
-               })
-        .is_zero();
+    return placed_ && linear_imbalance(slope_, {a_, b_}, marks_).is_zero();
 }
 
 formula::ExactNumber ExactContact::force() const {
@@ -215,32 +161,19 @@ formula::ExactNumber ExactContact::force() const {
                    ? power_factor_ * pow(a_, Rational(static_cast<int>(*whole_exponent_) + 1))
                    : formula::ExactNumber::unknown();
     }
-    const formula::ExactNumber d = (a_ + b_) / 2;
-    return modulus_ / 2 *
-           over_measure([&](std::size_t i, const Mark& m) { return jumps_[i] * m.w; },
-                        [&](std::size_t, const Mark& m, const Mark& n) {
-                            return (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
-                        });
+    return modulus_ / 2 * over_measure<ForceKernel>();
 }
 
 formula::ExactNumber ExactContact::moment() const {
     if (profile_.symmetric()) {
         return {};
     }
-    const formula::ExactNumber d = (a_ + b_) / 2;
-    const formula::ExactNumber offset = a_ - b_;
-    return modulus_ / 4 *
-           over_measure(
-               [&](std::size_t i, const Mark& m) { return jumps_[i] * m.w * (m.y + offset); },
-               [&](std::size_t, const Mark& m, const Mark& n) {
-                   return (m.w * m.w * m.w - n.w * n.w * n.w) / 3 +
-                          offset * (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
-               });
+    return modulus_ / 4 * over_measure<MomentKernel>();
 }
 
 bool ExactContact::bends(std::size_t knot) const {
-    return !(pieces_[knot].rate == pieces_[knot + 1].rate &&
-             pieces_[knot].at_origin == pieces_[knot + 1].at_origin);
+    return !(slope_.rate(knot) == slope_.rate(knot + 1) &&
+             slope_.pieces[knot].at_origin == slope_.pieces[knot + 1].at_origin);
 }
 
 formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumber& u) const {
@@ -271,23 +204,14 @@ formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumbe
         return formula::ExactNumber::unknown();
     }
     const formula::ExactNumber x = edge == Edge::right ? a_ - u : u - b_;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        const bool on_it = (x - knots_[i]).is_zero() && jumps_[i].is_zero();
-        if (marks_[i].inside && bends(i) && !on_it) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        const bool on_it = (x - slope_.knots[i]).is_zero() && slope_.jump(i).is_zero();
+        if (!marks_[i].end && bends(i) && !on_it) {
             return formula::ExactNumber::unknown(); // a logarithm
         }
     }
-    // The integral of g'' over the angle.
-    formula::ExactNumber arc;
-    formula::ExactNumber h = formula::ExactNumber::pi();
-    for (std::size_t i = 0; i <= knots_.size(); ++i) {
-        const formula::ExactNumber next = i < knots_.size() ? marks_[i].h : formula::ExactNumber(0);
-        if (!pieces_[i].rate.is_zero()) {
-            arc += pieces_[i].rate * (h - next);
-        }
-        h = next;
-    }
-    return modulus_ / (formula::ExactNumber::pi() * 2) * arc * root;
+    const Extent<formula::ExactNumber> e{a_, b_};
+    return modulus_ / (formula::ExactNumber::pi() * 2) * arc_of(slope_, e, marks_) * root;
 }
 
 std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t terms) const {
@@ -304,49 +228,17 @@ std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t term
         const auto m = static_cast<long>(*whole_exponent_);
         rate = pow_int(a, m) * (power_factor_ * static_cast<int>(m + 1));
     } else {
-        // dP/da = E*/2 times the integral of sqrt((a + v)/(a - v)) dg'(v): RightRateKernel.
-        const S zero(formula::ExactNumber(0), terms);
-        struct Moving {
-            S y;
-            S w;
-            S h;
-        };
-        Moving previous{-a, zero, zero + formula::ExactNumber::pi()};
-        for (std::size_t i = 0; i <= knots_.size(); ++i) {
-            Moving next{a, zero, zero};
-            if (i < knots_.size() && marks_[i].inside) {
-                const S y = zero + knots_[i];
-                const S right = a - y;
-                const S left = a + y;
-                // dh/dz = -d(cos h)/dz / sin h with cos h = v/a, sin h = w/a
-                const S w = sqrt(right * left);
-                S h = zero + marks_[i].h;
-                if (terms > 1) {
-                    const S cosine = y / a;
-                    h = antiderivative(-(derivative(cosine) * (a / w).truncated(terms - 1)),
-                                       marks_[i].h);
-                }
-                next = {y, w, h};
-            } else if (i < knots_.size() && !marks_[i].h.is_zero()) {
-                next = {-a, zero, zero + formula::ExactNumber::pi()};
-            }
-            if (!pieces_[i].rate.is_zero()) {
-                rate += (previous.w - next.w + a * (previous.h - next.h)) * pieces_[i].rate;
-            }
-            if (i < knots_.size() && marks_[i].inside && !jumps_[i].is_zero()) {
-                rate += (a + next.y) / next.w * jumps_[i];
-            }
-            previous = std::move(next);
+        const Extent<S> e{a, a};
+        std::vector<Mark<S>> moving;
+        for (std::size_t i = 0; i < marks_.size(); ++i) {
+            const auto& end = marks_[i].end;
+            moving.push_back(end ? end_mark(e, *end) : mark(e, slope_.knots[i]));
         }
+        rate = over_linear_measure<RightRateKernel>(slope_, e, moving);
         rate *= modulus_ / 2;
     }
-    std::vector<formula::ExactNumber> c =
-        right_edge_brackets(LawSeries<formula::ExactNumber>{rate, a}, a_);
-    const formula::ExactNumber unit = formula::ExactNumber::pi() * sqrt(a_ * 2);
-    for (formula::ExactNumber& x : c) {
-        x /= unit;
-    }
-    return c;
+    return coefficients_of(right_edge_brackets(LawSeries<formula::ExactNumber>{rate, a}, a_),
+                           length());
 }
 
 } // namespace edgeproof::contact

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/law/load.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
@@ -19,10 +21,10 @@ namespace edgeproof::contact {
 /// A normal contact in exact arithmetic, as far as its values have an exact form (ExactNumber):
 /// power laws of a whole exponent, piecewise linear slopes where the angles of the knots are
 /// multiples of pi/12. It tells where a value lies exactly on a number of few digits, or half-way
-/// between two, which no enclosure can. The formulas are those of BallContact. (Where a logarithm
-/// is left in a pressure there is nothing to tell: logarithms of algebraic numbers, pi and 1 are
-/// linearly independent over the algebraic numbers unless trivially dependent (A. Baker,
-/// Mathematika 13 (1966) 204), so that such a value is no rational number.)
+/// between two, which no enclosure can. The formulas are those of contact/law/, as in BallContact.
+/// (Where a logarithm is left in a pressure there is nothing to tell: logarithms of algebraic
+/// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially dependent
+/// (A. Baker, Mathematika 13 (1966) 204), so that such a value is no rational number.)
 class ExactContact {
 public:
     /// `near_a` and `near_b` enclose the edges. An edge that is not given is guessed from its ball,
@@ -41,37 +43,21 @@ public:
     [[nodiscard]] std::vector<formula::ExactNumber> expansion(Edge edge, std::size_t terms) const;
 
 private:
-    struct Piece {
-        formula::ExactNumber at_origin;
-        formula::ExactNumber rate;
-    };
-    /// A knot in the coordinates of the kernels (kernels.hpp); at an edge w is 0.
-    struct Mark {
-        formula::ExactNumber y;
-        formula::ExactNumber w;
-        formula::ExactNumber h;
-        bool inside = false;
-    };
     void read_power_law();
-    void read_pieces();
     void place_knots();
     void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
     [[nodiscard]] bool balanced() const;
     [[nodiscard]] bool bends(std::size_t knot) const;
-    template <class AtKnot, class Between>
-    [[nodiscard]] formula::ExactNumber over_measure(const AtKnot& at_knot,
-                                                    const Between& between) const;
+    template <class Kernel> [[nodiscard]] formula::ExactNumber over_measure() const;
 
     Profile profile_;
     formula::ExactNumber modulus_;
     bool power_law_ = false;
     std::optional<unsigned> whole_exponent_;
     formula::ExactNumber power_factor_; ///< P = power_factor a^(m+1)
-    std::vector<formula::ExactNumber> knots_;
-    std::vector<Piece> pieces_;
-    std::vector<formula::ExactNumber> jumps_;
-    std::vector<Mark> marks_;
-    bool placed_ = false; ///< all knots are told to be inside or not
+    LinearSlope<formula::ExactNumber> slope_;
+    std::vector<Mark<formula::ExactNumber>> marks_; ///< of the knots
+    bool placed_ = false;                           ///< all knots are told to be inside or not
     formula::ExactNumber a_;
     formula::ExactNumber b_;
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,63 +18,34 @@ namespace {
 constexpr std::size_t most_knots_in_symbols = 60;
 
 formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
-formula::Expr zero_expr() { return formula::Expr::number(Rational(0)); }
 
-/// A point v of the contact: its distance y from the middle, w = sqrt((a - v)(v + b)) and
-/// h = arccos(y/d), d the half-width.
-struct SymbolicMark {
-    formula::Expr y;
-    formula::Expr w;
-    formula::Expr h;
-};
-
-/// The integrals of the law over dg' (ball_contact.cpp has them in balls), a and b being exact.
+/// The integrals of the law over dg', a and b being exact.
 class SymbolicLaw {
 public:
     /// Throws BudgetError where the order of a knot and an edge is not decided.
     SymbolicLaw(const Profile& profile, formula::Expr a, formula::Expr b)
-        : profile_(profile), a_(std::move(a)), b_(std::move(b)), d_((a_ + b_) / whole(2)) {
+        : extent_{std::move(a), std::move(b)} {
         if (!profile.piecewise_linear() || profile.knots().size() > most_knots_in_symbols) {
             throw BudgetError("the law of this profile is not written in symbols");
         }
-        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
-            const formula::Expr& v = profile.knots()[i].expr();
-            marks_.push_back(side(a_ - v) <= 0   ? right_end()
-                             : side(v + b_) <= 0 ? left_end()
-                                                 : mark(v));
+        slope_ = linear_slope<formula::Expr>(profile, [](const formula::Expr& e) { return e; });
+        for (const formula::Expr& v : slope_.knots) {
+            marks_.push_back(side(extent_.a - v) <= 0   ? right_end(extent_)
+                             : side(v + extent_.b) <= 0 ? left_end(extent_)
+                                                        : mark(extent_, v));
         }
     }
 
     /// Zero where the edges balance.
     [[nodiscard]] formula::Expr imbalance() const {
-        const std::size_t o = profile_.origin();
-        const auto left = [](const formula::Expr& h) { return formula::Expr::pi() - h; };
-        return over_measure(
-            [&](std::size_t i, const SymbolicMark& m) {
-                if (i != o) {
-                    return i > o ? jump(i) * m.h : -(jump(i) * left(m.h));
-                }
-                return profile_.pieces()[i + 1].linear->at_origin * m.h +
-                       profile_.pieces()[i].linear->at_origin * left(m.h);
-            },
-            [&](std::size_t i, const SymbolicMark& m, const SymbolicMark& n) {
-                return i > o ? n.y * n.h - m.y * m.h + m.w - n.w
-                             : -(n.y * left(n.h) - m.y * left(m.h) + n.w - m.w);
-            });
+        return linear_imbalance(slope_, extent_, marks_);
     }
     /// P over E*/2.
     [[nodiscard]] formula::Expr twice_force() const {
-        return over_measure([&](std::size_t i, const SymbolicMark& m) { return jump(i) * m.w; },
-                            [&](std::size_t, const SymbolicMark& m, const SymbolicMark& n) {
-                                return (n.y * n.w - m.y * m.w + d_ * d_ * (m.h - n.h)) / whole(2);
-                            });
+        return over_linear_measure<ForceKernel>(slope_, extent_, marks_);
     }
 
 private:
-    using AtKnot = std::function<formula::Expr(std::size_t, const SymbolicMark&)>;
-    using BetweenKnots =
-        std::function<formula::Expr(std::size_t, const SymbolicMark&, const SymbolicMark&)>;
-
     [[nodiscard]] static int side(const formula::Expr& e) {
         const auto sign = decided_sign(e);
         if (!sign) {
@@ -81,39 +53,10 @@ private:
         }
         return *sign;
     }
-    [[nodiscard]] SymbolicMark mark(const formula::Expr& v) const {
-        const formula::Expr y = v - (a_ - b_) / whole(2);
-        return {y, formula::Expr::call("sqrt", {(a_ - v) * (v + b_)}),
-                formula::Expr::call("acos", {y / d_})};
-    }
-    [[nodiscard]] SymbolicMark right_end() const { return {d_, zero_expr(), zero_expr()}; }
-    [[nodiscard]] SymbolicMark left_end() const { return {-d_, zero_expr(), formula::Expr::pi()}; }
-    [[nodiscard]] formula::Expr jump(std::size_t i) const {
-        const auto& before = profile_.pieces()[i].linear;
-        const auto& after = profile_.pieces()[i + 1].linear;
-        return after->at_origin - before->at_origin +
-               (after->rate - before->rate) * profile_.knots()[i].expr();
-    }
-    [[nodiscard]] formula::Expr over_measure(const AtKnot& at_knot,
-                                             const BetweenKnots& between) const {
-        formula::Expr sum = zero_expr();
-        SymbolicMark previous = left_end();
-        for (std::size_t i = 0; i <= marks_.size(); ++i) {
-            const SymbolicMark next = i < marks_.size() ? marks_[i] : right_end();
-            sum = sum + profile_.pieces()[i].linear->rate * between(i, previous, next);
-            if (i < marks_.size() && (profile_.has_corner(i) || i == profile_.origin())) {
-                sum = sum + at_knot(i, next);
-            }
-            previous = next;
-        }
-        return sum;
-    }
 
-    const Profile& profile_;
-    formula::Expr a_;
-    formula::Expr b_;
-    formula::Expr d_;
-    std::vector<SymbolicMark> marks_;
+    LinearSlope<formula::Expr> slope_;
+    Extent<formula::Expr> extent_;
+    std::vector<Mark<formula::Expr>> marks_;
 };
 
 /// The number that the middle of x is.

@@ -228,7 +228,7 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
     if (about_m_ > most_m) {
         return unknown(bits);
     }
-    const Ball root = contact::root(y);
+    const Ball root = Field<Ball>::root(y);
     if (steps_ == 0) {
         return rest(q, y, root);
     }

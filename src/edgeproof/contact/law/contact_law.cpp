@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/law/contact_law.hpp"
 
+#include "edgeproof/contact/law/law_series.hpp"
 #include "edgeproof/precision/ball/special.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -25,7 +26,7 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
     if (profile.kind() == Profile::Kind::power_law && !profile.piecewise_linear()) {
         const T m = profile.parameters().at("m").template to<T>();
         const T C = profile.parameters().at("C").template to<T>();
-        power_ = PowerLaw{m, T(modulus_ * C * sine_power_integral<T>(T(m + T(1))))};
+        power_ = PowerLaw<T>{m, T(modulus_ * C * sine_power_integral<T>(T(m + T(1))))};
     }
     if constexpr (!std::same_as<T, double>) {
         if (!symmetric_ || (!power_ && !profile.piecewise_linear())) {
@@ -45,9 +46,8 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
 }
 
 template <Arithmetic T> T ContactLaw<T>::force(const Extent<T>& e) const {
-    using std::pow;
     if (power_) {
-        return T(power_->force_factor * pow(e.a, T(power_->exponent + T(1))));
+        return power_->force(e.a);
     }
     return T(modulus_ / T(2) * over_measure<ForceKernel>(e));
 }
@@ -60,9 +60,8 @@ template <Arithmetic T> T ContactLaw<T>::moment(const Extent<T>& e) const {
 }
 
 template <Arithmetic T> T ContactLaw<T>::force_rate(const Extent<T>& e) const {
-    using std::pow;
     if (power_) {
-        return T(power_->force_factor * (power_->exponent + T(1)) * pow(e.a, power_->exponent));
+        return power_->force_rate(e.a);
     }
     return T(modulus_ / T(2) * over_measure<RightRateKernel>(e));
 }
@@ -93,8 +92,7 @@ template <Arithmetic T> T ContactLaw<T>::right_edge(const T& b) const {
 }
 
 template <Arithmetic T>
-typename ContactLaw<T>::EdgeStep ContactLaw<T>::edge_step(const T& known, const T& unknown,
-                                                          bool solve_left) const {
+EdgeStep<T> ContactLaw<T>::edge_step(const T& known, const T& unknown, bool solve_left) const {
     const Extent<T> e = extent_with(known, unknown, solve_left);
     Marks<T, T> marks(e, slope_.knots());
     const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
@@ -165,103 +163,25 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
     return search_edge(known, start, solve_left);
 }
 
-/// The imbalance grows with a and falls with b, so a bracket always exists where a solution does;
-/// Newton runs inside it and falls back on halving (of the logarithm: edges may differ by thirty
-/// decades).
 template <Arithmetic T>
 T ContactLaw<T>::search_edge(const T& known, const T& start, bool solve_left) const {
-    using std::abs;
-    using std::isfinite;
-    using std::sqrt;
-    // > 0: the unknown edge lies further out. Where there is no value (an exponential beyond the
-    // numbers of T, a quadrature that does not converge) it is too far out.
-    std::exception_ptr failure;
-    const auto want_more = [&](const T& unknown) {
-        try {
+    return contact::search_edge<T>(
+        start,
+        [&](const T& unknown) {
             const T f = imbalance(extent_with(known, unknown, solve_left));
-            if (f == f) {
-                return solve_left ? f : T(-f);
-            }
-        } catch (const DomainError&) {
-            failure = std::current_exception();
-        } catch (const BudgetError&) {
-            failure = std::current_exception();
-        }
-        return T(-1);
-    };
-    T x = start;
-    T lo(0);
-    T hi(0);
-    T f = want_more(x);
-    T factor(4);
-    for (int k = 0; k < 40; ++k) {
-        if (f == T(0)) {
-            return x;
-        }
-        const T next = f > T(0) ? T(x * factor) : T(x / factor);
-        if (!isfinite(next) || next == T(0)) {
-            break;
-        }
-        (f > T(0) ? lo : hi) = x;
-        const T g = want_more(next);
-        if ((g > T(0)) != (f > T(0))) {
-            (f > T(0) ? hi : lo) = next;
-            break;
-        }
-        x = next;
-        f = g;
-        factor = factor * factor;
-    }
-    if ((!(lo > T(0)) || !(hi > T(0))) && failure) {
-        std::rethrow_exception(failure);
-    }
-    if (!(lo > T(0)) || !(hi > T(0))) {
-        throw DomainError("no position of the other edge closes this contact: the profile does not "
-                          "rise on that side");
-    }
-    x = T(sqrt(lo) * sqrt(hi));
-    const T eps = unit_roundoff<T>();
-    T last_step = hi - lo;
-    const auto step_at = [&](const T& unknown) {
-        try {
-            return edge_step(known, unknown, solve_left);
-        } catch (const DomainError&) {
-        } catch (const BudgetError&) {
-        }
-        return EdgeStep{T(-1), T(-hi)}; // too far out, as above
-    };
-    for (int k = 0; k < 20000; ++k) {
-        const EdgeStep s = step_at(x);
-        if (s.value == T(0)) {
-            return x;
-        }
-        (s.value > T(0) ? lo : hi) = x;
-        T next = x + s.step;
-        const bool inside = next > lo && next < hi;
-        if (inside && abs(s.step) <= T(4) * eps * x) {
-            return next;
-        }
-        if (!inside || (k > 3 && abs(s.step) > last_step / T(2))) {
-            next = T(sqrt(lo) * sqrt(hi));
-            if (!(next > lo) || !(next < hi)) {
-                return x;
-            }
-        }
-        last_step = abs(s.step);
-        x = next;
-    }
-    throw BudgetError("the search for a contact edge did not settle");
+            return solve_left ? f : T(-f);
+        },
+        [&](const T& unknown) { return edge_step(known, unknown, solve_left); });
 }
 
 template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const {
     using std::abs;
     using std::isfinite;
-    using std::pow;
     if (!(P > T(0)) || !isfinite(P)) {
         throw DomainError("the normal force is not positive and finite");
     }
     if (power_) {
-        return T(pow(T(P / power_->force_factor), T(T(1) / (power_->exponent + T(1)))));
+        return power_->half_width(P);
     }
     // A flat at the origin carries no force until the contact leaves it.
     T lo(0);
@@ -274,7 +194,9 @@ template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const 
     if (const auto x = refined_from_guess(P)) {
         return *x;
     }
-    return search_right_edge(P, lo);
+    return search_right_edge<T>(
+        P, lo, T(P / modulus_),
+        [&](const T& a, std::exception_ptr& failure) { return force_at(a, failure); });
 }
 
 /// Newton's steps from the answer in binary64; nothing where they do not shrink.
@@ -319,15 +241,14 @@ template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const
 /// The force at the right edge a, and its rate; nothing where no contact ends there: its balance
 /// may ask for more of the slope on the other side than there is, so that a is too large.
 template <Arithmetic T>
-std::optional<typename ContactLaw<T>::ForceAt>
-ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
+std::optional<ForceAt<T>> ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
     using std::isfinite;
     if (!symmetric_ && !(slope_.value(slope_.piece_at(a), a) > T(0))) {
-        return ForceAt{T(0), T(0)}; // the right side of the contact is flat: nothing to balance
+        return ForceAt<T>{T(0), T(0)}; // the right side of the contact is flat: nothing to balance
     }
     try {
         const Extent<T> e = extent(a);
-        const ForceAt found{force(e), force_rate(e)};
+        const ForceAt<T> found{force(e), force_rate(e)};
         if (isfinite(found.force)) {
             return found;
         }
@@ -339,99 +260,23 @@ ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
     return std::nullopt;
 }
 
-/// P(a) grows from 0 for every convex profile, without bound where it goes on for ever: bracket by
-/// doubling, then Newton inside the bracket.
-template <Arithmetic T> T ContactLaw<T>::search_right_edge(const T& P, const T& least) const {
-    using std::abs;
-    constexpr int most_doublings = 4000;
-    constexpr int most_failures = 80;
-    std::exception_ptr failure;
-    int failures = 0;
-    // No contact at x counts as one that carries more.
-    const auto at = [&](const T& x) {
-        auto found = force_at(x, failure);
-        if (!found && ++failures > most_failures && failure) {
-            std::rethrow_exception(failure);
-        }
-        return found;
-    };
-    const auto below = [&](const T& x) {
-        const auto found = at(x);
-        return found && found->force < P;
-    };
-    T lo = least;
-    T hi = lo > T(0) ? T(lo * T(2)) : T(P / modulus_);
-    int doublings = 0;
-    while (below(hi)) {
-        lo = hi;
-        hi = hi * T(2);
-        if (++doublings > most_doublings) {
-            throw BudgetError("no contact width carries this normal force");
-        }
-    }
-    while (lo == T(0)) {
-        const T half = hi / T(2);
-        (below(half) ? lo : hi) = half;
-        if (++doublings > most_doublings) {
-            throw BudgetError("no contact width carries this normal force");
-        }
-    }
-    T x = (lo + hi) / T(2);
-    const T eps = unit_roundoff<T>();
-    T last_step = hi - lo;
-    bool carried = false; // some contact carries as much
-    for (int k = 0; k < 500; ++k) {
-        const auto found = at(x);
-        const T value = found ? T(P - found->force) : T(-P);
-        carried = carried || (found && !(value > T(0)));
-        if (value == T(0)) {
-            return x;
-        }
-        (value > T(0) ? lo : hi) = x;
-        const bool sloped = found && found->rate > T(0);
-        const T step = sloped ? T(value / found->rate) : T(hi - lo);
-        T next = x + step;
-        if (sloped && abs(step) <= T(4) * eps * x) {
-            return next;
-        }
-        if (!(next > lo) || !(next < hi) || (k > 3 && abs(step) > last_step / T(2))) {
-            next = (lo + hi) / T(2);
-            if (!(next > lo) || !(next < hi)) {
-                if (!carried && failure) {
-                    std::rethrow_exception(failure);
-                }
-                return x;
-            }
-        }
-        last_step = abs(step);
-        x = next;
-    }
-    throw BudgetError("Newton's iteration for the contact width did not settle in 500 steps");
-}
-
 template <Arithmetic T>
 LawSeries<T> ContactLaw<T>::series(const Extent<T>& e, std::size_t order) const {
     using S = series::Series<T>;
     const S a = S::variable(e.a, order);
     if (power_) {
-        return {pow(a, power_->exponent) * T(power_->force_factor * (power_->exponent + T(1))), a};
+        return {power_->force_rate_series(a), a};
     }
     S b = a;
     if (!symmetric_) {
-        // b'(a) = (dP/da)/(dP/db); each step of Newton doubles the terms that are right.
-        b = S(e.b, 1);
-        for (std::size_t known = 1; known < order;) {
-            known = std::min(2 * known, order);
-            std::vector<T> padded = b.coefficients();
-            padded.resize(known, T(0));
-            const Extent<S> moving{a.truncated(known), S(std::move(padded))};
-            Marks<T, S> marks(moving, slope_.knots());
-            const S gap = over_measure<RightBalanceKernel>(marks, Part::right_of_origin) -
-                          over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
-            const S rate = over_measure<LeftRateKernel>(marks) / moving.length();
-            b = moving.b + gap / rate;
-            b[0] = e.b; // the edge is where it was put; its roundoff is not a correction
-        }
+        b = left_edge_by_newton(
+            a, e.b,
+            [&](const Extent<S>& moving) {
+                Marks<T, S> marks(moving, slope_.knots());
+                return S(over_measure<RightBalanceKernel>(marks, Part::right_of_origin) -
+                         over_measure<LeftBalanceKernel>(marks, Part::left_of_origin));
+            },
+            [&](const Extent<S>& moving) { return over_measure<LeftRateKernel>(moving); });
     }
     const Extent<S> moving{a, b};
     return {over_measure<RightRateKernel>(moving) * T(modulus_ / T(2)), b};

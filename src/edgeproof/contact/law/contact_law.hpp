@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/law/edge_search.hpp"
 #include "edgeproof/contact/law/measure.hpp"
+#include "edgeproof/contact/law/power_law.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 
 #include <cstddef>
@@ -31,6 +33,9 @@ public:
     [[nodiscard]] const SlopeIn<T>& slope() const noexcept { return slope_; }
     [[nodiscard]] const T& contact_modulus() const noexcept { return modulus_; }
     [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
+    /// Where g' is a power that is not linear: its closed form, since g'' is not integrable in
+    /// practice for m near 0.
+    [[nodiscard]] const std::optional<PowerLaw<T>>& power_law() const noexcept { return power_; }
 
     /// b(a) by the consistency condition; a itself for a symmetric profile, with nothing solved.
     /// Throws DomainError for a <= 0, or when no b closes the contact on the left.
@@ -61,35 +66,18 @@ public:
     [[nodiscard]] std::size_t evaluations() const noexcept { return evaluations_; }
 
 private:
-    /// P = force_factor a^(m+1) for a power law: its own closed form (moore-hills.tex, line 144),
-    /// since g'' is not integrable in practice for m near 0.
-    struct PowerLaw {
-        T exponent;
-        T force_factor;
-    };
-    template <template <class, class> class Kernel, class U>
+    template <class Kernel, class U>
     [[nodiscard]] U over_measure(Marks<T, U>& marks, Part part = Part::all) const {
-        return integrate_measure<T, U>(measure_kernel<U, Kernel<U, T>>(), slope_, marks, part,
+        return integrate_measure<T, U>(measure_kernel<T, U, Kernel>(), slope_, marks, part,
                                        symmetric_, target_digits_, &evaluations_);
     }
-    template <template <class, class> class Kernel, class U>
-    [[nodiscard]] U over_measure(const Extent<U>& e) const {
+    template <class Kernel, class U> [[nodiscard]] U over_measure(const Extent<U>& e) const {
         Marks<T, U> marks(e, slope_.knots());
         return over_measure<Kernel>(marks);
     }
-    /// The imbalance at a trial edge, positive when it lies further out, and Newton's step.
-    struct EdgeStep {
-        T value;
-        T step;
-    };
-    [[nodiscard]] EdgeStep edge_step(const T& known, const T& unknown, bool solve_left) const;
-    struct ForceAt {
-        T force;
-        T rate; ///< dP/da
-    };
-    [[nodiscard]] std::optional<ForceAt> force_at(const T& a, std::exception_ptr& failure) const;
+    [[nodiscard]] EdgeStep<T> edge_step(const T& known, const T& unknown, bool solve_left) const;
+    [[nodiscard]] std::optional<ForceAt<T>> force_at(const T& a, std::exception_ptr& failure) const;
     [[nodiscard]] std::optional<T> refined_from_guess(const T& P) const;
-    [[nodiscard]] T search_right_edge(const T& P, const T& least) const;
     [[nodiscard]] T solve_edge(const T& known, bool solve_left) const;
     /// Where Newton starts: nullopt if neither binary64 nor fewer digits decide.
     [[nodiscard]] std::optional<T> guessed_edge(const T& known, bool solve_left) const;
@@ -100,7 +88,7 @@ private:
     T modulus_;
     bool symmetric_;
     unsigned target_digits_;
-    std::optional<PowerLaw> power_;
+    std::optional<PowerLaw<T>> power_;
     std::shared_ptr<const ContactLaw<double>> guess_; ///< starts Newton; decides nothing
     /// The same law with fewer digits, which starts Newton closer; null where guess_ will do.
     std::shared_ptr<const ContactLaw> coarser_;

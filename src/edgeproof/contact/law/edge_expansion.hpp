@@ -10,6 +10,8 @@
 
 namespace edgeproof::contact {
 
+[[nodiscard]] constexpr std::size_t nth(int k) { return static_cast<std::size_t>(k); }
+
 /// The brackets r_k of c_k = r_k/(pi sqrt(a + b)) at the right edge, for a field T (symbolic ones
 /// included): p(a - u) with s = a - u sigma in eqn:ContactPressure_NonSym, first branch, is
 /// sqrt(u)/(pi sqrt(D)) times the integral over 0 < sigma < 1 of
@@ -17,26 +19,71 @@ namespace edgeproof::contact {
 /// `force_rate` and `b` are P'(a + z) and b(a + z); as many terms come out as go in.
 template <class T>
 [[nodiscard]] std::vector<T> right_edge_brackets(const LawSeries<T>& law, const T& a) {
-    using P = series::Polynomial<T>;
-    const std::size_t n = std::min(law.force_rate.order(), law.b.order());
+    const auto n = static_cast<int>(std::min(law.force_rate.order(), law.b.order()));
     const T D = a + law.b[0];
-    series::Series<P> rate(P(T(0)), n);
-    series::Series<P> distance(P(T(0)), n); // (x + b(s))/D
-    for (std::size_t k = 0; k < n; ++k) {
-        const T sign(k % 2 == 0 ? 1 : -1);
-        rate[k] = P::monomial(T(law.force_rate[k] * sign), k);
-        distance[k] = k == 0 ? P(T(1)) : P::monomial(T(law.b[k] * sign / D), k);
+    const T zero = Field<T>::number(0, D);
+    const T one = Field<T>::number(1, D);
+    // y_k, of u^k in [(x + b(s))/D]^(-1/2), is a polynomial in sigma of degree k: k y_k is the sum
+    // over j of (-j/2 - (k - j)) x_j y_{k-j}. Of (x + b(s))/D the part x_j is a multiple of
+    // sigma^j, and x_1 has a constant, too.
+    std::vector<T> x;
+    for (int k = 0; k < n; ++k) {
+        x.push_back(T(law.b[nth(k)] / D * (k % 2 == 0 ? 1 : -1)));
     }
-    if (n > 1) {
-        distance[1] -= P(T(T(1) / D));
+    const T constant = zero - 1 / D;
+    std::vector<std::vector<T>> y{{one}};
+    for (int k = 1; k < n; ++k) {
+        std::vector<T> sum(nth(k) + 1, zero);
+        for (int j = 1; j <= k; ++j) {
+            const std::vector<T>& before = y[nth(k - j)];
+            const int twice = j - 2 * k; // -j/2 - (k - j)
+            for (std::size_t l = 0; j == 1 && l < before.size(); ++l) {
+                sum[l] += constant * before[l] * twice;
+            }
+            for (std::size_t l = 0; l < before.size(); ++l) {
+                sum[nth(j) + l] += x[nth(j)] * before[l] * twice;
+            }
+        }
+        for (T& c : sum) {
+            c /= 2 * k;
+        }
+        y.push_back(std::move(sum));
     }
-    const P minus_half(T(T(-1) / T(2)));
-    const series::Series<P> integrand = rate * pow_with_constant<P>(distance, minus_half, P(T(1)));
+    // Of sigma^j (1 - sigma)^(-1/2): B(j + 1, 1/2).
+    std::vector<T> beta{Field<T>::number(2, D)};
+    for (int j = 1; j < n; ++j) {
+        beta.push_back(T(beta.back() * (2 * j) / (2 * j + 1)));
+    }
     std::vector<T> brackets;
-    for (std::size_t k = 0; k < n; ++k) {
-        brackets.push_back(integrand[k].integrate_beta());
+    for (int k = 0; k < n; ++k) {
+        T sum = zero;
+        for (int j = 0; j <= k; ++j) {
+            // P' brings (-1)^j p_j sigma^j u^j.
+            const T rate = law.force_rate[nth(j)] * (j % 2 == 0 ? 1 : -1);
+            const std::vector<T>& rest = y[nth(k - j)];
+            for (std::size_t l = 0; l < rest.size(); ++l) {
+                sum += rate * rest[l] * beta[nth(j) + l];
+            }
+        }
+        brackets.push_back(std::move(sum));
     }
     return brackets;
+}
+
+/// c_k = r_k/(pi sqrt(a + b)) of the brackets of either edge.
+template <class T>
+[[nodiscard]] std::vector<T> coefficients_of(std::vector<T> brackets, const T& length,
+                                             const T& pi) {
+    using std::sqrt;
+    const T unit = pi * sqrt(length);
+    for (T& x : brackets) {
+        x /= unit;
+    }
+    return brackets;
+}
+template <class T>
+[[nodiscard]] std::vector<T> coefficients_of(std::vector<T> brackets, const T& length) {
+    return coefficients_of(std::move(brackets), length, Field<T>::pi(length));
 }
 
 /// The steps of the left edge's own derivation (the paper's Appendix), u the distance from -b:
@@ -128,7 +175,6 @@ template <class T>
 template <Arithmetic T>
 [[nodiscard]] std::vector<T> edge_expansion(const ContactLaw<T>& law, const Extent<T>& e, Edge edge,
                                             std::size_t terms) {
-    using std::sqrt;
     if (terms == 0) {
         return {};
     }
@@ -137,11 +183,7 @@ template <Arithmetic T>
     std::vector<T> c = edge == Edge::right ? right_edge_brackets(series, e.a)
                                            : left_edge_derivation(series, e.a).brackets;
     c.resize(terms);
-    const T unit = pi<T>() * sqrt(e.length());
-    for (T& x : c) {
-        x /= unit;
-    }
-    return c;
+    return coefficients_of(std::move(c), T(e.length()));
 }
 
 } // namespace edgeproof::contact

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/elementary/elementary.hpp"
-#include "edgeproof/series/functions.hpp"
+#include "edgeproof/contact/law/field.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -13,9 +12,12 @@
 /// kernel. They follow from moore-hills.tex eqn:SIEPressure and its neighbours (in the form for
 /// -b < x < a) by one integration by parts; the boundary terms vanish by eqn:Consistency. No
 /// kernel changes sign, so no sum of theirs cancels.
+///
+/// They stand here for every field (field.hpp). In balls a radius depends on the order of the
+/// operations: keep it.
 namespace edgeproof::contact {
 
-/// The extent -b < x < a. U is T, or Series<T> where a and b move.
+/// The extent -b < x < a. U is a number, or a series of numbers where a and b move.
 template <class U> struct Extent {
     U a;
     U b;
@@ -24,23 +26,34 @@ template <class U> struct Extent {
 
 /// A point v of the contact in the coordinates that the kernels are written in.
 template <class U> struct Mark {
-    U y; ///< v - c, c = (a - b)/2 the middle
-    U w; ///< sqrt((a - v)(v + b))
-    U h; ///< integral from v to a of ds/w(s) = 2 atan sqrt((a - v)/(v + b)), between 0 and pi
+    U right;                      ///< a - v
+    U left;                       ///< v + b
+    U y;                          ///< v - c, c = (a - b)/2 the middle
+    U w;                          ///< sqrt((a - v)(v + b))
+    U h;                          ///< integral from v to a of ds/w(s), between 0 and pi
+    std::optional<Edge> end = {}; ///< at this edge, or certainly beyond it
 };
 
-template <class U, class T> [[nodiscard]] Mark<U> mark(const Extent<U>& e, const T& v) {
-    using std::sqrt;
-    const U right = e.a - v;
-    const U left = e.b + v;
-    return {U((left - right) / T(2)), U(sqrt(U(right * left))),
-            U(arc_tangent(U(sqrt(U(right / left)))) * T(2))};
+/// By the distances of v from both edges.
+template <class U> [[nodiscard]] Mark<U> mark_between(const U& right, const U& left) {
+    using F = Field<U>;
+    return {right, left, F::over(U(left - right), 2), F::root(U(right * left)),
+            F::angle(right, left)};
 }
-template <class U, class T> [[nodiscard]] Mark<U> right_end(const Extent<U>& e) {
-    return {U(e.length() / T(2)), U(e.a * T(0)), U(e.a * T(0))};
+template <class U, class V> [[nodiscard]] Mark<U> mark(const Extent<U>& e, const V& v) {
+    return mark_between<U>(U(e.a - v), U(e.b + v));
 }
-template <class U, class T> [[nodiscard]] Mark<U> left_end(const Extent<U>& e) {
-    return {U(-(e.length() / T(2))), U(e.a * T(0)), U(e.a * T(0) + pi<T>())};
+template <class U> [[nodiscard]] Mark<U> right_end(const Extent<U>& e) {
+    const U zero = Field<U>::number(0, e.a);
+    return {zero, e.length(), Field<U>::over(e.length(), 2), zero, zero, Edge::right};
+}
+template <class U> [[nodiscard]] Mark<U> left_end(const Extent<U>& e) {
+    const U zero = Field<U>::number(0, e.a);
+    return {e.length(),        zero,      U(-Field<U>::over(e.length(), 2)), zero,
+            Field<U>::pi(e.a), Edge::left};
+}
+template <class U> [[nodiscard]] Mark<U> end_mark(const Extent<U>& e, Edge edge) {
+    return edge == Edge::right ? right_end(e) : left_end(e);
 }
 
 /// The marks of a contact at the knots of its profile, each worked out once, when it is first asked
@@ -53,61 +66,85 @@ public:
     [[nodiscard]] const Mark<U>& at(std::size_t knot) {
         auto& known = at_[knot];
         if (!known) {
-            known = mark<U, T>(extent_, knots_[knot]);
+            known = mark(extent_, knots_[knot]);
         }
         return *known;
+    }
+    /// Of all knots of a U that is a number: those that are not inside lie at the ends.
+    [[nodiscard]] const std::vector<Mark<U>>& all() {
+        if (all_.empty()) {
+            for (std::size_t i = 0; i < knots_.size(); ++i) {
+                all_.push_back(!(knots_[i] < extent_.a)    ? right_end(extent_)
+                               : !(-knots_[i] < extent_.b) ? left_end(extent_)
+                                                           : at(i));
+            }
+        }
+        return all_;
     }
 
 private:
     const Extent<U>& extent_;
     const std::vector<T>& knots_;
     std::vector<std::optional<Mark<U>>> at_;
+    std::vector<Mark<U>> all_;
 };
 
-/// A kernel phi: its value at a mark (for corners) and its integral between two marks (for pieces
-/// on which g'' is constant). `e` supplies the extent.
-template <class U, class T> struct ForceKernel { // P = (E*/2) integral of w dg'
-    static U at(const Extent<U>&, const Mark<U>& m) { return m.w; }
-    static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
-        const U d = e.length() / T(2);
-        return (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / T(2);
+/// A kernel phi: weight phi(v) at a mark (for corners) and its integral between two marks (for
+/// pieces on which g'' is constant). `e` supplies the extent.
+struct ForceKernel { // P = (E*/2) integral of w dg'
+    template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
+        return times(weight, m.w);
+    }
+    /// Twice the integral.
+    template <class U>
+    static U twice_between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
+        const U d = Field<U>::over(e.length(), 2);
+        return n.y * n.w - m.y * m.w + d * d * (m.h - n.h);
+    }
+    template <class U> static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
+        return Field<U>::over(twice_between(e, m, n), 2);
     }
 };
-template <class U, class T> struct MomentKernel { // M = (E*/4) integral of w (v + c) dg'
-    static U at(const Extent<U>& e, const Mark<U>& m) { return m.w * (m.y + e.a - e.b); }
-    static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
-        return (m.w * m.w * m.w - n.w * n.w * n.w) / T(3) +
-               (e.a - e.b) * ForceKernel<U, T>::between(e, m, n);
+struct MomentKernel { // M = (E*/4) integral of w (v + c) dg'
+    template <class U, class W> static U at(const Extent<U>& e, const Mark<U>& m, const W& weight) {
+        return times(weight, m.w) * (m.y + (e.a - e.b));
+    }
+    template <class U> static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
+        return Field<U>::over(U(m.w * m.w * m.w - n.w * n.w * n.w), 3) +
+               Field<U>::over(U((e.a - e.b) * ForceKernel::twice_between(e, m, n)), 2);
     }
 };
-template <class U, class T>
 struct RightRateKernel { // dP/da = (E*/2) integral of sqrt((v+b)/(a-v)) dg'
-    static U at(const Extent<U>& e, const Mark<U>& m) { return (e.length() / T(2) + m.y) / m.w; }
-    static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
-        return m.w - n.w + e.length() / T(2) * (m.h - n.h);
+    template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
+        return times(weight, U(m.left / m.w));
+    }
+    template <class U> static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
+        return m.w - n.w + Field<U>::over(e.length(), 2) * (m.h - n.h);
     }
 };
-template <class U, class T>
 struct LeftRateKernel { // dP/db = (E*/2) integral of sqrt((a-v)/(v+b)) dg'
-    static U at(const Extent<U>& e, const Mark<U>& m) { return (e.length() / T(2) - m.y) / m.w; }
-    static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
-        return n.w - m.w + e.length() / T(2) * (m.h - n.h);
+    template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
+        return times(weight, U(m.right / m.w));
+    }
+    template <class U> static U between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
+        return n.w - m.w + Field<U>::over(e.length(), 2) * (m.h - n.h);
     }
 };
-template <class U, class T> struct RightBalanceKernel { // consistency, right of the origin: h
-    static U at(const Extent<U>&, const Mark<U>& m) { return m.h; }
-    static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
+struct RightBalanceKernel { // consistency, right of the origin: h
+    template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
+        return times(weight, m.h);
+    }
+    template <class U> static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
         return n.y * n.h - m.y * m.h + m.w - n.w;
     }
 };
-template <class U, class T> struct LeftBalanceKernel { // consistency, left of it: pi - h
-    /// As 2 atan sqrt((v + b)/(a - v)): by the left edge pi - h would cancel, and the integral over
-    /// a piece that is all there would have no digits.
-    static U at(const Extent<U>& e, const Mark<U>& m) {
-        return arc_tangent(U(m.w / U(e.length() / T(2) - m.y))) * T(2);
+struct LeftBalanceKernel { // consistency, left of it: pi - h
+    template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
+        return times(weight, Field<U>::other_angle(m));
     }
-    static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
-        return n.y * (pi<T>() - n.h) - m.y * (pi<T>() - m.h) + n.w - m.w;
+    template <class U> static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
+        const U pi = Field<U>::pi(m.h);
+        return n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w;
     }
 };
 

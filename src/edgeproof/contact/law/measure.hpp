@@ -19,12 +19,13 @@ template <class T> struct LeadingTerm<series::Series<T>> {
 };
 
 /// A kernel of kernels.hpp for integrate_measure, which is compiled once for all of them.
-template <class U> struct MeasureKernel {
-    U (*at)(const Extent<U>&, const Mark<U>&);
+template <class T, class U> struct MeasureKernel {
+    U (*at_knot)(const Extent<U>&, const Mark<U>&, const T& weight);
+    U (*at)(const Extent<U>&, const Mark<U>&, const U& weight);
     U (*between)(const Extent<U>&, const Mark<U>&, const Mark<U>&);
 };
-template <class U, class Kernel> [[nodiscard]] MeasureKernel<U> measure_kernel() {
-    return {&Kernel::at, &Kernel::between};
+template <class T, class U, class Kernel> [[nodiscard]] MeasureKernel<T, U> measure_kernel() {
+    return {&Kernel::template at<U, T>, &Kernel::template at<U, U>, &Kernel::template between<U>};
 }
 
 /// The integral of kernel(v) dg'(v) over the contact (or a part of it): corners, pieces with
@@ -32,7 +33,7 @@ template <class U, class Kernel> [[nodiscard]] MeasureKernel<U> measure_kernel()
 /// of any order by a (with b a function of a). `marks` are those of the extent. `evaluations`
 /// counts the integrand.
 template <Arithmetic T, class U>
-U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Marks<T, U>& marks,
+U integrate_measure(const MeasureKernel<T, U>& kernel, const SlopeIn<T>& slope, Marks<T, U>& marks,
                     Part part, bool symmetric, unsigned target_digits, std::size_t* evaluations) {
     const auto& knots = slope.knots();
     const Extent<U>& e = marks.extent();
@@ -54,7 +55,7 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Mar
                    (part == Part::left_of_origin && i > slope.origin())) {
             continue;
         }
-        sum += kernel.at(e, marks.at(i)) * weight;
+        sum += kernel.at_knot(e, marks.at(i), weight);
     }
 
     for (std::size_t i = 0; i <= knots.size(); ++i) {
@@ -74,8 +75,8 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Mar
             continue;
         }
         if (piece.linear) {
-            const Mark<U> m = from_left_edge ? left_end<U, T>(e) : marks.at(i - 1);
-            const Mark<U> n = to_right_edge ? right_end<U, T>(e) : marks.at(i);
+            const Mark<U> m = from_left_edge ? left_end(e) : marks.at(i - 1);
+            const Mark<U> n = to_right_edge ? right_end(e) : marks.at(i);
             sum += kernel.between(e, m, n) * piece.rate;
             continue;
         }
@@ -92,28 +93,28 @@ U integrate_measure(const MeasureKernel<U>& kernel, const SlopeIn<T>& slope, Mar
             continue;
         }
         const auto f = [&](const T& r_lo, const T& r_hi) {
-            using std::sqrt;
             // r in units of the leading length, as a fraction of the moving length.
             const U from_lo = extent * T(r_lo / length);
             const U from_hi = extent * T(r_hi / length);
             const U left = beyond_left + from_lo;
             const U right = beyond_right + from_hi;
-            const Mark<U> m{U((left - right) / T(2)), U(sqrt(U(right * left))),
-                            U(arc_tangent(U(sqrt(U(right / left)))) * T(2))};
+            const Mark<U> m = mark_between(right, left);
             // Near the end that is the origin, v itself is the small distance.
             const U v = i == slope.origin()       ? U(-from_hi)
                         : i == slope.origin() + 1 ? from_lo
                                                   : U(lo + from_lo);
-            U weight = kernel.at(e, m);
-            if (fold) {
-                weight += kernel.at(e, Mark<U>{U(-m.y), m.w, U(pi<T>() - m.h)});
-            }
             // From the nearer end that is a knot.
             const bool by_left = to_right_edge || (!from_left_edge && r_lo < r_hi);
             const U rate = by_left && from_left_edge ? slope.template rate<U>(i, v)
                            : by_left                 ? slope.template rate<U>(i, v, i - 1, from_lo)
                                                      : slope.template rate<U>(i, v, i, U(-from_hi));
-            return U(weight * rate * U(extent / length));
+            const U weight = rate * U(extent / length);
+            U sample = kernel.at(e, m, weight);
+            if (fold) {
+                sample += kernel.at(
+                    e, Mark<U>{m.left, m.right, U(-m.y), m.w, U(Field<U>::pi(m.h) - m.h)}, weight);
+            }
+            return sample;
         };
         const auto result = quadrature::integrate_near<T>(
             f, length, LeadingTerm<U>::of(beyond_left), LeadingTerm<U>::of(beyond_right),

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/law/point.hpp"
 #include "edgeproof/precision/rational.hpp"
-#include "edgeproof/series/functions.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -31,52 +30,66 @@ template <class T> struct ShearLoad {
 };
 
 /// q(x), a stress; by the distances from both edges, so that near an edge nothing cancels but Q
-/// against sigma_0. Digits: those of T, less what that costs.
-template <Arithmetic T>
-[[nodiscard]] T full_stick_traction(const Point<T>& at, const ShearLoad<T>& load) {
+/// against sigma_0. Digits: those of T, less what that costs; a ball is an enclosure, not finite
+/// where the point may be an edge.
+template <class T>
+[[nodiscard]] T full_stick_traction(const T& right, const T& left, const ShearLoad<T>& load) {
     using std::sqrt;
-    return T((load.Q / pi<T>() + load.bulk_tension * (at.left - at.right) / T(8)) /
-             sqrt(T(at.right * at.left)));
+    return T((load.Q / Field<T>::pi(right) + load.bulk_tension * (left - right) / 8) /
+             sqrt(T(right * left)));
+}
+template <class T>
+[[nodiscard]] T full_stick_traction(const Point<T>& at, const ShearLoad<T>& load) {
+    return full_stick_traction(at.right, at.left, load);
+}
+/// At the distance u from an edge of a contact of `length` a + b.
+template <class T>
+[[nodiscard]] T full_stick_traction(const T& length, const ShearLoad<T>& load, Edge edge,
+                                    const T& u) {
+    const T other = length - u;
+    return edge == Edge::right ? full_stick_traction(u, other, load)
+                               : full_stick_traction(other, u, load);
 }
 
-/// sqrt(a + b) times the coefficients of u^(-1/2), u^(1/2), u^(3/2), ... of q at an edge (K_II,
-/// L_II, M_II, ...), over any field T, symbolic ones included: `Q_over_pi` = Q/pi, `length` =
-/// a + b. With u = D z the traction is [Q/pi +- sigma_0 D (1 - 2z)/8] (1-z)^(-1/2)/sqrt(D u).
+/// The coefficients of u^(-1/2), u^(1/2), u^(3/2), ... of q at an edge (K_II, L_II, M_II, ...),
+/// over any field, with `scale` in place of the sqrt(a + b) in them. `Q_over_pi` = Q/pi, `length` =
+/// D = a + b: with u = D z the traction is [Q/pi +- sigma_0 D (1 - 2z)/8] (1 - z)^(-1/2)/sqrt(D u),
+/// and (1 - z)^(-1/2) is the sum of beta_k z^k.
+template <class T>
+[[nodiscard]] std::vector<T> full_stick_terms(const T& Q_over_pi, const T& bulk_tension,
+                                              const T& length, Edge edge, std::size_t terms,
+                                              T scale) {
+    // The tension draws the right edge outwards.
+    const T by_tension = (edge == Edge::right ? bulk_tension : T(-bulk_tension)) * length;
+    const T lead = Q_over_pi + by_tension / 8;
+    T beta = Field<T>::number(1, length);
+    T beta_before = Field<T>::number(0, length);
+    std::vector<T> s;
+    for (int next = 1; s.size() < terms; ++next) {
+        s.push_back(T((lead * beta - by_tension / 4 * beta_before) / scale));
+        beta_before = beta;
+        beta = beta * (2 * next - 1) / (2 * next);
+        scale = scale * length;
+    }
+    return s;
+}
+
+/// sqrt(a + b) times K_II, L_II, M_II, ...: no root is left to take.
 template <class T>
 [[nodiscard]] std::vector<T> full_stick_brackets(const T& Q_over_pi, const T& bulk_tension,
                                                  const T& length, Edge edge, std::size_t terms) {
-    if (terms == 0) {
-        return {};
-    }
-    const T side(edge == Edge::right ? 1 : -1);
-    series::Series<T> load(Q_over_pi + side * bulk_tension * length / T(8), terms);
-    series::Series<T> other(T(1), terms); // the distance from the other edge over D
-    if (terms > 1) {
-        load[1] = -(side * bulk_tension * length / T(4));
-        other[1] = T(-1);
-    }
-    const series::Series<T> z = load * pow_with_constant<T>(other, T(T(-1) / T(2)), T(1));
-    std::vector<T> in_u;
-    T power(1);
-    for (std::size_t k = 0; k < terms; ++k) {
-        in_u.push_back(z[k] / power);
-        power *= length;
-    }
-    return in_u;
+    return full_stick_terms(Q_over_pi, bulk_tension, length, edge, terms,
+                            Field<T>::number(1, length));
 }
 
 /// K_II, L_II, M_II, ...: q = sum of s_k u^(k-1/2) at an edge; s_k has the units of
 /// stress/length^(k-1/2).
-template <Arithmetic T>
+template <class T>
 [[nodiscard]] std::vector<T> full_stick_expansion(const T& length, const ShearLoad<T>& load,
                                                   Edge edge, std::size_t terms) {
     using std::sqrt;
-    auto s = full_stick_brackets<T>(T(load.Q / pi<T>()), load.bulk_tension, length, edge, terms);
-    const T root = sqrt(length);
-    for (T& x : s) {
-        x /= root;
-    }
-    return s;
+    return full_stick_terms(T(load.Q / Field<T>::pi(length)), load.bulk_tension, length, edge,
+                            terms, T(sqrt(length)));
 }
 
 /// r_k such that the k-th coefficient vanishes at the right edge for sigma_0 (a + b)/Q = (8/pi)

@@ -17,6 +17,8 @@ struct Counts {
     std::size_t shear_expansions = 0; ///< edges at which q was expanded
     std::size_t resultants = 0;       ///< forces and moments
     std::size_t extents = 0;          ///< edges and numbers of terms whose extent was sought
+    std::size_t stick_zones = 0;      ///< partial slips solved
+    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was asked for
 
     friend bool operator==(const Counts&, const Counts&) = default;
 };

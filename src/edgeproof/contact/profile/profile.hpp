@@ -70,6 +70,10 @@ public:
     [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
     /// True if every piece is linear in x: then pressures have a closed form in logarithms.
     [[nodiscard]] bool piecewise_linear() const noexcept;
+    /// True if the pressure has a closed form: in logarithms, or Gauss's 2F1 for a power law.
+    [[nodiscard]] bool has_closed_form() const noexcept {
+        return kind_ == Kind::power_law || piecewise_linear();
+    }
     /// Parameters by their name in the paper (m, C, t, R, phi, alpha).
     [[nodiscard]] const std::map<std::string, formula::Exact>& parameters() const noexcept {
         return parameters_;

@@ -73,6 +73,10 @@ public:
     [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
     /// g'(knot+) - g'(knot-), exactly 0 where there is no corner.
     [[nodiscard]] const T& jump(std::size_t knot) const { return jumps_[knot]; }
+    [[nodiscard]] bool has_corner(std::size_t knot) const { return !(jumps_[knot] == T(0)); }
+    /// g'' of a linear piece, and by how much it falls across a knot between two.
+    [[nodiscard]] const T& rate(std::size_t piece) const { return pieces_[piece].rate; }
+    [[nodiscard]] T rate_drop(std::size_t knot) const { return T(rate(knot) - rate(knot + 1)); }
 
     /// g'(x) by the expression of one piece.
     [[nodiscard]] T value(std::size_t piece, const T& x) const {

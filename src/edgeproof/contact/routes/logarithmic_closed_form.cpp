@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
 #include "edgeproof/precision/instantiate.hpp"
 
@@ -15,6 +16,7 @@ template <Arithmetic T>
 RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, Marks<T, T>& marks,
                                           const Point<T>& at) {
     using std::abs;
+    using std::log1p;
     using std::sqrt;
     const Extent<T>& e = marks.extent();
     const SlopeIn<T>& slope = law.slope();
@@ -24,56 +26,30 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, Marks<T, T>&
         }
     }
     const T w_x = sqrt(T(at.right * at.left));
-    // G(x, v) = ln |(z_v + z_x)/(z_v - z_x)| with the roots cleared of the difference:
-    // (sqrt(r_v l_x) + sqrt(r_x l_v))^2 / (D |v - x|), where r_v l_x - r_x l_v = D (x - v).
-    const auto green = [&](const T& right, const T& left, const T& w, const T& distance) {
-        const T p = right * at.left;
-        const T q = at.right * left;
-        const T root = T(2) * w * w_x;
-        const T gap = e.length() * distance;
-        const T smaller = p < q ? p : q;
-        // ln((p + q + 2 sqrt(pq))/|p - q|): near an edge the argument is near 1.
-        return log_of_one_plus(T((T(2) * smaller + root) / gap));
+    const std::vector<Mark<T>>& list = marks.all();
+    struct Green {
+        T value;
+        T moment;
     };
-    T sum(0);
-    T previous_h = pi<T>();
-    T previous_moment(0); // (v - x) G at the last mark; 0 at the left edge
-    const auto& knots = slope.knots();
-    std::size_t piece = 0;
-    for (std::size_t i = 0; i <= knots.size(); ++i) {
-        const bool edge = i == knots.size() || !(knots[i] < e.a);
-        T h(0);
-        T moment(0);
-        if (!edge) {
-            if (!(-knots[i] < e.b)) {
-                piece = i + 1;
-                continue;
-            }
-            const Mark<T>& m = marks.at(i);
-            const T right = e.a - knots[i];
-            const T offset = right < at.right || right > at.right
-                                 ? T(at.right - right) // v - x, from the same edge
-                                 : T(0);
-            h = m.h;
-            const T distance = abs(offset);
-            if (distance == T(0)) {
-                if (!(slope.jump(i) == T(0))) {
+    const T sum = logarithmic_sum(
+        slope, list.size(), T(arc_of(slope, e, list) * w_x),
+        [&](std::size_t i) {
+            return !list[i].end && (slope.has_corner(i) || !(slope.rate_drop(i) == T(0)));
+        },
+        [&](std::size_t i) {
+            const Mark<T>& v = list[i];
+            const T offset = at.right - v.right; // v - x, from the same edge
+            if (offset == T(0)) {
+                if (slope.has_corner(i)) {
                     throw DomainError("the pressure is infinite at a corner of the profile");
                 }
-            } else {
-                const T G = green(right, T(e.b + knots[i]), m.w, distance);
-                moment = offset * G;
-                sum += slope.jump(i) * G;
+                return Green{T(0), T(0)};
             }
-        }
-        sum += slope.pieces()[piece].rate * (moment - previous_moment + w_x * (previous_h - h));
-        previous_h = h;
-        previous_moment = moment;
-        piece = i + 1;
-        if (edge) {
-            break;
-        }
-    }
+            const T excess = green_excess(v, at.right, at.left, w_x, offset > T(0) ? 1 : -1);
+            // MPFR's, as the balls of the same formula take Arb's.
+            const T G = log1p(T(excess / (e.length() * abs(offset))));
+            return Green{G, T(offset * G)};
+        });
     return {T(law.contact_modulus() / (T(2) * pi<T>()) * sum), T(0), 0, true};
 }
 

@@ -1,43 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/normal_contact.hpp"
 
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
-#include "edgeproof/contact/profile/profile_checks.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
+#include "edgeproof/contact/routes/solved_contact.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace edgeproof::contact {
-namespace {
-
-constexpr unsigned guard_digits = 20;
-/// A point given exactly is told from a knot down to this many decades below roundoff.
-constexpr unsigned knot_decades = 400;
-
-/// An edge that is solved for and lies so many decades beside a knot is on it, or might as well be.
-constexpr unsigned edge_decades = 300;
-constexpr unsigned curved_edge_decades = 60; ///< where each look takes quadratures
-
-/// How many decades x lies below `scale`; 0 where it does not.
-unsigned decades_below(const Real& x, const Real& scale) {
-    if (!(x > 0) || !(x < scale)) {
-        return 0;
-    }
-    // Asked for at every node of some integrals: the logarithm in binary64 will do.
-    long of_x = 0;
-    long of_scale = 0;
-    const double leading = mpfr_get_d_2exp(&of_scale, scale.backend().data(), MPFR_RNDN) /
-                           mpfr_get_d_2exp(&of_x, x.backend().data(), MPFR_RNDN);
-    return static_cast<unsigned>(
-        std::ceil(std::log10(leading) + static_cast<double>(of_scale - of_x) * std::log10(2.0)));
-}
-
-} // namespace
 
 std::string route_name(Route route) {
     switch (route) {
@@ -53,126 +24,6 @@ std::string route_name(Route route) {
     return "automatic";
 }
 
-/// The contact in numbers at one working precision. The mirrored law serves the left branch.
-struct NormalContact::Solved {
-    Solved(const Profile& profile, const formula::Exact& modulus, const Load& load, unsigned target)
-        : target_digits(target), roundoff(pow(Real(10), -static_cast<int>(target))),
-          law(profile, modulus.to<Real>(), target), extent{} {
-        const Real value = load.value.to<Real>();
-        extent = law.extent(load.kind == Load::Kind::right_edge ? value
-                                                                : law.right_edge_for_force(value));
-    }
-    /// The knots in the coordinates of the kernels, worked out where they are asked for.
-    Marks<Real, Real>& marks() {
-        if (!known_marks) {
-            known_marks.emplace(extent, law.slope().knots());
-        }
-        return *known_marks;
-    }
-    const ContactLaw<Real>& mirrored(const Profile& profile, const formula::Exact& modulus) {
-        if (!mirror) {
-            mirror = std::make_unique<ContactLaw<Real>>(profile.reflected(), modulus.to<Real>(),
-                                                        target_digits);
-        }
-        return *mirror;
-    }
-    /// The smallest distance of an edge from a knot, but not zero: what b - knot cancels to.
-    [[nodiscard]] Real smallest_gap() const {
-        Real gap = extent.length();
-        for (const Real& knot : law.slope().knots()) {
-            for (const Real& d : {Real(abs(extent.a - knot)), Real(abs(extent.b + knot))}) {
-                if (d > 0 && d < gap) {
-                    gap = d;
-                }
-            }
-        }
-        return gap;
-    }
-
-    unsigned target_digits;
-    Real roundoff; ///< of all that is computed with it, relative
-    ContactLaw<Real> law;
-    Extent<Real> extent;
-    std::unique_ptr<ContactLaw<Real>> mirror;
-    std::optional<Marks<Real, Real>> known_marks;
-    std::map<long, BallContact> in_balls; ///< by their bits
-};
-
-NormalContact::NormalContact(Profile profile, formula::Exact contact_modulus, Load load,
-                             unsigned digits, Work* work)
-    : profile_(std::move(profile)), modulus_(std::move(contact_modulus)), load_(std::move(load)),
-      digits_(digits), work_(work) {
-    if (modulus_.sign() <= 0) {
-        throw InputError("the contact modulus " + modulus_.text() + " is not positive",
-                         "give E* > 0");
-    }
-    if (load_.value.sign() <= 0) {
-        const bool edge = load_.kind == Load::Kind::right_edge;
-        throw InputError(
-            std::string(edge ? "the contact half-width a = " : "the normal force P = ") +
-                load_.value.text() + " is not positive",
-            edge ? "give a > 0" : "give P > 0");
-    }
-    // Gaps are found at a precision that would see them; a gap that fills it is looked at closer.
-    unsigned working = digits_ + guard_digits;
-    for (;;) {
-        const Solved& s = at(working);
-        const PrecisionScope scope(working);
-        // An edge that came out on a knot lies beside it by less than these digits show.
-        const bool on_knot = !edge_taken_on_knot() && solved_edge_on_knot(s);
-        const unsigned lost =
-            on_knot ? working : decades_below(s.smallest_gap(), s.extent.length());
-        const unsigned needed = digits_ + guard_digits + 2 * lost;
-        if (needed <= working) {
-            break;
-        }
-        const unsigned enough = profile_.piecewise_linear() ? edge_decades : curved_edge_decades;
-        if (lost >= enough && lost + guard_digits >= working && take_edges_on_knots(working)) {
-            solved_.clear();
-            working = digits_ + guard_digits;
-            continue;
-        }
-        working = needed;
-        if (lost > 100000) {
-            throw BudgetError("an edge lies within 1e-100000 of a knot");
-        }
-    }
-    base_working_ = working;
-    if (profile_.kind() == Profile::Kind::piecewise && !profile_.piecewise_linear()) {
-        const PrecisionScope scope(working);
-        const Solved& s = at(working);
-        const long bits = mpfr_get_prec(s.extent.a.backend().data());
-        check_reach(profile_, Ball(s.extent.a, bits), Ball(s.extent.b, bits));
-        sample_slope(profile_, s.law.slope(), s.extent.a, s.extent.b);
-    }
-}
-
-bool NormalContact::solved_edge_on_knot(const Solved& s) const {
-    const bool by_force = load_.kind == Load::Kind::force;
-    return (by_force && s.law.right_edge_on_knot(s.extent)) ||
-           ((by_force || !profile_.symmetric()) && s.law.left_edge_on_knot(s.extent));
-}
-
-bool NormalContact::take_edges_on_knots(unsigned working) {
-    const Solved& s = at(working);
-    const PrecisionScope scope(working);
-    const auto& knots = s.law.slope().knots();
-    const auto on = [&](const Real& offset) {
-        return offset == 0 ||
-               decades_below(Real(abs(offset)), s.extent.length()) + guard_digits >= working;
-    };
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        if (load_.kind == Load::Kind::force && on(Real(s.extent.a - knots[i]))) {
-            a_on_knot_ = i;
-        }
-        const bool solved = load_.kind == Load::Kind::force || !profile_.symmetric();
-        if (solved && on(Real(s.extent.b + knots[i]))) {
-            b_on_knot_ = i;
-        }
-    }
-    return edge_taken_on_knot();
-}
-
 NormalContact::~NormalContact() = default;
 NormalContact::NormalContact(NormalContact&&) noexcept = default;
 NormalContact& NormalContact::operator=(NormalContact&&) noexcept = default;
@@ -181,30 +32,6 @@ const Profile& NormalContact::profile() const noexcept { return profile_; }
 unsigned NormalContact::digits() const noexcept { return digits_; }
 const formula::Exact& NormalContact::contact_modulus() const noexcept { return modulus_; }
 const Load& NormalContact::load() const noexcept { return load_; }
-
-NormalContact::Solved& NormalContact::at(unsigned working) const {
-    auto& slot = solved_[working];
-    if (!slot) {
-        if (work_ != nullptr) {
-            if (std::exchange(counted_, true)) {
-                ++work_->raised;
-            } else {
-                work_->counts.consistency += profile_.symmetric() ? 0 : 1;
-                work_->counts.load_inversions += load_.kind == Load::Kind::force ? 1 : 0;
-            }
-        }
-        const PrecisionScope scope(working);
-        slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
-        Solved& s = *slot;
-        if (a_on_knot_) {
-            s.extent.a = s.law.slope().knots()[*a_on_knot_];
-        }
-        if (b_on_knot_) {
-            s.extent.b = -s.law.slope().knots()[*b_on_knot_];
-        }
-    }
-    return *slot;
-}
 
 Real NormalContact::a() const { return at(base_working_).extent.a; }
 Real NormalContact::b() const { return at(base_working_).extent.b; }
@@ -251,51 +78,11 @@ Real NormalContact::left_edge_derivative(unsigned k) const {
     return d;
 }
 
-NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned working,
-                                        Route route) const {
-    const Solved& s = at(working);
-    const PrecisionScope scope(working);
-    // x - knot is what cancels; a distance from an edge never does.
-    const Real length = s.extent.length();
-    Look found{base_working_, std::nullopt};
-    Real gap = length;
-    std::size_t nearest = 0;
-    const auto& knots = s.law.slope().knots();
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        const Real from_edge =
-            edge == Edge::right ? Real(s.extent.a - knots[i]) : Real(s.extent.b + knots[i]);
-        const Real d = abs(from_edge - u);
-        if (d < gap) {
-            gap = d;
-            nearest = i;
-            // Within the roundoff of this look, x may be the knot itself.
-            if (d == 0 || decades_below(d, length) + 7 >= working) {
-                found.on_knot = i;
-            }
-        }
-    }
-    if (found.on_knot) {
-        return found;
-    }
-    const unsigned lost = decades_below(gap, length);
-    unsigned more = 2 * lost;
-    if (route == Route::closed_form) {
-        // There the gap d is in d ln d, which wants no digits of a small one, or at a corner in
-        // ln d, or in a power of d.
-        more = profile_.piecewise_linear() && !profile_.has_corner(nearest) ? 0 : lost;
-    }
-    if (lost > 3) {
-        // In steps, so that neighbouring points share one solved contact.
-        found.working += (more + 15) / 16 * 16;
-    }
-    return found;
-}
-
 Route NormalContact::chosen(Route route) const {
     if (route != Route::automatic) {
         return route;
     }
-    return BallContact::has_closed_form(profile_) ? Route::closed_form : Route::singular_integral;
+    return profile_.has_closed_form() ? Route::closed_form : Route::singular_integral;
 }
 
 Estimated NormalContact::pressure(Edge edge, const formula::Exact& u, Route route) const {
@@ -315,20 +102,6 @@ Estimated NormalContact::pressure(Edge edge, const formula::Exact& u, Route rout
 Estimated NormalContact::pressure(Edge edge, const Real& u, Route route) const {
     route = chosen(route);
     return pressure_at(edge, u, route, look(u, edge, base_working_, route));
-}
-
-RoutedPressure<Real> NormalContact::hypergeometric(Solved& solved, Edge edge, const Real& u,
-                                                   unsigned target) const {
-    const long wanted = static_cast<long>(3.3219281 * static_cast<double>(target)) + 4;
-    const Ball p = escalate(
-        [&](long bits) {
-            return solved.in_balls.try_emplace(bits, profile_, modulus_, load_, bits)
-                .first->second.pressure(edge, Ball(u, bits));
-        },
-        [&](const Ball& ball) { return ball.relative_accuracy_bits() >= wanted; },
-        {wanted + 64, 1L << 20});
-    const Real value = at_working_precision(p.midpoint());
-    return {value, Real(p.radius() / abs(value)), 0, true};
 }
 
 Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
@@ -361,8 +134,11 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         p = singular_integral(s.law, s.extent, point, target);
         break;
     default:
+        if (!profile_.has_closed_form()) {
+            throw DomainError("only a piecewise linear slope or a power law has a closed form");
+        }
         p = profile_.piecewise_linear() ? logarithmic_closed_form(s.law, s.marks(), point)
-                                        : hypergeometric(s, edge, u, target);
+                                        : s.power_law(profile_.parameters().at("m"))(point);
         break;
     }
     if (!p.converged) {

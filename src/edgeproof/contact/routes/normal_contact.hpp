@@ -15,7 +15,7 @@
 
 namespace edgeproof::contact {
 
-/// How a pressure was come by.
+/// How a pressure was computed.
 enum class Route {
     barber_mossakovskii, ///< flat punches laid over each other, tanh-sinh
     singular_integral,   ///< regularised principal value, tanh-sinh
@@ -87,8 +87,6 @@ private:
         unsigned working;
         std::optional<std::size_t> on_knot;
     };
-    [[nodiscard]] RoutedPressure<Real> hypergeometric(Solved& solved, Edge edge, const Real& u,
-                                                      unsigned target) const;
     [[nodiscard]] Solved& at(unsigned working) const;
     /// An edge that is not given came out as a knot, to all of its digits.
     [[nodiscard]] bool solved_edge_on_knot(const Solved& s) const;

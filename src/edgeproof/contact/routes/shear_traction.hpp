@@ -21,6 +21,8 @@ struct ShearSpec {
     formula::Exact Q;            ///< force per unit length
     formula::Exact bulk_tension; ///< sigma_0
     LoadingPath path = LoadingPath::normal_first;
+    /// The coefficient of friction; none: nothing slips.
+    std::optional<formula::Exact> friction = {};
 };
 
 /// A value with its absolute error as estimated from the digits that cancelled; no proved bound.

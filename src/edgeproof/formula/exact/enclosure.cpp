@@ -2,80 +2,44 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 
 #include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-
-#ifdef EDGEPROOF_ARB_IN_FLINT
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
-#include <flint/fmpq.h>
 
 #include <vector>
 
 namespace edgeproof::formula {
 namespace {
 
-class ArbBall {
-public:
-    ArbBall() { arb_init(x_); }
-    ArbBall(const ArbBall&) = delete;
-    ArbBall& operator=(const ArbBall&) = delete;
-    ArbBall(ArbBall&& other) noexcept : ArbBall() { arb_swap(x_, other.x_); }
-    ArbBall& operator=(ArbBall&&) = delete;
-    ~ArbBall() { arb_clear(x_); }
-    [[nodiscard]] arb_ptr get() { return x_; }
-    [[nodiscard]] arb_srcptr get() const { return x_; }
-
-private:
-    arb_t x_;
-};
-
-class Fraction {
-public:
-    explicit Fraction(const Rational& q) {
-        fmpq_init(q_);
-        fmpq_set_mpq(q_, q.backend().data());
-    }
-    ~Fraction() { fmpq_clear(q_); }
-    Fraction(const Fraction&) = delete;
-    Fraction& operator=(const Fraction&) = delete;
-    [[nodiscard]] const fmpq* get() const { return q_; }
-
-private:
-    fmpq_t q_;
-};
-
 class Encloser {
 public:
     explicit Encloser(long bits) : bits_(bits) {}
 
-    [[nodiscard]] ArbBall operator()(const Expr& e) const {
+    [[nodiscard]] ArbValue operator()(const Expr& e) const {
         check_interruption();
-        ArbBall y;
+        ArbValue y;
         if (const Rational* q = e.rational()) {
-            arb_set_fmpq(y.get(), Fraction(*q).get(), bits_);
+            arb_set_fmpq(y, to_fmpq(*q), bits_);
             return y;
         }
         switch (e.kind()) {
         case Expr::Kind::pi:
-            arb_const_pi(y.get(), bits_);
+            arb_const_pi(y, bits_);
             return y;
         case Expr::Kind::neg:
-            arb_neg(y.get(), (*this)(e.arg(0)).get());
+            arb_neg(y, (*this)(e.arg(0)));
             return y;
         case Expr::Kind::add:
-            arb_add(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits_);
+            arb_add(y, (*this)(e.arg(0)), (*this)(e.arg(1)), bits_);
             return y;
         case Expr::Kind::sub:
-            arb_sub(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits_);
+            arb_sub(y, (*this)(e.arg(0)), (*this)(e.arg(1)), bits_);
             return y;
         case Expr::Kind::mul:
-            arb_mul(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits_);
+            arb_mul(y, (*this)(e.arg(0)), (*this)(e.arg(1)), bits_);
             return y;
         case Expr::Kind::div:
-            arb_div(y.get(), (*this)(e.arg(0)).get(), (*this)(e.arg(1)).get(), bits_);
+            arb_div(y, (*this)(e.arg(0)), (*this)(e.arg(1)), bits_);
             return y;
         case Expr::Kind::pow:
             return power(e);
@@ -89,62 +53,62 @@ public:
     }
 
 private:
-    [[nodiscard]] ArbBall power(const Expr& e) const {
-        ArbBall y;
-        const ArbBall base = (*this)(e.arg(0));
+    [[nodiscard]] ArbValue power(const Expr& e) const {
+        ArbValue y;
+        const ArbValue base = (*this)(e.arg(0));
         if (const Rational* q = e.arg(1).rational()) {
-            arb_pow_fmpq(y.get(), base.get(), Fraction(*q).get(), bits_);
+            arb_pow_fmpq(y, base, to_fmpq(*q), bits_);
         } else {
-            arb_pow(y.get(), base.get(), (*this)(e.arg(1)).get(), bits_);
+            arb_pow(y, base, (*this)(e.arg(1)), bits_);
         }
         return y;
     }
 
-    [[nodiscard]] ArbBall sum(const Expr& e) const {
-        ArbBall total;
+    [[nodiscard]] ArbValue sum(const Expr& e) const {
+        ArbValue total;
         const auto [lo, hi] = sum_bounds(e);
         for (long k = lo; k <= hi; ++k) {
             const Expr term = substitute(e.arg(0), e.arg(1).name(), Expr::number(Rational(k)));
-            arb_add(total.get(), total.get(), (*this)(term).get(), bits_);
+            arb_add(total, total, (*this)(term), bits_);
         }
         return total;
     }
 
-    [[nodiscard]] ArbBall call(const Expr& e) const {
-        std::vector<ArbBall> x;
+    [[nodiscard]] ArbValue call(const Expr& e) const {
+        std::vector<ArbValue> x;
         for (const Expr& arg : e.args()) {
             x.push_back((*this)(arg));
         }
-        ArbBall y;
+        ArbValue y;
         switch (e.builtin()) {
         case Builtin::atan2:
-            arb_atan2(y.get(), x[0].get(), x[1].get(), bits_);
+            arb_atan2(y, x[0], x[1], bits_);
             return y;
         case Builtin::hypot:
-            arb_hypot(y.get(), x[0].get(), x[1].get(), bits_);
+            arb_hypot(y, x[0], x[1], bits_);
             return y;
         case Builtin::max:
         case Builtin::min:
-            arb_set(y.get(), x[0].get());
-            for (const ArbBall& z : x) {
-                (e.builtin() == Builtin::max ? arb_max : arb_min)(y.get(), y.get(), z.get(), bits_);
+            arb_set(y, x[0]);
+            for (const ArbValue& z : x) {
+                (e.builtin() == Builtin::max ? arb_max : arb_min)(y, y, z, bits_);
             }
             return y;
         case Builtin::abs:
-            arb_abs(y.get(), x[0].get());
+            arb_abs(y, x[0]);
             return y;
         case Builtin::sgn:
-            arb_sgn(y.get(), x[0].get());
+            arb_sgn(y, x[0]);
             return y;
         case Builtin::step:
-            arb_sgn(y.get(), x[0].get());
-            arb_add_ui(y.get(), y.get(), 1, bits_);
-            arb_mul_2exp_si(y.get(), y.get(), -1);
+            arb_sgn(y, x[0]);
+            arb_add_ui(y, y, 1, bits_);
+            arb_mul_2exp_si(y, y, -1);
             return y;
         case Builtin::none:
             throw Error("the function '" + e.name() + "' has no meaning in a constant");
         default:
-            elementary(e.builtin())(y.get(), x[0].get(), bits_);
+            elementary(e.builtin())(y, x[0], bits_);
             return y;
         }
     }
@@ -153,37 +117,37 @@ private:
     static Elementary elementary(Builtin f) {
         switch (f) {
         case Builtin::sqrt:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_sqrt(y, x, bits); };
+            return arb_sqrt;
         case Builtin::exp:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_exp(y, x, bits); };
+            return arb_exp;
         case Builtin::log:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_log(y, x, bits); };
+            return arb_log;
         case Builtin::sin:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_sin(y, x, bits); };
+            return arb_sin;
         case Builtin::cos:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_cos(y, x, bits); };
+            return arb_cos;
         case Builtin::tan:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_tan(y, x, bits); };
+            return arb_tan;
         case Builtin::asin:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_asin(y, x, bits); };
+            return arb_asin;
         case Builtin::acos:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_acos(y, x, bits); };
+            return arb_acos;
         case Builtin::atan:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_atan(y, x, bits); };
+            return arb_atan;
         case Builtin::sinh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_sinh(y, x, bits); };
+            return arb_sinh;
         case Builtin::cosh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_cosh(y, x, bits); };
+            return arb_cosh;
         case Builtin::tanh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_tanh(y, x, bits); };
+            return arb_tanh;
         case Builtin::asinh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_asinh(y, x, bits); };
+            return arb_asinh;
         case Builtin::acosh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_acosh(y, x, bits); };
+            return arb_acosh;
         case Builtin::atanh:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_atanh(y, x, bits); };
+            return arb_atanh;
         case Builtin::gamma:
-            return [](arb_ptr y, arb_srcptr x, slong bits) { arb_gamma(y, x, bits); };
+            return arb_gamma;
         default:
             throw Error("'" + std::string(name_of(f)) + "' has no enclosure");
         }
@@ -195,14 +159,14 @@ private:
 } // namespace
 
 std::optional<Enclosure> enclose(const Expr& constant, long bits) {
-    const ArbBall ball = Encloser(bits)(constant);
-    if (arb_is_finite(ball.get()) == 0) {
+    const ArbValue ball = Encloser(bits)(constant);
+    if (arb_is_finite(ball) == 0) {
         return std::nullopt;
     }
     Enclosure result;
     mpfr_set_prec(result.lower.backend().data(), bits + 2);
     mpfr_set_prec(result.upper.backend().data(), bits + 2);
-    arb_get_interval_mpfr(result.lower.backend().data(), result.upper.backend().data(), ball.get());
+    arb_get_interval_mpfr(result.lower.backend().data(), result.upper.backend().data(), ball);
     return result;
 }
 

@@ -4,7 +4,13 @@
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <flint/arb.h>
 #include <flint/arb_hypgeom.h>
+#include <flint/arb_poly.h>
+#include <flint/arf.h>
+#include <flint/mag.h>
 #else
 #include <arb.h>
 #include <arb_hypgeom.h>
+#include <arb_poly.h>
+#include <arf.h>
+#include <mag.h>
 #endif

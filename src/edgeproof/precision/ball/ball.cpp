@@ -3,9 +3,6 @@
 
 #include "edgeproof/precision/error.hpp"
 
-#include <flint/fmpq.h>
-#include <flint/fmpz.h>
-
 namespace edgeproof {
 namespace {
 
@@ -33,19 +30,9 @@ template <class F> Ball apply(const Ball& x, const Ball& y, F f) {
 
 } // namespace
 
-Ball::Ball(const Rational& q, long bits) : bits_(bits) {
-    arb_init(x_);
-    fmpq_t f;
-    fmpq_init(f);
-    fmpq_set_mpq(f, q.backend().data());
-    arb_set_fmpq(x_, f, bits);
-    fmpq_clear(f);
-}
+Ball::Ball(const Rational& q, long bits) : bits_(bits) { arb_set_fmpq(x_, to_fmpq(q), bits); }
 
-Ball::Ball(const Real& x, long bits) : bits_(bits) {
-    arb_init(x_);
-    set_exactly(arb_midref(x_), x);
-}
+Ball::Ball(const Real& x, long bits) : bits_(bits) { set_exactly(arb_midref(x_), x); }
 
 Ball Ball::pi(long bits) {
     Ball r(0, bits);
@@ -74,59 +61,40 @@ Ball Ball::around(const Real& midpoint, const Real& radius, long bits) {
         throw DomainError("a ball needs a radius that is not negative");
     }
     Ball r(midpoint, bits);
-    arf_t error;
-    arf_init(error);
+    ArfValue error;
     set_exactly(error, radius);
     arb_add_error_arf(r.x_, error);
-    arf_clear(error);
     return r;
 }
 
 Real Ball::midpoint() const { return to_real(arb_midref(x_), arf_bits(arb_midref(x_)), MPFR_RNDN); }
 
 Real Ball::radius() const {
-    arf_t r;
-    arf_init(r);
+    ArfValue r;
     arf_set_mag(r, arb_radref(x_));
-    Real result = to_real(r, 30, MPFR_RNDU);
-    arf_clear(r);
-    return result;
+    return to_real(r, 30, MPFR_RNDU);
 }
 
 Real Ball::lower() const {
-    arf_t end;
-    arf_init(end);
+    ArfValue end;
     arb_get_lbound_arf(end, x_, bits_);
-    Real result = to_real(end, bits_, MPFR_RNDD);
-    arf_clear(end);
-    return result;
+    return to_real(end, bits_, MPFR_RNDD);
 }
 
 Real Ball::upper() const {
-    arf_t end;
-    arf_init(end);
+    ArfValue end;
     arb_get_ubound_arf(end, x_, bits_);
-    Real result = to_real(end, bits_, MPFR_RNDU);
-    arf_clear(end);
-    return result;
+    return to_real(end, bits_, MPFR_RNDU);
 }
 
 bool contains(const Ball& x, const Real& point) {
-    arf_t p;
-    arf_init(p);
+    ArfValue p;
     set_exactly(p, point);
-    const bool inside = arb_contains_arf(x.data(), p) != 0;
-    arf_clear(p);
-    return inside;
+    return arb_contains_arf(x.data(), p) != 0;
 }
 
 bool contains(const Ball& x, const Rational& point) {
-    fmpq_t f;
-    fmpq_init(f);
-    fmpq_set_mpq(f, point.backend().data());
-    const bool inside = arb_contains_fmpq(x.data(), f) != 0;
-    fmpq_clear(f);
-    return inside;
+    return arb_contains_fmpq(x.data(), to_fmpq(point)) != 0;
 }
 
 Ball abs(const Ball& x) {
@@ -161,20 +129,15 @@ Ball pow(const Ball& x, const Ball& y) { return apply(x, y, arb_pow); }
 
 Ball pow(const Ball& x, const Rational& y) {
     Ball r(0, x.bits());
-    fmpq_t f;
-    fmpq_init(f);
-    fmpq_set_mpq(f, y.backend().data());
-    arb_pow_fmpq(r.data(), x.data(), f, x.bits());
-    fmpq_clear(f);
+    arb_pow_fmpq(r.data(), x.data(), to_fmpq(y), x.bits());
     return r;
 }
 
 Ball pow_int(const Ball& x, long n) {
     Ball r(0, x.bits());
-    fmpz_t e;
-    fmpz_init_set_si(e, n);
+    FmpzValue e;
+    fmpz_set_si(e, n);
     arb_pow_fmpz(r.data(), x.data(), e, x.bits());
-    fmpz_clear(e);
     return r;
 }
 

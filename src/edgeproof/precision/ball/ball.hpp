@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/ball/arb_include.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
@@ -16,34 +16,12 @@ namespace edgeproof {
 class Ball {
 public:
     /// 0 at 64 bits.
-    Ball() : bits_(64) { arb_init(x_); }
-    Ball(long value, long bits) : bits_(bits) {
-        arb_init(x_);
-        arb_set_si(x_, value);
-    }
+    Ball() : bits_(64) {}
+    Ball(long value, long bits) : bits_(bits) { arb_set_si(x_, value); }
     /// The ball around q at `bits`, q inside.
     Ball(const Rational& q, long bits);
     /// Exactly the number x.
     Ball(const Real& x, long bits);
-    Ball(const Ball& o) : bits_(o.bits_) {
-        arb_init(x_);
-        arb_set(x_, o.x_);
-    }
-    Ball(Ball&& o) noexcept : bits_(o.bits_) {
-        arb_init(x_);
-        arb_swap(x_, o.x_);
-    }
-    Ball& operator=(const Ball& o) {
-        arb_set(x_, o.x_);
-        bits_ = o.bits_;
-        return *this;
-    }
-    Ball& operator=(Ball&& o) noexcept {
-        arb_swap(x_, o.x_);
-        bits_ = o.bits_;
-        return *this;
-    }
-    ~Ball() { arb_clear(x_); }
 
     [[nodiscard]] static Ball pi(long bits);
     /// Everything from lo to hi. Throws DomainError for lo > hi or an end that is not finite.
@@ -127,7 +105,7 @@ public:
 
 private:
     long widen(const Ball& o) { return bits_ = bits_ < o.bits_ ? o.bits_ : bits_; }
-    arb_t x_;
+    ArbValue x_;
     long bits_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
@@ -16,11 +17,6 @@ public:
     explicit BallSeries(const std::vector<Ball>& coefficients);
     /// c + z
     static BallSeries variable(const Ball& c, std::size_t order);
-    BallSeries(const BallSeries& o);
-    BallSeries(BallSeries&& o) noexcept;
-    BallSeries& operator=(const BallSeries& o);
-    BallSeries& operator=(BallSeries&& o) noexcept;
-    ~BallSeries();
 
     [[nodiscard]] std::size_t order() const noexcept { return order_; }
     [[nodiscard]] long bits() const noexcept { return bits_; }
@@ -41,9 +37,8 @@ public:
     friend BallSeries pow(const BallSeries& x, const Ball& exponent);
 
 private:
-    struct Poly;
     BallSeries(std::size_t order, long bits);
-    Poly* poly_;
+    ArbPolyValue poly_;
     std::size_t order_;
     long bits_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <utility>
@@ -12,25 +12,12 @@ namespace edgeproof {
 /// operands'.
 class Box {
 public:
-    explicit Box(long bits = 64) : bits_(bits) { acb_init(z_); }
+    explicit Box(long bits = 64) : bits_(bits) {}
     explicit Box(const Ball& x) : Box(x.bits()) { acb_set_arb(z_, x.data()); }
     Box(const Ball& re, const Ball& im) : Box(re.bits()) {
         acb_set_arb_arb(z_, re.data(), im.data());
     }
     Box(const acb_t z, long bits) : Box(bits) { acb_set(z_, z); }
-    Box(const Box& o) : Box(o.z_, o.bits_) {}
-    Box(Box&& o) noexcept : Box(o.bits_) { acb_swap(z_, o.z_); }
-    Box& operator=(const Box& o) {
-        acb_set(z_, o.z_);
-        bits_ = o.bits_;
-        return *this;
-    }
-    Box& operator=(Box&& o) noexcept {
-        acb_swap(z_, o.z_);
-        bits_ = o.bits_;
-        return *this;
-    }
-    ~Box() { acb_clear(z_); }
 
     [[nodiscard]] static Box hull(const Box& x, const Box& y) {
         Box r(x.bits_);
@@ -100,7 +87,7 @@ public:
 
 private:
     long widen(long bits) { return bits_ = bits_ < bits ? bits : bits_; }
-    acb_t z_;
+    AcbValue z_;
     long bits_;
 };
 

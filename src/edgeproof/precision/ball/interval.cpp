@@ -38,8 +38,6 @@ Interval one() { return between(1, 1); }
 } // namespace
 
 Interval::Interval(const Ball& from, const Ball& to) {
-    arf_init(lo_);
-    arf_init(hi_);
     lower_end(lo_, from);
     upper_end(hi_, to);
 }
@@ -75,23 +73,21 @@ Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
     Interval r;
-    arf_t p;
-    arf_init(p);
+    ArfValue p;
     bool first = true;
-    for (const auto* of_x : {x.lo_, x.hi_}) {
-        for (const auto* of_y : {y.lo_, y.hi_}) {
-            end_product(p, of_x, of_y, ARF_RND_FLOOR);
+    for (const ArfValue* of_x : {&x.lo_, &x.hi_}) {
+        for (const ArfValue* of_y : {&y.lo_, &y.hi_}) {
+            end_product(p, *of_x, *of_y, ARF_RND_FLOOR);
             if (first || arf_cmp(p, r.lo_) < 0) {
                 arf_set(r.lo_, p);
             }
-            end_product(p, of_x, of_y, ARF_RND_CEIL);
+            end_product(p, *of_x, *of_y, ARF_RND_CEIL);
             if (first || arf_cmp(p, r.hi_) > 0) {
                 arf_set(r.hi_, p);
             }
             first = false;
         }
     }
-    arf_clear(p);
     return r;
 }
 
@@ -120,17 +116,17 @@ Interval abs(const Interval& x) {
         return mirrored;
     }
     Interval r;
-    arf_set(r.hi_, arf_cmp(x.hi_, mirrored.hi_) < 0 ? mirrored.hi_ : x.hi_);
+    r.hi_ = arf_cmp(x.hi_, mirrored.hi_) < 0 ? mirrored.hi_ : x.hi_;
     return r;
 }
 
 Interval clipped(const Interval& x, const Interval& y) {
     Interval r(x);
-    for (const auto end : {r.lo_, r.hi_}) {
-        if (arf_cmp(end, y.lo_) < 0) {
-            arf_set(end, y.lo_);
-        } else if (arf_cmp(end, y.hi_) > 0) {
-            arf_set(end, y.hi_);
+    for (ArfValue* end : {&r.lo_, &r.hi_}) {
+        if (arf_cmp(*end, y.lo_) < 0) {
+            *end = y.lo_;
+        } else if (arf_cmp(*end, y.hi_) > 0) {
+            *end = y.hi_;
         }
     }
     return r;

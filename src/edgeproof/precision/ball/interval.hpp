@@ -20,19 +20,6 @@ public:
     explicit Interval(const Ball& x) : Interval(x, x) {}
     /// From all of one ball to all of another.
     Interval(const Ball& from, const Ball& to);
-    Interval(const Interval& o) : Interval() {
-        arf_set(lo_, o.lo_);
-        arf_set(hi_, o.hi_);
-    }
-    Interval& operator=(const Interval& o) {
-        arf_set(lo_, o.lo_);
-        arf_set(hi_, o.hi_);
-        return *this;
-    }
-    ~Interval() {
-        arf_clear(lo_);
-        arf_clear(hi_);
-    }
     [[nodiscard]] static Interval everything();
 
     [[nodiscard]] bool nowhere_negative() const { return arf_sgn(lo_) >= 0; }
@@ -64,8 +51,8 @@ public:
 
 private:
     [[nodiscard]] static Ball at(arf_srcptr x);
-    arf_t lo_;
-    arf_t hi_;
+    ArfValue lo_;
+    ArfValue hi_;
 };
 
 [[nodiscard]] Interval sqrt(const Interval& x);

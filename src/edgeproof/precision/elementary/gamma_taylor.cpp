@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/elementary/gamma_taylor.hpp"
 
-#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -16,10 +16,8 @@ std::vector<Real> gamma_taylor(const Real& x, std::size_t n) {
     constexpr long guard_bits = 64;
     const long bits = mpfr_get_prec(Real(x).backend().data()) + guard_bits;
     const Ball at(x, bits);
-    acb_poly_t f;
-    acb_t c;
-    acb_poly_init(f);
-    acb_init(c);
+    AcbPolyValue f;
+    AcbValue c;
     acb_set_arb(c, at.data());
     acb_poly_set_coeff_acb(f, 0, c);
     acb_poly_set_coeff_si(f, 1, 1);
@@ -33,8 +31,6 @@ std::vector<Real> gamma_taylor(const Real& x, std::size_t n) {
         finite = finite && coefficient.is_finite();
         series.push_back(finite ? at_working_precision(coefficient.midpoint()) : Real(0));
     }
-    acb_clear(c);
-    acb_poly_clear(f);
     if (!finite) {
         throw DomainError("gamma at a pole");
     }

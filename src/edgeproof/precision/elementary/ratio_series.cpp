@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/elementary/ratio_series.hpp"
 
-#include "edgeproof/precision/elementary/fixed_point.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
+#include "edgeproof/precision/elementary/gmp_integer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace edgeproof {
 namespace {
-
-using fixed_point::GmpInteger;
-using fixed_point::Upper;
 
 constexpr double largest_argument = 0.999;
 constexpr double most_ratio_terms = 1e6;
@@ -38,7 +37,7 @@ struct Group {
 /// and the groups.
 class Summation {
 public:
-    Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x), bits_(bits) {
+    Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x) {
         const double fall = -std::log2(x);
         const double terms = static_cast<double>(bits) / fall;
         const double length = std::min(std::sqrt(terms), largest_fall / fall);
@@ -46,9 +45,6 @@ public:
         ok_ = fall < largest_fall && count_terms(bits) && make_groups();
     }
 
-    [[nodiscard]] bool is_of(const RatioSeries& series, double x, long bits) const {
-        return series == of_ && x == x_ && bits == bits_;
-    }
     [[nodiscard]] bool ok() const { return ok_; }
     [[nodiscard]] std::size_t terms() const { return terms_; }
     [[nodiscard]] std::size_t block() const { return block_; }
@@ -207,7 +203,6 @@ private:
 
     RatioSeries of_;
     double x_;
-    long bits_;
     std::size_t block_;
     std::size_t terms_ = 0;
     std::vector<long> log2_weights_;
@@ -224,28 +219,18 @@ private:
 std::shared_ptr<const Summation> summation_of(const RatioSeries& series, double x, long bits) {
     constexpr double steps = 64; // from 0 to 1, so that an octave has half as many
     constexpr double most_kept = 0.95;
-    constexpr std::size_t slots = 256;
-    constexpr std::size_t most_terms_kept = 1U << 14;
-    if (x > most_kept) {
-        return std::make_shared<const Summation>(series, x, bits);
-    }
+    constexpr std::size_t most_series_kept = 256;
+    constexpr double most_terms_kept = 1U << 14;
     int exponent = 0;
     const double above = std::ceil(std::frexp(x, &exponent) * steps);
     const double most = std::ldexp(above / steps, exponent);
-    thread_local std::vector<std::shared_ptr<const Summation>> kept(slots);
-    std::size_t key = static_cast<std::size_t>(above) + 32 * static_cast<std::size_t>(-exponent);
-    for (const auto& q : series.quotients) {
-        key = 31 * key + static_cast<std::size_t>(q.over + 7 * q.under);
+    if (x > most_kept || static_cast<double>(bits) > -std::log2(most) * most_terms_kept) {
+        return std::make_shared<const Summation>(series, x, bits);
     }
-    auto& slot = kept[(key + static_cast<std::size_t>(bits)) % slots];
-    if (slot && slot->is_of(series, most, bits)) {
-        return slot;
-    }
-    auto made = std::make_shared<const Summation>(series, most, bits);
-    if (made->terms() <= most_terms_kept) {
-        slot = made;
-    }
-    return made;
+    using Key = std::tuple<RatioSeries, double, int, long>;
+    thread_local BoundedCache<Key, const Summation> kept(most_series_kept);
+    return kept.get(Key{series, above, exponent, bits},
+                    [&] { return std::make_shared<const Summation>(series, most, bits); });
 }
 
 } // namespace
@@ -273,6 +258,7 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     const auto limbs = static_cast<mp_size_t>(whole);
     const auto fixed_bits = static_cast<mp_bitcnt_t>(whole * GMP_NUMB_BITS);
 
+    // As many powers as the longest block has had terms, a thousand at most.
     thread_local std::vector<GmpInteger> powers;
     thread_local GmpInteger s;
     thread_local GmpInteger work;
@@ -281,11 +267,9 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     }
     mpz_set_ui(powers[0].get(), 0);
     mpz_setbit(powers[0].get(), fixed_bits);
-    fmpz_t scaled;
-    fmpz_init(scaled);
+    FmpzValue scaled;
     arf_get_fmpz_fixed_si(scaled, arb_midref(x.data()), -static_cast<slong>(fixed_bits));
     fmpz_get_mpz(powers[1].get(), scaled);
-    fmpz_clear(scaled);
     for (std::size_t j = 2; j <= plan.block(); ++j) {
         mpz_mul(work.get(), powers[j / 2].get(), powers[j - j / 2].get());
         mpz_set(powers[j].get(), Upper(work, limbs).get());
@@ -316,14 +300,11 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     }
 
     Ball result(0, bits);
-    fmpz_t value;
-    fmpz_init(value);
+    FmpzValue value;
     fmpz_set_mpz(value, s.get());
     arf_set_fmpz(arb_midref(result.data()), value);
-    fmpz_clear(value);
     arb_mul_2exp_si(result.data(), result.data(), -static_cast<slong>(fixed_bits));
-    mag_t error;
-    mag_init(error);
+    MagValue error;
     const auto add_error = [&](double size, long exponent) {
         mag_set_d(error, size);
         mag_mul_2exp_si(error, error, exponent);
@@ -334,7 +315,6 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     mag_set_d(error, plan.derivative());
     mag_mul(error, error, arb_radref(x.data()));
     arb_add_error_mag(result.data(), error);
-    mag_clear(error);
     arb_set_round(result.data(), result.data(), bits);
     return result;
 }

@@ -3,6 +3,7 @@
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <array>
+#include <compare>
 #include <optional>
 
 namespace edgeproof {
@@ -14,10 +15,10 @@ struct RatioSeries {
         long slope;
         long over;
         long under;
-        [[nodiscard]] bool operator==(const Quotient&) const = default;
+        [[nodiscard]] auto operator<=>(const Quotient&) const = default;
     };
     std::array<Quotient, 2> quotients;
-    [[nodiscard]] bool operator==(const RatioSeries&) const = default;
+    [[nodiscard]] auto operator<=>(const RatioSeries&) const = default;
 
     /// Encloses the sum for every number of the ball x, 0 < x < 1. Nothing where the ball is wide,
     /// reaches to 0.999, lies below 2^-600, or the numbers do not fit into words: there the caller

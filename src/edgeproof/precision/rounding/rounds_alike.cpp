@@ -23,16 +23,12 @@ bool leading_place(const Ball& x, long& k) {
         arf_cmpabs_2exp_si(middle, -most_exponent) <= 0) {
         return false;
     }
-    arf_t mantissa;
-    fmpz_t exponent;
-    arf_init(mantissa);
-    fmpz_init(exponent);
+    ArfValue mantissa;
+    FmpzValue exponent;
     arf_frexp(mantissa, exponent, middle);
     const double m = std::abs(arf_get_d(mantissa, ARF_RND_NEAR));
     const double decades =
         (std::log2(m) + static_cast<double>(fmpz_get_si(exponent))) * std::log10(2.0);
-    arf_clear(mantissa);
-    fmpz_clear(exponent);
     k = static_cast<long>(std::floor(decades));
     return std::abs(decades - std::round(decades)) > too_near;
 }
@@ -48,10 +44,8 @@ bool rounds_alike(const Ball& x, unsigned digits, Rounding mode) {
     // to nearest, half of an odd one. A ball that is too wide holds one.
     const long k = static_cast<long>(digits) - 1 - place;
     const auto scale = static_cast<ulong>(std::abs(k));
-    arb_t units;
-    arb_t ten;
-    arb_init(units);
-    arb_init(ten);
+    ArbValue units;
+    ArbValue ten;
     arb_ui_pow_ui(ten, 10, scale, x.bits());
     if (k < 0) {
         arb_div(units, x.data(), ten, x.bits());
@@ -63,17 +57,12 @@ bool rounds_alike(const Ball& x, unsigned digits, Rounding mode) {
         arb_add(units, units, ten, x.bits());
     }
     // Farther from the whole numbers on both sides of its middle than its radius.
-    arf_t above;
-    arf_init(above);
+    ArfValue above;
     arf_floor(above, arb_midref(units));
     arf_sub(above, arb_midref(units), above, ARF_PREC_EXACT, ARF_RND_DOWN);
-    bool alike = arf_cmpabs_mag(above, arb_radref(units)) > 0;
+    const bool alike = arf_cmpabs_mag(above, arb_radref(units)) > 0;
     arf_sub_ui(above, above, 1, ARF_PREC_EXACT, ARF_RND_DOWN);
-    alike = alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
-    arf_clear(above);
-    arb_clear(ten);
-    arb_clear(units);
-    return alike;
+    return alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
 }
 
 } // namespace edgeproof

@@ -19,28 +19,31 @@ constexpr long max_exponent = 100000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Digits d_1 d_2 ... with value 0.d_1 d_2 ... x 10^exponent, as mpfr_get_str gives them.
-struct Digits {
-    bool negative = false;
-    std::string digits;
-    long exponent = 0;
-};
-
-Digits digits_of_real(const Real& x, unsigned count, mpfr_rnd_t rounding) {
+/// Of a finite number.
+Decimal decimal_of(const Real& x, unsigned count, mpfr_rnd_t rounding) {
+    if (count == 0) {
+        throw DomainError("a number cannot be written to no digits at all");
+    }
+    Decimal d;
+    if (mpfr_zero_p(x.backend().data()) != 0) {
+        return d;
+    }
     mpfr_exp_t exponent = 0;
     char* raw = mpfr_get_str(nullptr, &exponent, 10, count, x.backend().data(), rounding);
-    Digits d;
     d.digits = raw;
     mpfr_free_str(raw);
     d.exponent = exponent;
-    if (!d.digits.empty() && d.digits[0] == '-') {
+    if (d.digits[0] == '-') {
         d.negative = true;
         d.digits.erase(0, 1);
     }
     return d;
 }
 
-std::string layout(const Digits& d, unsigned digits) {
+std::string layout(const Decimal& d, unsigned digits) {
+    if (d.digits.empty()) {
+        return "0";
+    }
     const std::string sign = d.negative ? "-" : "";
     const long point = d.exponent; // digits before the decimal point
     if (point > -5 && point <= static_cast<long>(digits)) {
@@ -64,17 +67,23 @@ std::string layout(const Digits& d, unsigned digits) {
 }
 
 std::string decimal(const Real& x, unsigned digits, mpfr_rnd_t rounding) {
-    if (digits == 0) {
-        throw DomainError("a number cannot be written to no digits at all");
-    }
-    if (mpfr_zero_p(x.backend().data()) != 0) {
-        return "0";
-    }
     if (mpfr_number_p(x.backend().data()) == 0) {
         return mpfr_nan_p(x.backend().data()) != 0 ? "nan" : x > 0 ? "inf" : "-inf";
     }
-    return layout(digits_of_real(x, digits, rounding), digits);
+    return layout(decimal_of(x, digits, rounding), digits);
 }
+
+Rounded single(const Decimal& d, unsigned digits, bool complete) {
+    return {layout(d, digits), digits, complete, d, d};
+}
+
+/// "[lower, upper]".
+Rounded enclosing(const Decimal& lower, const Decimal& upper, unsigned digits) {
+    return {"[" + layout(lower, digits) + ", " + layout(upper, digits) + "]", digits, true, lower,
+            upper};
+}
+
+Integer ten_to(long k) { return pow(Integer(10), static_cast<unsigned>(k)); }
 
 /// The ends of a ball, exactly: midpoint -+ radius in as many bits as that takes.
 struct Ends {
@@ -84,8 +93,7 @@ struct Ends {
 Ends exact_ends(const Ball& x) {
     Ends e{Real(0), Real(0)};
     for (const bool upper : {false, true}) {
-        arf_t r;
-        arf_init(r);
+        ArfValue r;
         arf_set_mag(r, arb_radref(x.data()));
         if (upper) {
             arf_add(r, arb_midref(x.data()), r, ARF_PREC_EXACT, ARF_RND_DOWN);
@@ -96,12 +104,26 @@ Ends exact_ends(const Ball& x) {
         const slong bits = arf_bits(r);
         mpfr_set_prec(end.backend().data(), bits < 2 ? 2 : bits);
         arf_get_mpfr(end.backend().data(), r, MPFR_RNDN);
-        arf_clear(r);
     }
     return e;
 }
 
 } // namespace
+
+Rational Decimal::value() const {
+    if (digits.empty()) {
+        return 0;
+    }
+    if (std::abs(exponent) > max_exponent) {
+        throw InputError("a value has an exponent beyond 100000",
+                         "ask for numbers between 1e-100000 and 1e100000");
+    }
+    const Integer whole(digits);
+    const long scale = exponent - static_cast<long>(digits.size());
+    const Rational q =
+        scale < 0 ? Rational(whole, ten_to(-scale)) : Rational(whole * ten_to(scale));
+    return negative ? Rational(-q) : q;
+}
 
 Rational parse_decimal(std::string_view text) {
     const std::size_t slash = text.find('/');
@@ -178,19 +200,22 @@ Rational parse_decimal(std::string_view text) {
 std::string to_decimal(const Real& x, unsigned digits) { return decimal(x, digits, MPFR_RNDN); }
 
 std::string to_decimal(const Rational& q, unsigned digits, Rounding mode) {
+    return round_rational(q, digits, mode).text;
+}
+
+Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     if (mode == Rounding::enclosure) {
-        return "[" + to_decimal(q, digits, Rounding::down) + ", " +
-               to_decimal(q, digits, Rounding::up) + "]";
+        return enclosing(round_rational(q, digits, Rounding::down).lower,
+                         round_rational(q, digits, Rounding::up).upper, digits);
     }
     if (digits == 0) {
         throw DomainError("a number cannot be written to no digits at all");
     }
     if (q == 0) {
-        return "0";
+        return single({}, digits, true);
     }
     const bool negative = q < 0;
     const Rational size = negative ? Rational(-q) : q;
-    const auto ten_to = [](long k) { return Integer(pow(Integer(10), static_cast<unsigned>(k))); };
     // size = n/10^shift, and n has `digits` digits before its point.
     long shift = static_cast<long>(digits) -
                  static_cast<long>(boost::multiprecision::numerator(size).str().size()) +
@@ -213,10 +238,10 @@ std::string to_decimal(const Rational& q, unsigned digits, Rounding mode) {
     if (away) {
         ++whole;
     }
-    Digits d{negative, whole.str(), 0};
+    Decimal d{negative, whole.str(), 0};
     d.exponent = static_cast<long>(d.digits.size()) - shift;
     d.digits.resize(digits, '0'); // 999 -> 1000
-    return layout(d, digits);
+    return single(d, digits, true);
 }
 
 std::string bound_text(const Real& x) { return decimal(x, 2, MPFR_RNDU); }
@@ -255,9 +280,8 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
     }
     const Ends ends = exact_ends(x);
     if (mode == Rounding::enclosure) {
-        Rounded r;
-        r.text = "[" + decimal(ends.lo, digits, MPFR_RNDD) + ", " +
-                 decimal(ends.hi, digits, MPFR_RNDU) + "]";
+        Rounded r = enclosing(decimal_of(ends.lo, digits, MPFR_RNDD),
+                              decimal_of(ends.hi, digits, MPFR_RNDU), digits);
         const Rounded one = round_ball(x, digits > 1 ? digits - 1 : 1);
         r.digits = one.digits;
         r.complete = one.digits + 1 >= digits;
@@ -267,9 +291,9 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
                                 : mode == Rounding::down  ? MPFR_RNDD
                                                           : MPFR_RNDU;
     for (unsigned k = digits; k > 0; --k) {
-        std::string lo = decimal(ends.lo, k, rounding);
-        if (lo == decimal(ends.hi, k, rounding)) {
-            return {std::move(lo), k, k == digits};
+        const Decimal lo = decimal_of(ends.lo, k, rounding);
+        if (lo == decimal_of(ends.hi, k, rounding)) {
+            return single(lo, k, k == digits);
         }
     }
     return {};

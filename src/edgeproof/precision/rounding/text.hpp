@@ -36,15 +36,30 @@ enum class Rounding {
 /// "[lower, upper]" for an enclosure.
 [[nodiscard]] std::string to_decimal(const Rational& q, unsigned digits, Rounding mode);
 
-/// A ball in decimal.
-struct Rounded {
-    std::string text;      ///< what every number in the ball rounds to
-    unsigned digits = 0;   ///< how many digits of it are vouched for
-    bool complete = false; ///< as many as were asked for
+/// The decimal number 0.d_1 d_2 ... x 10^exponent; 0 where there are no digits.
+struct Decimal {
+    bool negative = false;
+    std::string digits;
+    long exponent = 0;
+    /// Exactly. Throws InputError for exponents beyond 100,000.
+    [[nodiscard]] Rational value() const;
+    friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 
+/// A number or a ball in decimal.
+struct Rounded {
+    std::string text;      ///< what every number in the ball rounds to
+    unsigned digits = 0;   ///< how many digits of it are certain
+    bool complete = false; ///< as many as were asked for
+    Decimal lower;         ///< what the text says: one number,
+    Decimal upper;         ///< or the ends of an enclosure
+};
+
+/// An exact number, rounded as to_decimal does.
+[[nodiscard]] Rounded round_rational(const Rational& q, unsigned digits, Rounding mode);
+
 /// The correctly rounded value, at `digits` significant digits, of every number in the ball; where
-/// they do not all round alike, as many digits as can be vouched for (none: the text is empty).
+/// they do not all round alike, as many digits as are certain (none: the text is empty).
 /// Rounding::enclosure gives "[lower, upper]", rounded outwards, and is complete when the two
 /// differ by at most 2 units in the last digit.
 [[nodiscard]] Rounded round_ball(const Ball& x, unsigned digits, Rounding mode = Rounding::nearest);

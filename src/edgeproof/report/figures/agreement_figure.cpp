@@ -28,7 +28,7 @@ double shown(const conformance::Answer& answer, double digits) {
 Plot agreement_plot(const Conformance& c) {
     bool shear = false;
     for (const conformance::Question& q : c.answers.questions.list) {
-        shear = shear || q.wanted.kind == conformance::Wanted::Kind::q;
+        shear = shear || q.quantity == scene::Quantity::q;
     }
     Plot plot;
     plot.id = "agreement";
@@ -47,13 +47,14 @@ Plot agreement_plot(const Conformance& c) {
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         const conformance::Question& q = c.answers.questions.list[i];
         const conformance::CaseAgreement& held = c.agreements.cases[i];
-        if (!q.wanted.at_point() || !held.no_reference.empty() ||
+        const bool drawn = q.quantity == scene::Quantity::p || q.quantity == scene::Quantity::q;
+        if (!drawn || !held.no_reference.empty() ||
             c.answers.given[i].state != conformance::Answer::State::number) {
             continue;
         }
         std::vector<std::optional<Real>> row(4);
         row[0] = q.u->to<Real>();
-        row[q.wanted.kind == conformance::Wanted::Kind::p ? 1 : 2] =
+        row[q.quantity == scene::Quantity::p ? 1 : 2] =
             Real(shown(c.answers.given[i], held.digits));
         if (held.conditioning && held.conditioning->moved > 0) {
             row[3] = Real(std::max(0.0, -std::log10(held.conditioning->moved)));

@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,21 @@ std::string row_text(const std::vector<std::optional<Real>>& row, std::string_vi
     return line + '\n';
 }
 
+/// Grey that lets a dark page through, so that it is a shade on either.
+void set_bands(std::string& script, const std::vector<Band>& bands) {
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const Band& band = bands[i];
+        script += fmt::format("set object {} rectangle from first {}, graph 0 to first {}, graph 1 "
+                              "behind fillcolor rgb \"#808080\" fillstyle transparent solid {:g} "
+                              "noborder\n",
+                              i + 1, band.from, band.to, band.darkness);
+        script += fmt::format(
+            "set label {} {} at first {}, graph {:g} left offset 0.4, 0 noenhanced "
+            "font \",11\"\n",
+            i + 1, gnuplot_text(band.title), band.from, 0.96 - 0.06 * static_cast<double>(i));
+    }
+}
+
 void set_axis(std::string& script, char name, const Axis& axis) {
     script += fmt::format("set {}label {} noenhanced\n", name, gnuplot_text(axis.label));
     if (axis.logarithmic) {
@@ -68,6 +84,7 @@ void set_axis(std::string& script, char name, const Axis& axis) {
 std::string to_csv(const Plot& plot) {
     std::string csv = "# " + plot.title + '\n';
     csv += "# " + plot.description + '\n';
+    csv += "# program: " + program_line() + '\n';
     for (std::size_t i = 0; i < plot.columns.size(); ++i) {
         csv += (i == 0 ? "" : ",") + plot.columns[i];
     }
@@ -105,6 +122,7 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     script += "set grid back lc rgb \"#999999\" lw 0.5 dt 3\n";
     set_axis(script, 'x', plot.x);
     set_axis(script, 'y', plot.y);
+    set_bands(script, plot.bands);
     script += "$data << END_OF_DATA\n";
     for (const auto& row : plot.rows) {
         script += row_text(row, " ", "NaN");

@@ -34,6 +34,14 @@ struct Axis {
     std::optional<std::pair<std::string, std::string>> range = {}; ///< as text, exactly
 };
 
+/// A part of the x axis, shaded over the whole height and named at its top. Numbers as text.
+struct Band {
+    std::string from;
+    std::string to;
+    std::string title;
+    double darkness = 0.15; ///< of 1
+};
+
 /// One panel: a table, and which of its columns are drawn. Nothing in it depends on how.
 struct Plot {
     std::string id;          ///< "fig2a": the name of its files
@@ -47,6 +55,7 @@ struct Plot {
     std::vector<Curve> curves;
     /// A horizontal line: where it is, and what it says.
     std::optional<std::pair<std::string, std::string>> level = {};
+    std::vector<Band> bands = {};
     bool key_below = false; ///< the curves are named under the plot, however many they are
 };
 

@@ -4,6 +4,7 @@
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <unistd.h>
 
@@ -95,7 +96,9 @@ std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                     (ending.empty() ? "" : " (gnuplot " + ending + ")"));
     }
     replace_element(svg, "<title>", "</title>", "<title>" + escape_html(plot.title) + "</title>");
-    replace_element(svg, "<desc>", "</desc>", "<desc>" + escape_html(plot.description) + "</desc>");
+    replace_element(svg, "<desc>", "</desc>",
+                    "<desc>" + escape_html(plot.description) + "</desc><metadata>" +
+                        escape_html(program_line()) + "</metadata>");
     return svg;
 }
 
@@ -109,6 +112,7 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
     replace_element(out, "<desc>", "</desc>",
                     "<desc id=\"" + description + "\">" + escape_html(plot.description) +
                         "</desc>");
+    replace_element(out, "<metadata>", "</metadata>", ""); // the page names the program
     const std::string own = plot.id + '-';
     replace_all(out, "id=\"gnuplot_canvas\"", "id=\"" + own + "canvas\"");
     replace_all(out, "id='gp", "id='" + own + "gp");

@@ -70,7 +70,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
                             const formula::Expr& says, const std::optional<formula::Expr>& correct,
                             const Coefficient& which) {
     constexpr unsigned digits = 60;
-    constexpr int rungs = 33; // u = 0.2 of the radius, then each 10^(-1/4) of the last
+    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) of the last
     const audit::EvaluatedScene scene_values(sample.scene, digits);
     const PrecisionScope scope(digits + 10);
     audit::Variables variables;
@@ -93,7 +93,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
     plot.id = "erratum-" + claim.id;
     plot.columns = {"u_over_length", "printed", "corrected"};
     const Real start = scene_values.contact().convergence_radius(which.edge) / 5;
-    for (int j = 0; j < rungs; ++j) {
+    for (int j = 0; j < places; ++j) {
         const Real u = start * pow(Real(10), Real(-j) / 4);
         Real sum = 0;
         for (std::size_t k = which.k; k-- > 0;) {

@@ -6,6 +6,7 @@
 #include "edgeproof/report/figures/cost_figures.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -154,7 +155,7 @@ std::string page(const CostReport& report, const std::string& figures) {
                           {"machine", escape_html(machine)},
                           {"contents", contents},
                           {"parts", body},
-                          {"footer", escape_html("Made by edgeproof cost (" + report.version +
+                          {"footer", escape_html("Made by edgeproof cost (" + program_line() +
                                                  "). Times are the processor's and belong to this "
                                                  "machine; counts of evaluations do not.")}});
 }

@@ -4,6 +4,7 @@
 #include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <algorithm>
 #include <set>
@@ -177,8 +178,9 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"verdict_options", verdict_options},
          {"section_options", section_options},
          {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
-                        " digits. The page needs no network; the figures' data stand in the "
-                        "folder figures beside it."}});
+                        " digits: " + escape_html(program_line()) +
+                        ". The page needs no network; the figures' data stand in the folder "
+                        "figures beside it."}});
 }
 
 } // namespace edgeproof::report

@@ -26,15 +26,21 @@ std::optional<formula::Expr> parsed(std::string_view text, const audit::Claim& c
     }
 }
 
+/// A field of text: as it was parsed, or else if it can be.
+std::optional<formula::Expr> parsed_field(std::string_view key, const audit::Claim& claim) {
+    const formula::Expr* e = claim.find_written(key);
+    return e != nullptr ? std::optional(*e) : parsed(claim.text(key), claim);
+}
+
 /// The formula typeset, with what the claim is of on its left; words in a <code>.
-std::string formula(const std::string& text, const audit::Claim& claim, const std::string& label) {
-    const auto e = parsed(text, claim);
+std::string formula(const std::string& text, const std::optional<formula::Expr>& e,
+                    const audit::Claim& claim, const std::string& label) {
     if (!e) {
         return "<p>" + code(text) + "</p>";
     }
     std::string content = to_mathml(*e);
     if (claim.has("of")) {
-        if (const auto left = parsed(claim.text_or("of", ""), claim)) {
+        if (const auto left = parsed_field("of", claim)) {
             content = "<mrow>" + to_mathml(*left) + "<mo>=</mo>" + content + "</mrow>";
         }
     }
@@ -58,12 +64,13 @@ std::string description(const audit::ClaimResult& result) {
         term(out, "Printed (TeX)", "<p>" + code(claim.printed) + "</p>");
     }
     if (const std::string* says = text_field(claim, "says")) {
-        term(out, "Printed", formula(*says, claim, "printed"));
+        term(out, "Printed", formula(*says, parsed_field("says", claim), claim, "printed"));
     }
     if (result.outcome.correct) {
         term(out, "Corrected",
-             formula(*result.outcome.correct, claim, "corrected") + "<p>" +
-                 code(*result.outcome.correct) + "</p>");
+             formula(*result.outcome.correct, parsed(*result.outcome.correct, claim), claim,
+                     "corrected") +
+                 "<p>" + code(*result.outcome.correct) + "</p>");
     }
     if (const std::string* quoted = text_field(claim, "quoted")) {
         term(out, "Quoted", "<p>" + code(*quoted) + "</p>");

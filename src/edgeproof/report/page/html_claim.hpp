@@ -7,7 +7,7 @@
 
 namespace edgeproof::report {
 
-/// <span> with the name of a verdict.
+/// A `<span>` with the name of a verdict.
 [[nodiscard]] std::string verdict_mark(audit::Verdict verdict);
 /// "lines 126–129"; nothing for a formula of no source.
 [[nodiscard]] std::string lines_words(const audit::Claim& claim);

@@ -2,7 +2,9 @@
 #include "edgeproof/report/tables/agreement_report.hpp"
 
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/report/text/visible_text.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -116,7 +118,7 @@ std::string regimes_text(const Conformance& c) {
                 "{:>9}{:>8}{:>11}{:>9}  {}", digits_text(*middle, c.agreements.digits),
                 digits_text(worst.digits, c.agreements.digits), ulps_text(worst.ulps),
                 worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
-                visible_text(c.answers.questions.list[*t.worst].id));
+                printable(c.answers.questions.list[*t.worst].id));
         }
         out += "\n";
     }
@@ -139,29 +141,6 @@ std::string target_text(const conformance::Target& target) {
 std::string convention_text(const conformance::Convention& k) {
     return fmt::format("{}: yours are {}, to {} digits in {} of {} failing rows: {}", k.of,
                        k.relation, digits_text(k.digits, 40), k.rows, k.failing, k.hint);
-}
-
-std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : visible_text(text)) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
 }
 
 std::string counted(std::size_t n, const char* one, const char* many) {
@@ -242,7 +221,7 @@ std::string conformance_text(const Conformance& c, std::size_t errors) {
     const auto complain = [&](const std::string& line) {
         if (shown < errors) {
             ++shown;
-            out += visible_text(line) + "\n";
+            out += printable(line) + "\n";
         } else {
             ++hidden;
         }
@@ -270,7 +249,7 @@ std::string conformance_text(const Conformance& c, std::size_t errors) {
         out += fmt::format("{} in another order than asked: their ids tell what they answer\n",
                            counted(c.answers.out_of_order, "row stands", "rows stand"));
     }
-    out += fmt::format("target: {}\n", target_text(c.target));
+    out += fmt::format("program: {}\ntarget: {}\n", program_line(), target_text(c.target));
     return out + outcome_text(c) + "\n";
 }
 
@@ -279,29 +258,30 @@ std::string conformance_junit(const Conformance& c) {
     std::string cases;
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"",
-                             xml(regime_name(c.agreements.cases[i].regime)),
-                             xml(c.answers.questions.list[i].id));
+                             xml_text(regime_name(c.agreements.cases[i].regime)),
+                             xml_text(c.answers.questions.list[i].id));
         if (c.failed(i)) {
             ++failures;
             cases += fmt::format(">\n    <failure message=\"{}\"/>\n  </testcase>\n",
-                                 xml(complaint(c, i)));
+                                 xml_text(complaint(c, i)));
         } else {
             cases += "/>\n";
         }
     }
     std::string faults;
     for (const std::string& fault : c.answers.faults) {
-        faults += xml(fault) + "\n";
+        faults += xml_text(fault) + "\n";
     }
     for (const conformance::Convention& convention : c.conventions) {
-        faults += xml(convention_text(convention)) + "\n";
+        faults += xml_text(convention_text(convention)) + "\n";
     }
     failures += c.answers.faults.empty() && !c.conventions.empty() ? 1 : 0;
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<testsuite name=\"edgeproof check\" tests=\"{}\" failures=\"{}\">\n"
+        "  <properties><property name=\"program\" value=\"{}\"/></properties>\n"
         "  <testcase classname=\"answers\" name=\"as a whole\"{}\n{}</testsuite>\n",
-        c.agreements.cases.size() + 1, failures,
+        c.agreements.cases.size() + 1, failures, xml_text(program_line()),
         faults.empty() ? "/>" : ">\n    <failure message=\"" + faults + "\"/>\n  </testcase>",
         cases);
 }

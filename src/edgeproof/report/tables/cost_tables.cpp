@@ -2,6 +2,7 @@
 #include "edgeproof/report/tables/cost_tables.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -271,7 +272,7 @@ Table cost_points(const CostReport& report) {
 
 std::string cost_json(const CostReport& report) {
     nlohmann::ordered_json json;
-    json["program"] = report.version;
+    json["program"] = program_line();
     for (const auto& [name, value] : report.machine) {
         json["machine"][name] = value;
     }

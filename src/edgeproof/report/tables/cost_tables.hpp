@@ -11,7 +11,6 @@ namespace edgeproof::report {
 
 /// All that `edgeproof cost` has found.
 struct CostReport {
-    std::string version; ///< of the program
     std::vector<std::pair<std::string, std::string>> machine;
     std::vector<unsigned> digits; ///< asked for, ascending
     std::vector<cost::CostCase> cases;

@@ -4,6 +4,7 @@
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,12 @@ std::string quoted(const std::string& text) {
         out += c == '"' ? std::string("\"\"") : std::string(1, c);
     }
     return out + "\"";
+}
+
+std::string cells_of(const audit::MutantFate& f) {
+    return fmt::format("{},{},{},{},{},{},{},{}", csv_cell(f.claim), quoted(f.kind),
+                       name_of(f.verdict), f.equivalent ? "yes" : "no", f.named ? "yes" : "no",
+                       quoted(f.original), quoted(f.mutated), quoted(f.note));
 }
 
 } // namespace
@@ -92,17 +99,20 @@ std::string mutation_text(const audit::MutationRun& run,
 }
 
 std::string mutation_csv(const std::vector<audit::MutantFate>& fates) {
-    std::string out = std::string(mutation_columns) + "\n";
+    std::string out = std::string(mutation_columns) + ",program\n";
+    const std::string program = csv_text_cell(program_line());
     for (const audit::MutantFate& f : fates) {
-        out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(f.claim), quoted(f.kind),
-                           name_of(f.verdict), f.equivalent ? "yes" : "no", f.named ? "yes" : "no",
-                           quoted(f.original), quoted(f.mutated), quoted(f.note));
+        out += cells_of(f) + "," + program + "\n";
     }
     return out;
 }
 
 std::string mutation_state(const std::string& of, const std::vector<audit::MutantFate>& fates) {
-    return "# " + of + "\n" + mutation_csv(fates);
+    std::string out = "# " + of + "\n" + std::string(mutation_columns) + "\n";
+    for (const audit::MutantFate& f : fates) {
+        out += cells_of(f) + "\n";
+    }
+    return out;
 }
 
 std::vector<audit::MutantFate> parse_mutation_state(std::string_view text, const std::string& file,

@@ -19,7 +19,7 @@ namespace edgeproof::report {
 /// A row a mutant: claim, kind, verdict, equivalent, named, the two formulas, the note.
 [[nodiscard]] std::string mutation_csv(const std::vector<audit::MutantFate>& fates);
 
-/// A run laid aside: a note that says what it is of, and the rows found so far.
+/// A run saved: a note that says what it is of, and the rows found so far.
 [[nodiscard]] std::string mutation_state(const std::string& of,
                                          const std::vector<audit::MutantFate>& fates);
 /// Throws InputError with the line for a text that is no such state, or one of something else.

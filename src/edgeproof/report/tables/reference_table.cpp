@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -65,11 +66,12 @@ std::string csv_line(const std::vector<std::string>& cells) {
 ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
     : recipe_(std::filesystem::path(recipe.file).filename().string()), title_(recipe.title),
       digits_(recipe.digits), keys_(recipe.questions.columns()),
-      tolerances_(recipe.questions.has_tolerances()) {}
+      tolerances_(recipe.questions.has_tolerances()), quantities_(recipe.questions.quantities()) {}
 
 ReferenceRows::ReferenceRows(const conformance::RecipeGrid& recipe)
     : recipe_(std::filesystem::path(recipe.file()).filename().string()), title_(recipe.title()),
-      digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()) {}
+      digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()),
+      quantities_(recipe.quantities()) {}
 
 std::vector<std::string> ReferenceRows::row(const conformance::Questions& questions, std::size_t i,
                                             const conformance::Reference& reference) const {
@@ -78,13 +80,13 @@ std::vector<std::string> ReferenceRows::row(const conformance::Questions& questi
     for (const std::string& key : keys_) {
         row.push_back(parameter_text(questions.contacts[q.contact], key));
     }
-    row.push_back(q.wanted.at_edge() ? scene::edge_name(q.edge) : "");
+    row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
     if (tolerances_) {
         row.push_back(q.tolerance ? q.tolerance->text() : "");
     }
     row.push_back(q.u ? q.u->text() : "");
     row.push_back(reference.x ? printed(*reference.x, digits_).text : "");
-    row.push_back(wanted_name(q.wanted));
+    row.push_back(symbol_of(q));
     const scene::PrintedValue value = printed(reference.value, digits_);
     row.push_back(value.text);
     row.push_back(value.bound);
@@ -97,7 +99,7 @@ std::vector<std::string> ReferenceRows::row(const conformance::Questions& questi
 }
 
 Table ReferenceRows::table(
-    const std::string& version, std::size_t rows, std::size_t estimates,
+    std::size_t rows, std::size_t estimates,
     const std::function<void(const std::function<void(const std::string&)>&)>& lines) const {
     Table table;
     table.title = title_;
@@ -118,7 +120,7 @@ Table ReferenceRows::table(
     lines([&](const std::string& line) { hash = io::fnv1a(line, hash); });
     table.facts = {
         {"recipe", recipe_},
-        {"program", version},
+        {"program", program_line()},
         {"digits", std::to_string(digits_.count)},
         {"rounding", rounding_name(digits_.rounding)},
         {"rows", std::to_string(rows)},
@@ -137,12 +139,17 @@ Table ReferenceRows::table(
             "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
             "the tolerance; measure_n: the length of all that lies within it");
     }
+    for (const scene::Quantity quantity : quantities_) {
+        const scene::QuantityRow& row = scene::row_of(quantity);
+        if (!row.meaning.empty()) {
+            table.notes.push_back(scene::family_of({quantity}) + ": " + std::string(row.meaning));
+        }
+    }
     return table;
 }
 
 Table reference_table(const conformance::Recipe& recipe,
-                      const std::vector<conformance::Reference>& values,
-                      const std::string& version) {
+                      const std::vector<conformance::Reference>& values) {
     const ReferenceRows rows(recipe);
     std::vector<std::vector<std::string>> cells;
     std::size_t estimates = 0;
@@ -150,7 +157,7 @@ Table reference_table(const conformance::Recipe& recipe,
         cells.push_back(rows.row(recipe.questions, i, values[i]));
         estimates += values[i].value.proved ? 0 : 1;
     }
-    Table table = rows.table(version, cells.size(), estimates, [&](const auto& take) {
+    Table table = rows.table(cells.size(), estimates, [&](const auto& take) {
         for (const auto& row : cells) {
             take(csv_line(row));
         }
@@ -183,8 +190,8 @@ Table question_table(const conformance::Questions& questions, const std::string&
         for (const std::string& key : keys) {
             row.push_back(parameter_text(contact, key));
         }
-        row.push_back(wanted_name(q.wanted));
-        row.push_back(q.wanted.at_edge() ? scene::edge_name(q.edge) : "");
+        row.push_back(symbol_of(q));
+        row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
         if (tolerances) {
             row.push_back(q.tolerance ? q.tolerance->text() : "");
         }

@@ -6,6 +6,7 @@
 #include "edgeproof/report/tables/table.hpp"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ public:
     /// The table without its rows: head, columns, and the checksum of them and of the lines, which
     /// `lines` hands over in their order.
     [[nodiscard]] Table
-    table(const std::string& version, std::size_t rows, std::size_t estimates,
+    table(std::size_t rows, std::size_t estimates,
           const std::function<void(const std::function<void(const std::string&)>&)>& lines) const;
 
 private:
@@ -34,14 +35,14 @@ private:
     scene::Digits digits_;
     std::vector<std::string> keys_;
     bool tolerances_;
+    std::set<scene::Quantity> quantities_;
 };
 
 /// A recipe's answers as a table, a row a question: id, parameters, edge, u, x, quantity, value,
-/// bound, binary64 (17 digits), route. `version` names the program. The checksum is over the
+/// bound, binary64 (17 digits), route. The checksum is over the
 /// header and the rows as CSV, so that it is the same in every format.
 [[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
-                                    const std::vector<conformance::Reference>& values,
-                                    const std::string& version);
+                                    const std::vector<conformance::Reference>& values);
 
 /// The questions as a table to be answered: id, parameters, quantity, edge, u, x; whoever answers
 /// adds a column `value`. x is left out where it is not rational.

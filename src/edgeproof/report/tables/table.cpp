@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/table.hpp"
 
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/text/text_width.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,7 +26,7 @@ std::string fact_text(const Fact& fact) {
 /// Title, facts and notes, each a line after `mark`.
 std::string heading(const Table& table, const std::string& mark) {
     std::string out;
-    const auto line = [&](const std::string& text) { out += mark + one_line(text) + "\n"; };
+    const auto line = [&](const std::string& text) { out += mark + printable(text) + "\n"; };
     if (!table.title.empty()) {
         line(table.title);
     }
@@ -181,7 +183,13 @@ std::optional<TableFormat> table_format(std::string_view name) {
                             : std::nullopt;
 }
 
-std::string write_table(const Table& table, TableFormat format) {
+std::string write_table(const Table& given, TableFormat format) {
+    Table table = given;
+    const bool named = std::any_of(table.facts.begin(), table.facts.end(),
+                                   [](const Fact& fact) { return fact.key == "program"; });
+    if (!named) {
+        table.facts.push_back({"program", program_line()});
+    }
     switch (format) {
     case TableFormat::json:
         return json(table);

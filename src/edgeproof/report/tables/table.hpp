@@ -31,7 +31,7 @@ struct Column {
 struct Fact {
     std::string key;
     std::string value;
-    std::string bound = {}; ///< where it is a value with a bound and the route it came by
+    std::string bound = {}; ///< where it is a value with a bound and its route
     std::string route = {};
 };
 
@@ -44,8 +44,9 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// The same table, the same bytes. CSV: notes are lines that begin with #. Markdown: aligned, so
-/// that it reads as text. LaTeX: booktabs, to be \input.
+/// The same table, the same bytes, by the same program, which is named among the facts. CSV: notes
+/// are lines that begin with #. Markdown: aligned, so that it reads as text. LaTeX: booktabs, for
+/// `\input`.
 [[nodiscard]] std::string write_table(const Table& table, TableFormat format);
 
 } // namespace edgeproof::report

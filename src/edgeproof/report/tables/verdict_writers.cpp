@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/verdict_writers.hpp"
 
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -95,6 +97,7 @@ std::string verdicts_json(const audit::AuditResult& result) {
     Json root;
     root["ledger"] = result.ledger;
     root["digits"] = result.digits;
+    root["program"] = program_line();
     Json claims = Json::array();
     for (const audit::ClaimResult& r : result.claims) {
         Json c;
@@ -132,14 +135,15 @@ std::string verdicts_json(const audit::AuditResult& result) {
 }
 
 std::string verdicts_csv(const audit::AuditResult& result) {
-    std::string out = "id,lines,verdict,quoted,computed,correct,note,printed\n";
+    std::string out = "id,lines,verdict,quoted,computed,correct,note,printed,program\n";
+    const std::string program = csv_text_cell(program_line());
     for (const audit::ClaimResult& r : result.claims) {
         out += csv_text_cell(r.claim.id) + "," + lines_text(r.claim) + "," +
                std::string(name_of(r.outcome.verdict)) + "," +
                csv_text_cell(quoted(r.claim).value_or("")) + "," +
                csv_text_cell(r.outcome.computed.value_or("")) + "," +
                csv_text_cell(r.outcome.correct.value_or("")) + "," + csv_text_cell(r.outcome.note) +
-               "," + csv_text_cell(r.claim.printed) + "\n";
+               "," + csv_text_cell(r.claim.printed) + "," + program + "\n";
     }
     return out;
 }
@@ -147,7 +151,8 @@ std::string verdicts_csv(const audit::AuditResult& result) {
 std::string verdicts_markdown(const audit::AuditResult& result) {
     std::string out = "# " + markdown_text(result.ledger) + "\n\n" + markdown_text(result.source) +
                       "\n\n" + std::to_string(result.claims.size()) + " claims at " +
-                      std::to_string(result.digits) + " digits: " + counts_line(result) + ".\n\n";
+                      std::to_string(result.digits) + " digits: " + counts_line(result) +
+                      ".\n\nMade by " + markdown_text(program_line()) + ".\n\n";
     out += "| id | lines | verdict | quoted | computed | correct | note |\n"
            "|---|---|---|---|---|---|---|\n";
     for (const audit::ClaimResult& r : result.claims) {
@@ -164,7 +169,8 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
 }
 
 std::string verdicts_latex(const audit::AuditResult& result) {
-    std::string out = "% " + one_line(result.ledger) + ": " + counts_line(result) + "\n" +
+    std::string out = "% " + printable(result.ledger) + ": " + counts_line(result) + "\n" +
+                      "% program: " + program_line() + "\n" +
                       "% needs the package longtable\n"
                       "\\begin{longtable}{llllp{0.5\\textwidth}}\n"
                       "claim & lines & verdict & computed & note \\\\ \\hline \\endhead\n";

@@ -18,7 +18,7 @@ count_verdicts(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_csv(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_markdown(const audit::AuditResult& result);
-/// A longtable to be \input, with its own preamble notes as comments.
+/// A longtable for LaTeX's `\input`, with its own preamble notes as comments.
 [[nodiscard]] std::string verdicts_latex(const audit::AuditResult& result);
 
 /// For a terminal `width` columns wide: the table, the errata, the counts. `colour` adds ANSI.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/escape.hpp"
 
-#include "edgeproof/report/text/visible_text.hpp"
-
-#include <algorithm>
+#include "edgeproof/precision/message.hpp"
 
 namespace edgeproof::report {
 namespace {
@@ -27,16 +25,9 @@ std::string in_quotes(std::string_view text) {
 
 } // namespace
 
-std::string one_line(std::string_view text) {
-    std::string out(text);
-    std::replace_if(
-        out.begin(), out.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-    return visible_text(out);
-}
-
 std::string csv_cell(std::string_view text) {
     const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos;
-    const std::string line = one_line(text);
+    const std::string line = printable(text);
     return plain ? line : in_quotes(line);
 }
 
@@ -55,7 +46,7 @@ std::string markdown_text(std::string_view text) {
                       text.find("]:") != std::string_view::npos;
     const std::string_view marks = link ? "\\|`[]" : "\\|`";
     std::string out;
-    for (const char c : one_line(text)) {
+    for (const char c : printable(text)) {
         if (c == '<') {
             out += "&lt;";
         } else if (c == '&') {
@@ -72,7 +63,7 @@ std::string markdown_text(std::string_view text) {
 
 std::string markdown_code(std::string_view text) {
     std::string out = "`";
-    for (const char c : one_line(text)) {
+    for (const char c : printable(text)) {
         out += c == '|' ? "\\|" : c == '`' ? "'" : std::string(1, c);
     }
     return out + "`";
@@ -80,7 +71,7 @@ std::string markdown_code(std::string_view text) {
 
 std::string latex_text(std::string_view text) {
     std::string out;
-    for (const char c : one_line(text)) {
+    for (const char c : printable(text)) {
         switch (c) {
         case '\\':
             out += "\\textbackslash{}";
@@ -100,6 +91,29 @@ std::string latex_text(std::string_view text) {
         case '}':
             out += '\\';
             out += c;
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string xml_text(std::string_view text) {
+    std::string out;
+    for (const char c : printable(text)) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
             break;
         default:
             out += c;

@@ -5,13 +5,9 @@
 
 /// Somebody else's text (names, ids, notes, formulas, file names) as it may stand in each format
 /// that is written, so that it is read there as text and as nothing else: one function a place.
-/// `escape_html` (html_markup.hpp) and `visible_text` are of the same kind, for HTML and a
-/// terminal.
+/// `escape_html` (html_markup.hpp) and `printable` (precision/message.hpp), which all of them apply
+/// first, are of the same kind, for HTML and a terminal.
 namespace edgeproof::report {
-
-/// In one line: line ends and tabs become spaces, other control characters and bytes that are no
-/// UTF-8 become \xNN.
-[[nodiscard]] std::string one_line(std::string_view text);
 
 /// A cell of a CSV row, quoted where it has to be.
 [[nodiscard]] std::string csv_cell(std::string_view text);
@@ -23,6 +19,9 @@ namespace edgeproof::report {
 [[nodiscard]] std::string markdown_text(std::string_view text);
 /// A Markdown code span in a table row.
 [[nodiscard]] std::string markdown_code(std::string_view text);
+
+/// In an attribute or a text of XML.
+[[nodiscard]] std::string xml_text(std::string_view text);
 
 /// In a LaTeX paragraph or cell: no command of its own.
 [[nodiscard]] std::string latex_text(std::string_view text);

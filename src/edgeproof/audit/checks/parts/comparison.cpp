@@ -27,18 +27,13 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
         claim.has("over") &&
         symmetric_family(context.ledger(), context.ledger().family(claim.text("over")));
     if (claim.has("given")) {
-        for (const auto& [name, texts] : claim.table("given")) {
-            if ((name != "P" && name != "b") || texts.size() != 1) {
+        for (std::size_t i = 0; i < claim.table("given").size(); ++i) {
+            const std::string& name = claim.table("given")[i].first;
+            if (name != "P" && name != "b") {
                 claim.reject("given", "given names " + name + ", which nothing follows from",
                              "write given = { P = \"...\", b = \"...\" }, formulas in a");
             }
-            try {
-                const formula::Expr e = expand_definitions(
-                    parse_formula(texts.front(), claim.vocabulary), claim.vocabulary);
-                (name == "P" ? under.P : under.b) = e;
-            } catch (const InputError& error) {
-                claim.reject("given", error.problem(), error.instead());
-            }
+            (name == "P" ? under.P : under.b) = claim.formulas("given")[i];
         }
     }
     return under;

@@ -46,7 +46,7 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context, 
         for (const formula::Expr& value : *values) {
             values_.push_back(to_text(value));
             const Ledger fixed = with_parameter(context.ledger(), over, name_, value);
-            rungs_.push_back(std::make_unique<EvaluatedSamples>(
+            steps_.push_back(std::make_unique<EvaluatedSamples>(
                 claim, AuditContext(fixed, context.digits()), digits));
         }
     } else if (claim.has("vary")) {
@@ -63,7 +63,7 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context, 
                         list = {text};
                     }
                 }
-                rungs_.push_back(std::make_unique<EvaluatedSamples>(at, context, digits));
+                steps_.push_back(std::make_unique<EvaluatedSamples>(at, context, digits));
             }
         }
     }

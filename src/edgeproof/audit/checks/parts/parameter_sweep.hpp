@@ -23,15 +23,15 @@ public:
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] const std::vector<std::string>& values() const noexcept { return values_; }
     /// Samples at one value.
-    [[nodiscard]] std::size_t samples() const noexcept { return rungs_.front()->all().size(); }
+    [[nodiscard]] std::size_t samples() const noexcept { return steps_.front()->all().size(); }
     [[nodiscard]] const EvaluatedSample& sample_at(std::size_t value, std::size_t sample) const {
-        return rungs_[value]->all()[sample];
+        return steps_[value]->all()[sample];
     }
 
 private:
     std::string name_;
     std::vector<std::string> values_;
-    std::vector<std::unique_ptr<EvaluatedSamples>> rungs_;
+    std::vector<std::unique_ptr<EvaluatedSamples>> steps_;
 };
 
 } // namespace edgeproof::audit

@@ -63,21 +63,21 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
                           " orders needs as many coefficients");
     }
     const Real radius = contact.convergence_radius(edge);
-    std::vector<Real> ladder;
+    std::vector<Real> places;
     std::vector<Real> pressure;
     for (std::size_t j = 0; j < options.points; ++j) {
-        ladder.push_back(ldexp(Real(radius * pow(Real(10), -options.start)), -static_cast<int>(j)));
+        places.push_back(ldexp(Real(radius * pow(Real(10), -options.start)), -static_cast<int>(j)));
     }
     if (options.route == contact::Route::singular_integral ||
         (options.route == contact::Route::automatic &&
          !contact::BallContact::has_closed_form(profile))) {
         // Many points of one contact at many digits: nodes and slopes are computed once for all.
         const contact::BatchPressure p(contact, digits);
-        for (const Real& u : ladder) {
+        for (const Real& u : places) {
             pressure.push_back(p(edge, u).value);
         }
     } else {
-        for (const Real& u : ladder) {
+        for (const Real& u : places) {
             pressure.push_back(contact.pressure(edge, u, options.route).value);
         }
     }
@@ -86,10 +86,10 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
     for (std::size_t n = 0; n < options.orders; ++n) {
         OrderFit fit;
         fit.n = n;
-        fit.u = ladder;
+        fit.u = places;
         std::vector<Real> quotient;
-        for (std::size_t j = 0; j < ladder.size(); ++j) {
-            const Real& u = ladder[j];
+        for (std::size_t j = 0; j < places.size(); ++j) {
+            const Real& u = places[j];
             Real sum = 0;
             for (std::size_t k = n; k-- > 0;) {
                 sum = sum * u + c[k];
@@ -97,7 +97,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
             fit.residual.push_back(pressure[j] - sqrt(u) * sum);
             quotient.push_back(fit.residual[j] / (sqrt(u) * pow(u, static_cast<int>(n))));
         }
-        for (std::size_t j = 0; j + 1 < ladder.size(); ++j) {
+        for (std::size_t j = 0; j + 1 < places.size(); ++j) {
             const Real ratio =
                 fit.residual[j + 1] == 0 ? Real(0) : Real(fit.residual[j] / fit.residual[j + 1]);
             fit.local_slope.push_back(ratio > 0 ? Real(log(ratio) / log(Real(2))) : Real(0));

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What is installed beside programs and libraries: ledgers, recipes, tables and scenes, which the
+# program finds by their names (src/edgeproof/cli/shipped_file.hpp); the documents; the manual pages and
+# completions that the program writes of itself.
+set(data_folder ${CMAKE_INSTALL_DATADIR}/edgeproof)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_DATADIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
+    OUTPUT_VARIABLE data_from_program)
+set_property(SOURCE src/edgeproof/cli/shipped_file.cpp APPEND PROPERTY
+    COMPILE_DEFINITIONS "EDGEPROOF_DATA_FOLDER=\"${data_from_program}/edgeproof\"")
+
+foreach(folder verify reference examples)
+    install(DIRECTORY ${folder} DESTINATION ${data_folder} COMPONENT program
+        PATTERN "__pycache__" EXCLUDE)
+endforeach()
+foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
+    install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+endforeach()
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
+    PATTERN Doxyfile EXCLUDE)
+# The pages that those link to.
+foreach(page examples/README.md examples/third-party/README.md verify/README.md reference/README.md
+        bench/README.md)
+    cmake_path(GET page PARENT_PATH folder)
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT documentation)
+endforeach()
+
+if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
+    # The program in the build finds the same, in the source.
+    cmake_path(APPEND CMAKE_RUNTIME_OUTPUT_DIRECTORY ${data_from_program} edgeproof
+        OUTPUT_VARIABLE data_in_build)
+    cmake_path(NORMAL_PATH data_in_build)
+    file(MAKE_DIRECTORY ${data_in_build})
+    foreach(folder verify reference examples)
+        file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${data_in_build}/${folder} SYMBOLIC)
+    endforeach()
+
+    set(manual ${PROJECT_BINARY_DIR}/manual)
+    find_program(GZIP_PROGRAM gzip)
+    mark_as_advanced(GZIP_PROGRAM)
+    set(compress)
+    if(GZIP_PROGRAM)
+        set(compress COMMAND sh -c "gzip -9nf ${manual}/man1/*.1")
+    endif()
+    add_custom_command(OUTPUT ${manual}/edgeproof.bash
+        COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
+        COMMAND edgeproof --write-manual ${manual}
+        ${compress}
+        DEPENDS edgeproof VERBATIM COMMENT "Manual pages and completions")
+    add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/edgeproof.bash)
+    install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT documentation
+        OPTIONAL)
+    install(FILES ${manual}/edgeproof.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME edgeproof
+        COMPONENT documentation OPTIONAL)
+    install(FILES ${manual}/_edgeproof DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+        COMPONENT documentation OPTIONAL)
+    install(FILES ${manual}/edgeproof.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT documentation
+        OPTIONAL)
+endif()

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `cpack -G DEB` in the build folder: edgeproof (the program and what it finds by name),
+# libedgeproof-dev, python3-edgeproof (where it was built), edgeproof-doc. Dependencies are those of the
+# Debian that it is run on.
+set(EDGEPROOF_MAINTAINER "The Edgeproof contributors <edgeproof@noreply.invalid>" CACHE STRING
+    "Name and address in the Debian packages: whoever gives them to others puts in his own")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME edgeproof)
+set(CPACK_PACKAGE_VENDOR "The Edgeproof contributors")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program development documentation)
+if(EDGEPROOF_PYTHON_BUILT)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${EDGEPROOF_MAINTAINER}")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME edgeproof)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "The program. It computes the pressure and the edge expansions of an incomplete
+contact to any number of digits, each value with an error bound, and holds
+printed formulas, tables and other programs against them.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, edgeproof-doc")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS python3-edgeproof)
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libedgeproof-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, static libraries and the CMake package: contacts, scenes, audits of
+printed formulas and checks of other programs, for C++.")
+set(needed "libboost1.81-dev | libboost-dev (>= 1.81)" libgmp-dev libmpfr-dev libflint-dev
+    libginac-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev)
+if(FLINT_ARB_LIBRARY)
+    list(APPEND needed libflint-arb-dev)
+endif()
+list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME edgeproof-doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "Manual pages, documents, and completions for bash, zsh and fish.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-edgeproof)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "The Python module: scenes, values with bounds, audits of printed formulas and
+checks of other programs as Python objects.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+math(EXPR after "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${after})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy, edgeproof")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-mpmath")
+
+# What Debian wants of every package; not installed by `cmake --install`.
+set(debian ${PROJECT_BINARY_DIR}/debian)
+file(WRITE ${debian}/changelog "edgeproof (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * Version ${PROJECT_VERSION}: CHANGELOG.md says what is new.
+
+ -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  Thu, 01 Oct 2026 12:00:00 +0000
+")
+find_program(GZIP_PROGRAM gzip)
+if(GZIP_PROGRAM)
+    execute_process(COMMAND ${GZIP_PROGRAM} -9nf ${debian}/changelog)
+endif()
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+    string(TOUPPER ${component} key)
+    set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${key}_PACKAGE_NAME})
+    install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian-copyright DESTINATION ${folder}
+        RENAME copyright COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES ${debian}/changelog.gz DESTINATION ${folder} COMPONENT ${component}
+        EXCLUDE_FROM_ALL OPTIONAL)
+endforeach()
+
+include(CPack)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Python package edgeproof, where Python's headers and pybind11 are found: the module
+# edgeproof._edgeproof of src/edgeproof/python, beside the sources of python/edgeproof. In the build it
+# lies in <build>/python, whole. Included before the modules are made, since their objects go into a
+# shared library then: edgeproof_python_module() makes it, after them.
+option(EDGEPROOF_PYTHON "Build the Python module (where Python's headers and pybind11 are)"
+    ${PROJECT_IS_TOP_LEVEL})
+# The system's own, which has the packages numpy and pytest of the system; never one that a version
+# manager or a virtual environment has put before it.
+if(EXISTS /usr/bin/python3)
+    set(system_python /usr/bin/python3)
+endif()
+set(EDGEPROOF_PYTHON_EXECUTABLE "${system_python}" CACHE FILEPATH
+    "The Python to build for and to test with (empty: the one that CMake finds)")
+if(EDGEPROOF_PYTHON_EXECUTABLE)
+    set(Python3_EXECUTABLE ${EDGEPROOF_PYTHON_EXECUTABLE})
+endif()
+set(Python3_FIND_VIRTUALENV STANDARD)
+
+set(EDGEPROOF_PYTHON_BUILT FALSE)
+# The sanitizers need a Python that is made with them.
+if(EDGEPROOF_PYTHON AND NOT EDGEPROOF_SANITIZE AND NOT EDGEPROOF_FUZZ)
+    find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
+    find_path(PYBIND11_INCLUDE_DIR pybind11/pybind11.h)
+    mark_as_advanced(PYBIND11_INCLUDE_DIR)
+    if(Python3_Development.Module_FOUND AND PYBIND11_INCLUDE_DIR)
+        set(EDGEPROOF_PYTHON_BUILT TRUE)
+    else()
+        message(STATUS "No pybind11 or no headers of Python 3.11 or later: no Python module")
+    endif()
+endif()
+set(EDGEPROOF_PYTHON_FOLDER ${PROJECT_BINARY_DIR}/python)
+
+function(edgeproof_python_module)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/edgeproof/python/*.cpp)
+    Python3_add_library(edgeproof_python MODULE WITH_SOABI ${sources})
+    edgeproof_own_flags(edgeproof_python)
+    set_target_properties(edgeproof_python PROPERTIES OUTPUT_NAME _edgeproof UNITY_BUILD OFF
+        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON DISABLE_PRECOMPILE_HEADERS ON
+        LIBRARY_OUTPUT_DIRECTORY ${EDGEPROOF_PYTHON_FOLDER}/edgeproof)
+    target_include_directories(edgeproof_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
+    target_compile_definitions(edgeproof_python PRIVATE EDGEPROOF_VERSION="${PROJECT_VERSION}")
+    target_link_libraries(edgeproof_python PRIVATE edgeproof::report fmt::fmt)
+    # The libraries are static; what they hold is this module's own.
+    target_link_options(edgeproof_python PRIVATE -Wl,--exclude-libs,ALL)
+    add_dependencies(edgeproof_python include_order)
+
+    file(GLOB package CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/edgeproof/*.py
+        ${PROJECT_SOURCE_DIR}/python/edgeproof/*.pyi ${PROJECT_SOURCE_DIR}/python/edgeproof/py.typed)
+    set(copies)
+    foreach(file IN LISTS package)
+        cmake_path(GET file FILENAME name)
+        set(copy ${EDGEPROOF_PYTHON_FOLDER}/edgeproof/${name})
+        add_custom_command(OUTPUT ${copy}
+            COMMAND ${CMAKE_COMMAND} -E copy ${file} ${copy} DEPENDS ${file} VERBATIM)
+        list(APPEND copies ${copy})
+    endforeach()
+    # Where Python looks without being told: in Debian's folder below /usr and /usr/local, in the
+    # user's own below ~/.local. Elsewhere PYTHONPATH, or a .pth file, has to name it. Only known when
+    # it is installed.
+    install(CODE "set(EDGEPROOF_PYTHON_EXECUTABLE ${Python3_EXECUTABLE})" COMPONENT python)
+    install(CODE [[
+        execute_process(COMMAND "${EDGEPROOF_PYTHON_EXECUTABLE}" -c "import site, sys
+prefix = sys.argv[1].rstrip('/')
+version = 'python%d.%d' % sys.version_info[:2]
+print('lib/python3/dist-packages' if prefix == '/usr' else
+      'lib/%s/dist-packages' % version if prefix == '/usr/local' else
+      'lib/%s/site-packages' % version if prefix == site.getuserbase() else
+      'lib/python3/dist-packages')" "${CMAKE_INSTALL_PREFIX}"
+            OUTPUT_VARIABLE edgeproof_python_folder OUTPUT_STRIP_TRAILING_WHITESPACE
+            COMMAND_ERROR_IS_FATAL ANY)]] COMPONENT python)
+    install(TARGETS edgeproof_python LIBRARY
+        DESTINATION "\${edgeproof_python_folder}/edgeproof" COMPONENT python)
+    install(FILES ${package} DESTINATION "\${edgeproof_python_folder}/edgeproof" COMPONENT python)
+
+    add_custom_target(edgeproof_python_package ALL DEPENDS ${copies} edgeproof_python)
+
+    # The loop that bench/python/run holds the module to.
+    add_executable(pressures_loop EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/bench/python/pressures_loop.cpp)
+    edgeproof_own_flags(pressures_loop)
+    target_link_libraries(pressures_loop PRIVATE edgeproof::scene)
+endfunction()

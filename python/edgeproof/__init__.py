@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact pressures near an edge, to any number of digits, each with a bound.
+
+    import edgeproof
+    scene = edgeproof.Scene(profile=edgeproof.hertz(R="100"), a="1", contact_modulus="1")
+    p = scene.pressure(u="1e-3", digits=50)
+    print(p.text, p.bound, p.proved, p.route)
+
+Scenes      read_scene(file), Scene(profile=..., a=... or P=..., contact_modulus=..., ...)
+Profiles    hertz, wedge, power_law, flat_and_rounded, tilted_wedge, tilted_flat_and_rounded,
+            piecewise
+Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath()
+Formulas    verify(ledger): printed claims held to the mechanics
+Programs    check(answers, recipe=...): other programs' numbers held to the exact ones
+Errors      Error, InputError and DomainError (both ValueError), BudgetError, UndecidedError
+
+Numbers are given as str ("0.4", "pi/16", "3/2"), int, fractions.Fraction, decimal.Decimal,
+mpmath.mpf or numpy scalars, and mean exactly what they say. A float means exactly the binary64 that
+it is: 0.1 is 0.1000000000000000055511151231257827..., "0.1" is one tenth.
+"""
+
+from ._edgeproof import Value, __version__
+from .audit import Audit, Claim, verify
+from .conformance import Agreement, Case, Convention, check, questions
+from .errors import BudgetError, DomainError, Error, InputError, UndecidedError
+from .profiles import (
+    Number,
+    Profile,
+    flat_and_rounded,
+    hertz,
+    piecewise,
+    power_law,
+    tilted_flat_and_rounded,
+    tilted_wedge,
+    wedge,
+)
+from .results import Approximation, Coefficients, Contact, Extent, Point, Result
+from .scene import Scene, read_scene
+
+__all__ = [
+    "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Claim", "Coefficients",
+    "Contact", "Convention", "DomainError", "Error", "Extent", "InputError", "Number", "Point",
+    "Profile", "Result", "Scene", "UndecidedError", "Value", "__version__", "check",
+    "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene",
+    "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
+]

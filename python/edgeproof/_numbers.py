@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers of Python as exact text, which is what the library reads."""
+
+from __future__ import annotations
+
+import decimal
+import fractions
+import numbers
+import operator
+from typing import Any
+
+from .errors import InputError
+
+# 2 to this power either way: beyond it a number has no use here, and its digits fill the memory.
+_MOST_EXPONENT = 400_000
+
+
+def _fraction_text(numerator: int, denominator: int) -> str:
+    """The decimal expansion where it is short enough to read, else a quotient."""
+    if denominator == 1:
+        return str(numerator)
+    twos = (denominator & -denominator).bit_length() - 1
+    if denominator == 1 << twos and twos <= 64:
+        digits = str(abs(numerator) * 5**twos).rjust(twos + 1, "0")
+        return ("-" if numerator < 0 else "") + f"{digits[:-twos]}.{digits[-twos:]}".rstrip("0")
+    return f"{numerator}/{denominator}"
+
+
+def _not_finite(name: str, value: Any) -> InputError:
+    return InputError(f"{name} = {value} is not a finite number", "give a number")
+
+
+def exact_text(value: Any, name: str) -> str:
+    """The text of a number, exactly: str as it is, a float as the binary64 it is.
+
+    Raises TypeError for what is no number, InputError for NaN and infinities.
+    """
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
+        raise TypeError(f"{name} = {value} is a truth value, not a number")
+    if isinstance(value, numbers.Rational):
+        return _fraction_text(int(value.numerator), int(value.denominator))
+    if isinstance(value, decimal.Decimal):
+        if not value.is_finite():
+            raise _not_finite(name, value)
+        return str(value).lower()
+    if hasattr(value, "_mpf_"):  # mpmath.mpf: sign, mantissa, exponent, bits
+        sign, mantissa, exponent, _ = value._mpf_
+        if not mantissa and exponent:
+            raise _not_finite(name, value)
+        if abs(exponent) > _MOST_EXPONENT:
+            raise InputError(f"{name} = {value} is beyond the range of numbers",
+                             f"give one within 2^(+-{_MOST_EXPONENT})")
+        q = fractions.Fraction(int(mantissa)) * fractions.Fraction(2) ** int(exponent)
+        return _fraction_text(-q.numerator if sign else q.numerator, q.denominator)
+    exact = getattr(value, "exact", None)
+    if isinstance(exact, fractions.Fraction):  # a Value that is known exactly
+        return _fraction_text(exact.numerator, exact.denominator)
+    if hasattr(value, "as_integer_ratio"):  # float, numpy.float32, numpy.longdouble
+        try:
+            numerator, denominator = value.as_integer_ratio()
+        except (ValueError, OverflowError):
+            raise _not_finite(name, value) from None
+        return _fraction_text(int(numerator), int(denominator))
+    try:
+        return str(operator.index(value))
+    except TypeError:
+        pass
+    shape = getattr(value, "shape", None)
+    if shape == () and hasattr(value, "item"):  # a numpy array of one number
+        return exact_text(value[()], name)
+    raise TypeError(f"{name} is {type(value).__name__}, not a number: give str, int, float, "
+                    "Fraction, Decimal or mpmath.mpf")

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files that came with the program, by their names: "moore-hills" is a ledger."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+
+
+def file_or_shipped(given: str | os.PathLike[str], folder: str) -> str:
+    """The path as given; a bare name that is no file here is that of a file which came along."""
+    name = os.fspath(given)
+    if not name or "." in name or "/" in name or os.path.exists(name):
+        return name
+    for parent in pathlib.Path(__file__).resolve().parents:
+        file = parent / "share" / "edgeproof" / folder / f"{name}.toml"
+        if file.exists():
+            return str(file)
+    return name

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Printed formulas held to the mechanics: ledgers of claims and their verdicts."""
+
+from __future__ import annotations
+
+import collections
+import dataclasses
+import json
+import os
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from . import _edgeproof
+from ._shipped import file_or_shipped
+
+__all__ = ["Audit", "Claim", "verify"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    """What was found of one claim.
+
+    verdict   "proved", "confirmed", "imprecise", "refuted", "underspecified", "undecided" or
+              "definition"
+    printed   what is printed, TeX
+    correct   the corrected formula of a refuted one, where one was found
+    quoted, computed  of a quoted figure: as it is printed, and as it is
+    note      what was found, a sentence
+    evidence  what the verdict rests on
+    """
+
+    id: str
+    verdict: str
+    printed: str
+    correct: str | None
+    quoted: str | None
+    computed: str | None
+    note: str
+    evidence: dict[str, Any]
+
+    @property
+    def holds(self) -> bool:
+        """The claim is right as it stands: proved, confirmed, or a definition."""
+        return self.verdict in ("proved", "confirmed", "definition")
+
+    def to_dict(self) -> dict[str, Any]:
+        """As in verdicts.json."""
+        return dataclasses.asdict(self)
+
+
+@dataclasses.dataclass(frozen=True)
+class Audit:
+    """The verdicts of a ledger, in its order. len(), iteration, audit["EQ18"].
+
+    summary      counts of verdicts in a line
+    differences  how they differ from the verdicts recorded beside the ledger, a line each; None
+                 where none are recorded
+    """
+
+    ledger: str
+    source: str
+    digits: int
+    claims: tuple[Claim, ...]
+    summary: str
+    differences: tuple[str, ...] | None
+
+    def __len__(self) -> int:
+        return len(self.claims)
+
+    def __iter__(self) -> Iterator[Claim]:
+        return iter(self.claims)
+
+    def __getitem__(self, id: str) -> Claim:
+        for claim in self.claims:
+            if claim.id == id:
+                return claim
+        raise KeyError(id)
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many claims have each verdict that occurs."""
+        return dict(collections.Counter(claim.verdict for claim in self.claims))
+
+    @property
+    def refuted(self) -> tuple[Claim, ...]:
+        """The claims that are refuted."""
+        return tuple(claim for claim in self.claims if claim.verdict == "refuted")
+
+    def to_dict(self) -> dict[str, Any]:
+        """As verdicts.json has it."""
+        return {"ledger": self.ledger, "digits": self.digits,
+                "claims": [claim.to_dict() for claim in self.claims]}
+
+
+def verify(ledger: str | os.PathLike[str], digits: int = 50, only: str = "*", threads: int = 0,
+           progress: Callable[[int, int], object] | None = None) -> Audit:
+    """Holds a ledger of printed claims (TOML; verify/README.md) to the mechanics: an Audit.
+
+    ledger    a file, or the name of one that came with the program: "moore-hills"
+    digits    to verify to, 10 to 10000
+    only      claims whose id matches this pattern, such as "EQ2*"
+    threads   0: as many as the machine has; verdicts do not depend on it
+    progress  is called with (claims done, claims in all), from any thread
+
+    Raises InputError, with file and line, for a ledger or a claim that is malformed.
+    """
+    found = _edgeproof.verify(file_or_shipped(ledger, "verify"), digits, only, threads, progress)
+    told = json.loads(found["json"])
+    differences = found["differences"]
+    return Audit(
+        ledger=told["ledger"],
+        source=found["source"],
+        digits=told["digits"],
+        claims=tuple(Claim(**claim) for claim in told["claims"]),
+        summary=found["counts"],
+        differences=None if differences is None else tuple(differences),
+    )

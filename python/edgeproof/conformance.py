@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Other programs' numbers held to the exact ones."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import math
+import os
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from . import _edgeproof
+from ._numbers import exact_text
+from ._shipped import file_or_shipped
+
+__all__ = ["Agreement", "Case", "Convention", "check", "questions"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """One answer held to the exact value.
+
+    value      as it was given; state: "number", "missing", "nan", "infinite", "garbage", "died"
+    reference  the exact value, rounded
+    digits     right digits, -log10|value/exact - 1|; ulps: units in the last place of binary64
+    explained  the rounding of the inputs explains the error
+    """
+
+    id: str
+    quantity: str
+    regime: str
+    value: str
+    state: str
+    reference: str | None
+    digits: float
+    ulps: float
+    relative: float
+    passed: bool
+    explained: bool
+    no_reference: str | None
+
+
+@dataclasses.dataclass(frozen=True)
+class Convention:
+    """What one other convention would explain: of which quantities, by which relation, and a hint."""
+
+    of: str
+    relation: str
+    digits: float
+    rows: int
+    failing: int
+    hint: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Agreement:
+    """Answers held to the exact values. len(), iteration over the cases; print() shows the report.
+
+    passed       no fault, nothing missing, every answer within the target
+    faults       what is wrong with the answers as a whole, sentences
+    conventions  other conventions that explain failures
+    text         the report that `edgeproof check` prints
+    """
+
+    passed: bool
+    cases: tuple[Case, ...]
+    faults: tuple[str, ...]
+    conventions: tuple[Convention, ...]
+    estimates: int
+    text: str
+
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __iter__(self) -> Iterator[Case]:
+        return iter(self.cases)
+
+    def __str__(self) -> str:
+        return self.text
+
+    @property
+    def failures(self) -> tuple[Case, ...]:
+        """The answers that are not within the target."""
+        return tuple(case for case in self.cases if not case.passed)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as str, int, float, bool, list, dict and None."""
+        return dataclasses.asdict(self)
+
+
+def questions(recipe: str | os.PathLike[str]) -> list[dict[str, str]]:
+    """The questions of a recipe (TOML; reference/README.md), a dict each, every value exact text.
+
+    Keys: id, the parameters of the contact, quantity, and edge, u, x, tolerance where they apply.
+    Numbers are binary64, so that a program that computes in it is asked exactly what it can read.
+    """
+    found: list[dict[str, str]] = _edgeproof.questions(
+        file_or_shipped(recipe, "reference"))
+    return found
+
+
+def _written(value: Any) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return value
+    try:
+        if math.isnan(value):
+            return "nan"
+        if math.isinf(value):
+            return "inf" if value > 0 else "-inf"
+    except (TypeError, OverflowError):
+        pass
+    return exact_text(value, "the answer")
+
+
+def _answers_of(function: Callable[[dict[str, str]], Any], recipe: str) -> str:
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["id", "value"])
+    for question in questions(recipe):
+        writer.writerow([question["id"], _written(function(question))])
+    return out.getvalue()
+
+
+def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | None = None, *,
+          recipe: str | os.PathLike[str] | None = None, command: str | None = None,
+          digits: float | None = None, ulps: float | None = None, conditioned: bool = False,
+          lines: str = "csv", timeout: float = 600.0, threads: int = 0,
+          progress: Callable[[int, int], object] | None = None) -> Agreement:
+    """Holds another program's answers to the exact values: an Agreement.
+
+    answers      a CSV file of the questions with a column `value`; or, with a recipe, one of id and
+                 value alone, or a function that answers one question (a dict, as from questions())
+    recipe       what is asked: a file (TOML), or the name of one that came with the program
+    command      with a recipe: a shell command that reads the questions and writes id and value;
+                 lines: "csv" or "json", in which it is spoken to; timeout: seconds for one run
+    digits, ulps the target; neither: 12 digits, or an error that the rounding of inputs explains
+    conditioned  let errors pass that the rounding of the inputs explains
+    threads      0: as many as the machine has
+
+    Raises InputError for malformed files; a wrong answer is never an exception.
+    """
+    from .errors import InputError
+
+    if lines not in ("csv", "json"):
+        raise InputError(f"lines = {lines!r} is no way to speak", 'write "csv" or "json"')
+    for name, target in (("digits", digits), ("ulps", ulps), ("timeout", timeout)):
+        if target is not None and not 0 < target < 1e9:
+            raise InputError(f"{name} = {target} is out of range", "give a number > 0")
+    if not 0 <= threads <= 1024:
+        raise InputError(f"threads = {threads} is out of range", "give a number from 0 to 1024")
+    asked = None if recipe is None else file_or_shipped(recipe, "reference")
+    if (answers is None) == (command is None):
+        raise InputError("both answers and a command are given" if command is not None else
+                         "there is nothing to check",
+                         "give a file or a function as answers, or a command")
+    text = None
+    name = "answers"
+    if command is not None or callable(answers):
+        if asked is None:
+            raise InputError("there is no recipe", "give recipe=..., the questions to answer")
+        if command is None:
+            assert callable(answers)
+            text = _answers_of(answers, asked)
+    else:
+        assert answers is not None
+        name = os.fspath(answers)
+        text = _edgeproof.read_text(name, "file of answers (CSV)")
+    found = _edgeproof.check(text, name, asked, command, lines == "json", timeout, digits, ulps,
+                             conditioned, threads, progress)
+    return Agreement(
+        passed=found["passed"],
+        cases=tuple(Case(**case) for case in found["cases"]),
+        faults=tuple(found["faults"]),
+        conventions=tuple(Convention(**convention) for convention in found["conventions"]),
+        estimates=found["estimates"],
+        text=found["text"],
+    )

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What edgeproof raises on purpose. All of it derives from Error."""
+
+from __future__ import annotations
+
+__all__ = ["Error", "InputError", "DomainError", "BudgetError", "UndecidedError"]
+
+
+class Error(Exception):
+    """Base of all exceptions of edgeproof.
+
+    problem  what is wrong
+    advice   what to write, or do, instead; None where there is nothing to say
+    file     the file that it is wrong in; None where there is none
+    line     the line of it; None where there is none
+
+    str(error) is one line: "FILE:LINE: problem; advice".
+    """
+
+    def __init__(self, problem: str, advice: str | None = None, file: str | None = None,
+                 line: int | None = None) -> None:
+        self.problem = problem
+        self.advice = advice
+        self.file = file
+        self.line = line
+        super().__init__(problem, advice, file, line)
+
+    def __str__(self) -> str:
+        place = "" if self.file is None else self.file
+        if place and self.line is not None:
+            place += f":{self.line}"
+        return (f"{place}: " if place else "") + self.problem + (
+            f"; {self.advice}" if self.advice else "")
+
+
+class InputError(Error, ValueError):
+    """The input is malformed or makes no sense. A ValueError."""
+
+
+class DomainError(Error, ValueError):
+    """A value was asked for where the mechanics defines none. A ValueError."""
+
+
+class BudgetError(Error, RuntimeError):
+    """A counted budget (bits, evaluations) ended before the digits were reached."""
+
+
+class UndecidedError(Error, ArithmeticError):
+    """The bounds of the values do not answer the question. An ArithmeticError."""

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Profiles of the gap between the bodies: the slope g'(x), convex, with its minimum at x = 0."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Protocol, SupportsIndex, Union
+
+from ._numbers import exact_text
+from .errors import InputError
+
+__all__ = ["Number", "Profile", "hertz", "wedge", "power_law", "flat_and_rounded", "tilted_wedge",
+           "tilted_flat_and_rounded", "piecewise"]
+
+
+
+class _Ratio(Protocol):
+    def as_integer_ratio(self) -> tuple[int, int]: ...
+
+
+class _Mpf(Protocol):
+    _mpf_: Any
+
+
+Number = Union[str, int, float, Fraction, Decimal, SupportsIndex, _Ratio, _Mpf]
+"""A number, taken exactly: str ("0.4", "pi/16", "3/2"), int, Fraction, Decimal, mpmath.mpf, numpy
+scalars; a float is the binary64 that it is: 0.1 is not one tenth, "0.1" is."""
+
+
+class Profile:
+    """The slope g'(x) of the gap; made by hertz(), power_law() and the other functions here.
+
+    kind        the kind of profile, as in a scene file
+    parameters  its numbers by their names, as exact text
+    """
+
+    __slots__ = ("kind", "parameters")
+    kind: str
+    parameters: Mapping[str, Any]
+
+    def __init__(self, kind: str, parameters: Mapping[str, Any]) -> None:
+        object.__setattr__(self, "kind", kind)
+        object.__setattr__(self, "parameters", dict(parameters))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError("a Profile is not changed; make another")
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return self.kind == other.kind and self.parameters == other.parameters
+
+    def __hash__(self) -> int:
+        return hash((self.kind, repr(sorted(self.parameters.items()))))
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{k}={v!r}" for k, v in self.parameters.items())
+        return f"<edgeproof.Profile {self.kind}: {given}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Profile, (self.kind, self.parameters)
+
+    def _entries(self) -> list[tuple[str, Any]]:
+        return [("kind", self.kind), *self.parameters.items()]
+
+
+def hertz(R: Number) -> Profile:
+    """A parabola: g' = x/R (two cylinders; R is the relative radius of curvature, a length)."""
+    text = exact_text(R, "R")
+    try:
+        inverse = _inverse(text)
+    except ZeroDivisionError:
+        raise InputError("R = 0 is not positive", "give a radius > 0") from None
+    return Profile("power-law", {"m": "1", "C": inverse})
+
+
+def _inverse(text: str) -> str:
+    try:
+        q = 1 / Fraction(text)
+        return str(q)
+    except ValueError:  # an expression: pi, sqrt(2)
+        return f"1/({text})"
+
+
+def wedge(phi: Number) -> Profile:
+    """An upright wedge: g' = phi sgn(x). phi: the angle of its faces with the surface, radians."""
+    return Profile("power-law", {"m": "0", "C": exact_text(phi, "phi")})
+
+
+def power_law(m: Number, C: Number) -> Profile:
+    """g' = C sgn(x) |x|^m, m >= 0, C > 0 (1/length^m)."""
+    return Profile("power-law", {"m": exact_text(m, "m"), "C": exact_text(C, "C")})
+
+
+def flat_and_rounded(t: Number, R: Number) -> Profile:
+    """A flat of length 2t between arcs of radius R: t >= 0, R > 0, lengths."""
+    return Profile("flat-and-rounded", {"t": exact_text(t, "t"), "R": exact_text(R, "R")})
+
+
+def tilted_wedge(phi: Number, alpha: Number | None = None) -> Profile:
+    """A wedge whose faces make the angle phi with the surface, turned clockwise by alpha.
+
+    Angles in radians, |alpha| < phi. Without alpha the tilt is found from P and M.
+    """
+    given = {"phi": exact_text(phi, "phi")}
+    if alpha is not None:
+        given["alpha"] = exact_text(alpha, "alpha")
+    return Profile("tilted-wedge", given)
+
+
+def tilted_flat_and_rounded(t: Number, R: Number, alpha: Number | None = None) -> Profile:
+    """A flat of length 2t between arcs of radius R, turned clockwise by alpha >= 0 (radians).
+
+    The origin is at its lowest point. Without alpha the tilt is found from P and M.
+    """
+    given = {"t": exact_text(t, "t"), "R": exact_text(R, "R")}
+    if alpha is not None:
+        given = {"alpha": exact_text(alpha, "alpha"), **given}
+    return Profile("tilted-flat-and-rounded", given)
+
+
+def piecewise(knots: Iterable[Number], slopes: Iterable[str], symmetric: bool = False) -> Profile:
+    """g'(x) piece by piece: slopes[i], a formula in x, holds between knots[i-1] and knots[i].
+
+    With symmetric=True both are for x > 0, and g'(-x) = -g'(x). g' must not decrease, and changes
+    sign at x = 0. Example: piecewise([], ["x + x^3"], symmetric=True).
+    """
+    given: dict[str, Any] = {
+        "knots": [exact_text(k, f"knots[{i}]") for i, k in enumerate(knots)],
+        "slopes": [str(s) for s in slopes],
+    }
+    if symmetric:
+        given["symmetric"] = True
+    return Profile("piecewise", given)

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a scene gives, as plain objects. All have to_dict(), of str, int, bool, list, dict, None."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from ._edgeproof import Value
+
+__all__ = ["Approximation", "Contact", "Coefficients", "Extent", "Point", "Result"]
+
+
+def plain(value: Any) -> Any:
+    """Values and results as dicts and lists, to any depth."""
+    if isinstance(value, Value):
+        return value.to_dict()
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    return value
+
+
+class _Plain:
+    def to_dict(self) -> dict[str, Any]:
+        """The same as str, int, bool, list, dict and None, to any depth."""
+        result = plain(self)
+        assert isinstance(result, dict)
+        return result
+
+
+@dataclasses.dataclass(frozen=True)
+class Approximation(_Plain):
+    """The sum of the first `terms` terms of an expansion at a point.
+
+    value           the sum
+    relative_error  |1 - sum/exact|
+    """
+
+    terms: int
+    value: Value
+    relative_error: Value
+
+
+@dataclasses.dataclass(frozen=True)
+class Contact(_Plain):
+    """The contact -b < x < a, what it carries per unit length, and the tilt where it was found.
+
+    a, b   lengths
+    P      normal force per unit length
+    M      moment about the origin per unit length
+    alpha  radians; None where the tilt is given, or there is none
+    """
+
+    a: Value
+    b: Value
+    P: Value
+    M: Value
+    alpha: Value | None
+
+
+@dataclasses.dataclass(frozen=True)
+class Point(_Plain):
+    """A place and its tractions: u inwards from an edge; p and q in units of the contact modulus.
+
+    p_local and q_local have an Approximation for each number of terms asked for. What was not asked
+    for is None, or empty.
+    """
+
+    edge: str
+    u: str
+    x: Value
+    p: Value | None
+    p_local: tuple[Approximation, ...]
+    q: Value | None
+    q_local: tuple[Approximation, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Coefficients(_Plain):
+    """Coefficients of the expansions at an edge.
+
+    c              p = sum of c[k] u^(k + 1/2)
+    s              q = sum of s[k] u^(k + s_half_powers/2); empty without shear
+    s_half_powers  -1 under full stick, 1 where q is similar to p
+    """
+
+    edge: str
+    c: tuple[Value, ...]
+    s: tuple[Value, ...]
+    s_half_powers: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Extent(_Plain):
+    """How far from an edge the first `terms` terms of p stay within a tolerance.
+
+    first_exit           the distance at which the relative error first reaches the tolerance; the
+                         end of the part looked at where it does not (leaves is False)
+    measure              the length of all that lies within the tolerance
+    first_exit_fraction  of a + b; so is measure_fraction
+    crossings            every distance at which the error passes through the tolerance
+    covers_zone          whether the first exit lies beyond the process zone; None without one
+    """
+
+    edge: str
+    terms: int
+    leaves: bool
+    first_exit: Value
+    measure: Value
+    first_exit_fraction: Value
+    measure_fraction: Value
+    crossings: tuple[Value, ...]
+    covers_zone: bool | None
+
+
+@dataclasses.dataclass(frozen=True)
+class Result(_Plain):
+    """What a scene file asks for, in the order asked, edge by edge.
+
+    proved  whether values are enclosures, unless their route says otherwise; why: the reason
+    """
+
+    contact: Mapping[str, Value | None]
+    points: tuple[Point, ...]
+    coefficients: tuple[Coefficients, ...]
+    extents: tuple[Extent, ...]
+    proved: bool
+    why: str
+
+
+def _approximations(rows: list[tuple[int, Value, Value]]) -> tuple[Approximation, ...]:
+    return tuple(Approximation(*row) for row in rows)
+
+
+def point_of(d: dict[str, Any]) -> Point:
+    told = {**d}
+    told["p_local"] = _approximations(d["p_local"])
+    told["q_local"] = _approximations(d["q_local"])
+    return Point(**told)
+
+
+def coefficients_of(d: dict[str, Any]) -> Coefficients:
+    told = {**d}
+    told["c"] = tuple(d["c"])
+    told["s"] = tuple(d["s"])
+    return Coefficients(**told)
+
+
+def extent_of(d: dict[str, Any]) -> Extent:
+    told = {**d}
+    told["crossings"] = tuple(d["crossings"])
+    return Extent(**told)
+
+
+def result_of(d: dict[str, Any]) -> Result:
+    return Result(
+        contact=d["contact"],
+        points=tuple(point_of(row) for row in d["points"]),
+        coefficients=tuple(coefficients_of(row) for row in d["coefficients"]),
+        extents=tuple(extent_of(row) for row in d["extents"]),
+        proved=d["proved"],
+        why=d["why"],
+    )

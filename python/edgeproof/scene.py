@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes: a profile under a load, and what can be asked of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, overload
+
+from . import _edgeproof
+from ._edgeproof import Value
+from ._numbers import exact_text
+from ._shipped import file_or_shipped
+from .profiles import Number, Profile
+from .results import (
+    Coefficients,
+    Contact,
+    Extent,
+    Point,
+    Result,
+    coefficients_of,
+    extent_of,
+    point_of,
+    result_of,
+)
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+    import numpy
+    import numpy.typing
+
+__all__ = ["Scene", "read_scene"]
+
+_LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2")
+
+
+def _is_many(u: Any) -> bool:
+    return not isinstance(u, str) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
+
+
+def _places(u: Any) -> list[str]:
+    if hasattr(u, "ravel"):  # an array
+        u = u.ravel()
+    return [exact_text(x, f"u[{i}]") for i, x in enumerate(u)]
+
+
+def read_scene(file: str | os.PathLike[str]) -> Scene:
+    """Reads a scene file (TOML; docs/file-formats.md says what goes into one), or one that came with
+    the program, by its name: "fretting-pad".
+
+    Raises InputError, with file and line, for whatever is malformed.
+    """
+    name = file_or_shipped(file, "examples/scenes")
+    return Scene.from_text(_edgeproof.read_text(name, "scene (TOML)"), name)
+
+
+class Scene:
+    """A contact -b < x < a: a profile, a load, and shear where there is some. It does not change.
+
+    profile          made by edgeproof.hertz(), power_law(), flat_and_rounded(), ...
+    a, or P          the right edge (a length), or the normal force per unit length
+    M                moment about the origin per unit length, with P and a tilted profile without
+                     alpha: the tilt is then found
+    contact_modulus  E*, or E1, nu1, E2, nu2: Young's moduli and Poisson's ratios of both bodies
+    Q, bulk_tension  shear force per unit length, and differential bulk tension: full stick
+    path             "normal-first" (P held, then Q) or "together" (P and Q in proportion)
+
+    Numbers are exact (see edgeproof.profiles.Number); units are yours, one system throughout:
+    pressures come in the unit of the contact modulus, and forces per unit length in that unit times
+    the unit of length. Raises InputError for whatever makes no sense, TypeError for what is no
+    number.
+
+    Distances u run from an edge inwards: u = a - x at the right one, u = b + x at the left one.
+    Every method that computes takes `digits` (2 to 100000; None: as many as the scene says, 50 where
+    it does not), releases the GIL, ends with KeyboardInterrupt on Ctrl-C, and may be called from
+    several threads. They raise InputError for a load that no contact carries and for a u outside
+    0 < u < a + b or on a corner of the profile, and BudgetError where a quadrature does not reach
+    its digits.
+    """
+
+    _native: _edgeproof.NativeScene
+
+    def __init__(self, profile: Profile, *, a: Number | None = None, P: Number | None = None,
+                 M: Number | None = None, contact_modulus: Number | None = None,
+                 E1: Number | None = None, nu1: Number | None = None, E2: Number | None = None,
+                 nu2: Number | None = None, Q: Number | None = None,
+                 bulk_tension: Number | None = None, path: str | None = None,
+                 title: str = "") -> None:
+        if not isinstance(profile, Profile):
+            raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
+                            "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
+        given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2)))
+        load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
+        shear = [(k, exact_text(v, k))
+                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension)) if v is not None]
+        if path is not None:
+            shear.append(("path", str(path)))
+        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear))
+
+    def _set(self, native: _edgeproof.NativeScene) -> None:
+        self._native = native
+        self._contacts: dict[int, Contact] = {}
+
+    @classmethod
+    def from_text(cls, text: str, file: str = "") -> Scene:
+        """A scene from the text of a scene file; `file` is what errors name."""
+        scene = cls.__new__(cls)
+        scene._set(_edgeproof.NativeScene(text, file))
+        return scene
+
+    @property
+    def text(self) -> str:
+        """The text of a scene file that says the same."""
+        return self._native.text
+
+    @property
+    def title(self) -> str:
+        """The scene's title; may be empty."""
+        return self._native.title
+
+    @property
+    def file(self) -> str | None:
+        """The file that it was read from; None where there is none."""
+        return self._native.file or None
+
+    @property
+    def digits(self) -> int:
+        """The digits that values have where none are asked for."""
+        return int(self._native.asked["digits"])
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """What the scene file asks for, which run() computes: quantities, edges, terms, u, ..."""
+        return self._native.asked
+
+    @property
+    def symmetric(self) -> bool:
+        """b = a by construction."""
+        return self._native.symmetric
+
+    @property
+    def has_shear(self) -> bool:
+        """Whether Q or a bulk tension is given."""
+        return self._native.has_shear
+
+    def __repr__(self) -> str:
+        return "<edgeproof.Scene " + (self.title or self.file or "of a profile and a load") + ">"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene.from_text, (self.text, self.file or "")
+
+    # The contact.
+
+    def contact(self, digits: int | None = None) -> Contact:
+        """Both edges, force and moment, and the tilt where it is found: a Contact of Values."""
+        wanted = self.digits if digits is None else digits
+        if wanted not in self._contacts:
+            found = self._native.run(quantities=["contact"], digits=wanted)["contact"]
+            self._contacts[wanted] = Contact(**found)
+        return self._contacts[wanted]
+
+    @property
+    def a(self) -> Value:
+        """The distance of the right edge from the origin, a length."""
+        return self.contact().a
+
+    @property
+    def b(self) -> Value:
+        """The distance of the left edge from the origin, a length."""
+        return self.contact().b
+
+    @property
+    def P(self) -> Value:
+        """Normal force per unit length."""
+        return self.contact().P
+
+    @property
+    def M(self) -> Value:
+        """Moment about the origin per unit length, positive where it presses the right side down."""
+        return self.contact().M
+
+    @property
+    def alpha(self) -> Value | None:
+        """The tilt that was found, radians; None where it is given, or there is none."""
+        return self.contact().alpha
+
+    # At points.
+
+    def _points(self, u: Any, edge: str, quantity: str, terms: Sequence[int],
+                digits: int | None) -> list[Point]:
+        places = _places(u) if _is_many(u) else [exact_text(u, "u")]
+        if not places:
+            return []
+        found = self._native.run(edges=[edge], u=places, quantities=[quantity],
+                                 terms=[int(n) for n in terms], digits=digits)
+        return [point_of(row) for row in found["points"]]
+
+    @overload
+    def pressure(self, u: Number, edge: str = ...,  # type: ignore[misc]
+                     digits: int | None = ...) -> Value: ...
+    @overload
+    def pressure(self, u: Iterable[Number], edge: str = ...,
+                     digits: int | None = ...) -> list[Value]: ...
+
+    def pressure(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
+        """The pressure p at the distance u from an edge ("right" or "left"), a Value.
+
+        p is in the unit of the contact modulus. For a list of places, a list of Values: the contact
+        is then solved once. For numpy arrays of float see pressures().
+        """
+        values = [row.p for row in self._points(u, edge, "pressure", (), digits)]
+        return values if _is_many(u) else values[0]
+
+    @overload
+    def shear(self, u: Number, edge: str = ...,  # type: ignore[misc]
+                  digits: int | None = ...) -> Value: ...
+    @overload
+    def shear(self, u: Iterable[Number], edge: str = ...,
+                  digits: int | None = ...) -> list[Value]: ...
+
+    def shear(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
+        """The shear traction q at the distance u from an edge, a Value; a list of them for a list.
+
+        In the unit of the contact modulus. Raises InputError for a scene without shear.
+        """
+        values = [row.q for row in self._points(u, edge, "shear", (), digits)]
+        return values if _is_many(u) else values[0]
+
+    def approximation(self, u: Number, terms: int | Sequence[int] = 1, edge: str = "right",
+                      digits: int | None = None) -> Point:
+        """p at one place with the sums of the first `terms` terms beside it, and their errors.
+
+        A Point: .p, and .p_local, an Approximation for each number of terms.
+        """
+        numbers = [terms] if isinstance(terms, int) else list(terms)
+        return self._points(u, edge, "pressure", numbers, digits)[0]
+
+    def pressures(self, u: numpy.typing.ArrayLike,
+                  edge: str = "right") -> numpy.typing.NDArray[numpy.float64]:
+        """Pressures of a whole numpy array of distances from an edge, as an array of its shape.
+
+        Each is the binary64 nearest to the exact pressure at exactly that binary64 u: proved where
+        the pressure has a closed form (power laws, piecewise linear g'); elsewhere as far as the
+        error that its quadrature estimates of itself, at 25 digits, is right. 0 at the edges and outside the contact (also for infinite u), inf on a
+        corner of the profile. Raises InputError, with the index, for NaN.
+        """
+        import numpy
+
+        places = numpy.asarray(u)
+        if places.dtype.kind not in "fiu":
+            raise TypeError(f"u is an array of {places.dtype}: give float64, or ask pressure(), "
+                            "which takes exact numbers")
+        if places.dtype.itemsize > 8:
+            exact = places.astype(numpy.float64)
+            if not (exact == places).all():
+                raise TypeError(f"u is an array of {places.dtype} with numbers that float64 does "
+                                "not hold: give float64")
+            places = exact
+        elif places.dtype.kind in "iu" and places.size and (abs(places.astype(object)) >
+                                                           2**53).any():
+            raise TypeError("u has whole numbers that float64 does not hold: give float64")
+        values: numpy.typing.NDArray[numpy.float64] = self._native.pressures(
+            edge, places.astype(numpy.float64, copy=False))
+        return values
+
+    # At edges.
+
+    def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
+        found = self._native.run(edges=[edge], quantities=["coefficients"], terms=[int(terms)],
+                                 digits=digits)
+        return coefficients_of(found["coefficients"][0])
+
+    def coefficients(self, terms: int = 3, edge: str = "right",
+                     digits: int | None = None) -> tuple[Value, ...]:
+        """c_0 ... c_{terms-1} of p = sum c_k u^(k + 1/2) at an edge (at most 400 terms).
+
+        c_k is in the unit of the contact modulus over length^(k + 1/2).
+        """
+        return self._expansion(terms, edge, digits).c
+
+    def shear_coefficients(self, terms: int = 3, edge: str = "right",
+                           digits: int | None = None) -> Coefficients:
+        """The coefficients .s of q at an edge, from the power u^(.s_half_powers/2) on."""
+        if not self.has_shear:
+            from .errors import InputError
+
+            raise InputError("the scene has no shear", "give Q or bulk_tension")
+        return self._expansion(terms, edge, digits)
+
+    def extent(self, terms: int = 1, tolerance: Number = "1%", edge: str = "right",
+               part: tuple[Number, Number] = (0, 1), process_zone: Number | None = None,
+               digits: int | None = None) -> Extent:
+        """How far from an edge the first `terms` terms are within a tolerance of p: an Extent.
+
+        tolerance     relative: "1%", "0.01", Fraction(1, 100)
+        part          of the contact that is looked at, fractions of a + b from the edge
+        process_zone  a length from the edge, which the extent covers or not
+        """
+        found = self._native.run(
+            edges=[edge], quantities=["extent"], terms=[int(terms)],
+            tolerance=exact_text(tolerance, "tolerance"),
+            part=[exact_text(p, "part") for p in part],
+            process_zone="" if process_zone is None else exact_text(process_zone, "process_zone"),
+            digits=digits)
+        return extent_of(found["extents"][0])
+
+    # As a whole.
+
+    def run(self, digits: int | None = None) -> Result:
+        """Everything that the scene file asks for ([ask]), as a Result."""
+        return result_of(self._native.run(digits=digits))
+
+    def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
+             file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
+        """The pressure with its approximations by the first terms, and the edge on log axes.
+
+        A matplotlib Figure, written to `file` where one is given (.png, .pdf, .svg). Raises
+        ImportError where matplotlib or numpy is missing.
+        """
+        from ._plot import plot
+
+        figure = plot(self, [terms] if isinstance(terms, int) else list(terms), edge)
+        if file is not None:
+            figure.savefig(os.fspath(file))
+        return figure

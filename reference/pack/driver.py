@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Holds a contact code against the conformance pack.
+
+    python3 driver.py A level-a.csv
+    python3 driver.py B cases.csv hard-cases.csv --answers example      (your module for example)
+
+The module has answer(question): a float, at levels C and D a decimal.Decimal where it has more
+digits, or None where your code does not have this. `question` is a dict of the columns: numbers are
+floats, None where the contact has none of that name. Levels A, B, C and D; README.md says what they
+ask. Exit status 0: every answer is within the level; 1: one is not; 2: there was nothing to hold."""
+import csv
+import decimal
+import importlib
+import math
+import os
+import sys
+
+COLUMNS = ("id,kind,m,C,phi,alpha,t,R,a,P,M,E,Q,S,edge,u,quantity,scale,value,bound,binary64,hex,"
+           "condition,ulps").split(",")
+WORDS = {"id", "kind", "edge", "quantity"}
+ANSWER = {"scale", "value", "bound", "binary64", "hex", "condition", "ulps"}
+MOST_SHOWN = 10
+
+
+def within(level, value, row):
+    """Whether an answer is within the level: a NaN is not."""
+    exact = float.fromhex(row["hex"])
+    if level == "D":
+        correct = decimal.Decimal(row["value"])
+        digits = decimal.Context(prec=50, rounding=decimal.ROUND_HALF_EVEN)
+        return digits.plus(decimal.Decimal(value)) == correct
+    value = float(value)
+    if level == "A":
+        return abs(value - exact) <= 0.01 * float(row["scale"])
+    if level == "B":
+        return abs(value - exact) <= float(row["ulps"]) * math.ulp(exact)
+    return value == exact
+
+
+def main(arguments):
+    module = "example"
+    if "--answers" in arguments:
+        at = arguments.index("--answers")
+        module = arguments[at + 1]
+        del arguments[at:at + 2]
+    if len(arguments) < 2 or arguments[0] not in ("A", "B", "C", "D"):
+        print("usage: driver.py A|B|C|D FILE... [--answers MODULE]", file=sys.stderr)
+        return 2
+    sys.path.insert(0, os.getcwd())
+    answer = importlib.import_module(module).answer
+    level = arguments[0]
+    answered = wrong = missing = 0
+    for name in arguments[1:]:
+        with open(name, encoding="utf-8", newline="") as file:
+            rows = csv.DictReader(line for line in file if not line.startswith("#"))
+            if rows.fieldnames != COLUMNS:
+                print(name + ": the columns are those of another pack", file=sys.stderr)
+                return 2
+            for row in rows:
+                question = {key: row[key] if key in WORDS else
+                            None if row[key] == "nan" else float(row[key])
+                            for key in COLUMNS if key not in ANSWER}
+                value = answer(question)
+                if value is None:
+                    missing += 1
+                    continue
+                answered += 1
+                if not within(level, value, row):
+                    wrong += 1
+                    if wrong <= MOST_SHOWN:
+                        print(f"{row['id']}: {value}, exact {row['value']}")
+    print(f"level {level}: {answered} answered, {wrong} wrong, {missing} not answered")
+    return 1 if wrong else 0 if answered else 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,70 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+From Coq Require Import Reals Lra Lia.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges.
+Open Scope R_scope.
+
+Lemma power_3_2 x : 0 < x -> Rpower x (3 / 2) = x * sqrt x.
+Proof.
+  intros H. replace (3 / 2) with (1 + / 2) by field.
+  rewrite Rpower_plus, Rpower_1, Rpower_sqrt by exact H. reflexivity.
+Qed.
+Lemma power_5_2 x : 0 < x -> Rpower x (5 / 2) = x ^ 2 * sqrt x.
+Proof.
+  intros H. replace (5 / 2) with (INR 2 + / 2) by (simpl; field).
+  rewrite Rpower_plus, Rpower_pow, Rpower_sqrt by exact H. reflexivity.
+Qed.
+
+Lemma positive_width Es g1 a P P1 P2 P3 b b1 b2 :
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 -> 0 < a + b a.
+Proof. intros [eta [He H]]. destruct (H a ltac:(lra)) as ((H0 & _) & _). exact H0. Qed.
+
+Lemma rate_positive a b b1 b2 b3 alpha : is_left_edge a b b1 b2 b3 alpha -> 0 < b1 a.
+Proof. intros [_ [eta [He [H _]]]]. apply (H a). lra. Qed.
+
+Lemma root_of_twice a : 0 < a -> sqrt (a + a) = sqrt 2 * sqrt a.
+Proof. intros H. rewrite <- sqrt_mult by lra. f_equal. ring. Qed.
+Lemma root_of_2_over a : 0 < a -> sqrt (2 / a) = sqrt 2 / sqrt a.
+Proof. intros H. apply sqrt_div_alt. exact H. Qed.
+
+(* An identity in the derivatives of P and b and the square root of a + b: over the rationals in the
+   root r, where a + b = r r. *)
+Ltac identity contact left a b b1 :=
+  let Hw := fresh "Hw" in let Hb := fresh "Hb" in let Hr := fresh "Hr" in let E := fresh "E" in
+  let Hpi := fresh "Hpi" in
+  assert (Hw := positive_width _ _ _ _ _ _ _ _ _ _ contact);
+  assert (Hb := rate_positive _ _ _ _ _ _ left);
+  assert (Hpi := PI_RGT_0);
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; cbv beta;
+  rewrite ?power_3_2, ?power_5_2 by exact Hw;
+  assert (Hr : 0 < sqrt (a + b a)) by (apply sqrt_lt_R0; exact Hw);
+  assert (E : a + b a = sqrt (a + b a) * sqrt (a + b a)) by (symmetry; apply sqrt_sqrt; lra);
+  set (r := sqrt (a + b a)) in *; clearbody r; rewrite ?E; field; lra.
+
+(* The same with b = a: over the rationals in r, a = r r, and q = sqrt 2. *)
+Ltac identity_symmetric contact a P1 P2 P3 :=
+  let Hw := fresh "Hw" in let Ha := fresh "Ha" in let Hr := fresh "Hr" in let E := fresh "E" in
+  let Hpi := fresh "Hpi" in let Hq := fresh "Hq" in let E2 := fresh "E2" in
+  assert (Hw := positive_width _ _ _ _ _ _ _ _ _ _ contact); cbv beta in Hw;
+  assert (Ha : 0 < a) by lra; assert (Hpi := PI_RGT_0); clear contact;
+  unfold c0, c1, c2; cbv beta;
+  generalize (P1 a) (P2 a) (P3 a); intros p1 p2 p3;
+  rewrite ?power_3_2, ?power_5_2 by lra;
+  rewrite ?root_of_twice, ?root_of_2_over by exact Ha;
+  assert (Hr : 0 < sqrt a) by (apply sqrt_lt_R0; exact Ha);
+  assert (E : a = sqrt a * sqrt a) by (symmetry; apply sqrt_sqrt; lra);
+  assert (Hq : 0 < sqrt 2) by (apply sqrt_lt_R0; lra);
+  assert (E2 : sqrt 2 ^ 2 = 2) by (apply pow2_sqrt; lra);
+  set (q := sqrt 2) in *; set (r := sqrt a) in *; clearbody r q; rewrite ?E;
+  field_simplify_eq; [ring [E2] | repeat split; lra].
+
+(* Bounds of the integrals in the goal, then of the rest. `constants` unfolds the numbers. *)
+Ltac numbers constants :=
+  constants; rewrite ?asin_sqrt by lra; unfold Rpower;
+  repeat match goal with |- context [RInt ?f ?l ?u] =>
+    let H := fresh "H" in
+    integral_intro (RInt f l u) with (i_prec 80, i_relwidth 46, i_degree 15, i_fuel 5000) as H;
+    revert H; generalize (RInt f l u); intros ? H
+  end;
+  interval with (i_prec 90).

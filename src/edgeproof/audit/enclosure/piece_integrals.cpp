@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/piece_integrals.hpp"
+
+#include "edgeproof/audit/enclosure/line_integral.hpp"
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof::audit {
+namespace {
+
+using Centre = Integrand::Centre;
+
+const Ball& position(const PieceEnd& end, bool by_angle) { return by_angle ? end.angle : end.at; }
+
+} // namespace
+
+/// From where it is counted to v; half the piece, or all of it.
+Box PieceIntegrals::from_centre(Integrand& f, const Ball& near, const Ball& far) const {
+    const auto root_of_distance = [&](const Ball& x) {
+        Ball v(0, bits_);
+        if (arb_is_zero(x.data()) != 0) {
+            return Box(v); // of which Arb takes no root
+        }
+        arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), bits_);
+        return Box(v);
+    };
+    return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
+}
+
+/// The end to count from: of the piece, or of the whole integral where that is near enough for
+/// what is singular there to matter.
+std::optional<PieceEnd> PieceIntegrals::singular_end(Integrand& f, const PieceEnd& end,
+                                                     const PieceEnd& outermost, int direction,
+                                                     const Ball& length, bool by_angle) const {
+    f.centre(end.written, end.at, direction, end.angle, Centre::rooted);
+    if (f.power() > 1) {
+        return end;
+    }
+    if (by_angle || !certainly_less(abs(end.at - outermost.at) * 10, length)) {
+        return std::nullopt;
+    }
+    f.centre(outermost.written, outermost.at, direction, outermost.angle, Centre::rooted);
+    return f.power() > 1 ? std::optional(outermost) : std::nullopt;
+}
+
+Box PieceIntegrals::by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to,
+                            bool by_angle) const {
+    const Ball start = position(from, by_angle);
+    const Ball stop = position(to, by_angle);
+    const Ball length = abs(stop - start);
+    const auto right = singular_end(f, to, highest_, -1, length, by_angle);
+    const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
+    const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
+    Box sum(bits_);
+    const auto add = [&](const PieceEnd& end, const Ball& near) {
+        const Ball& at = position(end, by_angle);
+        sum = sum + from_centre(f, distance(at, near), distance(at, middle));
+    };
+    if (left) {
+        add(*left, start);
+    }
+    if (right) {
+        f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
+        add(*right, stop);
+    }
+    if (!left && !right) {
+        f.centre(from.written, from.at, 1, from.angle, Centre::regular);
+        sum = from_centre(f, Ball(0, bits_), length);
+    }
+    return sum;
+}
+
+/// Zero from a place to itself, however wide the ball.
+Ball PieceIntegrals::distance(const Ball& x, const Ball& y) const {
+    return arb_equal(x.data(), y.data()) != 0 ? Ball(0, bits_) : abs(y - x);
+}
+
+Box PieceIntegrals::over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd& from,
+                              const PieceEnd& to) const {
+    f.centre(pole.written, pole.at, 1, {}, Centre::pole);
+    Ball r(min(pole.at - from.at, to.at - pole.at).midpoint(), bits_);
+    for (int k = 0; k < 16; ++k) {
+        r /= 2;
+        const Ball across = r * Ball::from_interval(Real(-1), Real(1), bits_);
+        const Integrand::Leading without = f.leading(Box(across, across));
+        if (without.power != -1 || !without.factor.is_finite()) {
+            continue;
+        }
+        const Ball zero(0, bits_);
+        const Box top(zero, r);
+        Box sum = line_integral(f, Box(-r), top, digits_) + line_integral(f, top, Box(r), digits_) +
+                  f.leading(Box(bits_)).factor * Box(zero, Ball::pi(bits_));
+        const formula::Expr unnamed = formula::Expr::symbol("a place inside"); // as no text has it
+        const PieceEnd before{unnamed, pole.at - r};
+        const PieceEnd behind{unnamed, pole.at + r};
+        sum = sum + by_ends(f, from, before, false);
+        return sum + by_ends(f, behind, to, false);
+    }
+    throw Error("the pole of a principal value is not shown to be a simple one");
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/relations/relations.hpp"
+
+#include "edgeproof/audit/relations/residue_sample.hpp"
+#include "edgeproof/audit/relations/weights.hpp"
+#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/quotient.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace edgeproof::audit {
+namespace {
+
+constexpr std::size_t most_monomials = 20'000;
+constexpr std::size_t most_columns = 1'200;
+constexpr std::size_t spare_samples = 8;
+constexpr std::size_t most_draws_a_sample = 200;
+
+using Exponents = std::vector<unsigned>;
+using Row = std::vector<Residue>;
+
+unsigned degree_of(const Exponents& e) { return std::accumulate(e.begin(), e.end(), 0U); }
+
+/// By total degree; of one degree by the powers of the first quantity, the second, ...
+bool precedes(const Exponents& x, const Exponents& y) {
+    const unsigned dx = degree_of(x);
+    const unsigned dy = degree_of(y);
+    return dx != dy ? dx < dy : x < y;
+}
+
+bool divides(const Exponents& x, const Exponents& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), [](unsigned p, unsigned q) { return p <= q; });
+}
+
+void all_monomials(Exponents& at, std::size_t from, unsigned left, std::vector<Exponents>& all) {
+    if (from == at.size()) {
+        all.push_back(at);
+        if (all.size() > most_monomials) {
+            throw InputError("there are more than " + std::to_string(most_monomials) +
+                                 " monomials of that degree",
+                             "give fewer quantities or a lower degree");
+        }
+        return;
+    }
+    for (unsigned k = 0; k <= left; ++k) {
+        at[from] = k;
+        all_monomials(at, from + 1, left - k, all);
+    }
+    at[from] = 0;
+}
+
+/// s_k of full stick (contact/law/shear.hpp), which GiNaC is told as a formula: with beta_k the
+/// coefficients of (1 - z)^(-1/2).
+formula::Expr full_stick_formula(bool right, unsigned k) {
+    using formula::Expr;
+    Rational beta(1);
+    Rational before(0);
+    for (unsigned j = 1; j <= k; ++j) {
+        before = beta;
+        beta *= Rational(2 * static_cast<long>(j) - 1, 2 * static_cast<long>(j));
+    }
+    const Expr L = Expr::symbol("L");
+    const Expr tension = Expr::number(right ? 1 : -1) * Expr::symbol("sig0") * L;
+    const Expr load = Expr::symbol("Q") / Expr::pi() + tension / Expr::number(8);
+    return (formula::quotient_of(beta) * load -
+            formula::quotient_of(before) * tension / Expr::number(4)) /
+           (pow(L, Expr::number(Rational(static_cast<long>(k)))) * Expr::call("sqrt", {L}));
+}
+
+formula::Expr with_shear_put_in(formula::Expr e) {
+    for (const std::string& name : free_symbols(e)) {
+        const bool right = name.starts_with("right_s");
+        if (right || name.starts_with("left_s")) {
+            e = substitute(e, name,
+                           full_stick_formula(right, static_cast<unsigned>(name.back() - '0')));
+        }
+    }
+    return e;
+}
+
+/// The quantities at many samples.
+class SampleValues {
+public:
+    SampleValues(const std::vector<RelatedQuantity>& quantities, const SymbolicCase& under)
+        : quantities_(quantities), under_(under) {}
+    [[nodiscard]] const Row& at(std::size_t sample) {
+        while (values_.size() <= sample) {
+            values_.push_back(next());
+        }
+        return values_[sample];
+    }
+
+private:
+    [[nodiscard]] static Residue value_of(const RelatedQuantity& q, const ResidueSample& sample) {
+        try {
+            return formula::evaluate<Residue>(q.formula, sample);
+        } catch (const DomainError&) {
+            throw;
+        } catch (const InputError&) {
+            throw;
+        } catch (const Error& problem) {
+            throw InputError(q.name + ": " + problem.what(),
+                             "write a quotient of polynomials in names");
+        }
+    }
+    [[nodiscard]] Row next() {
+        for (std::size_t k = 0;; ++k) {
+            check_interruption();
+            try {
+                const ResidueSample sample(under_, ++seed_);
+                Row row;
+                for (const RelatedQuantity& q : quantities_) {
+                    row.push_back(value_of(q, sample));
+                }
+                return row;
+            } catch (const DomainError& problem) {
+                if (k == most_draws_a_sample) {
+                    throw InputError(std::string("the quantities have no value: ") + problem.what(),
+                                     "leave out what is divided by zero everywhere");
+                }
+            }
+        }
+    }
+    const std::vector<RelatedQuantity>& quantities_;
+    const SymbolicCase& under_;
+    std::uint64_t seed_ = 0;
+    std::vector<Row> values_;
+};
+
+/// A vector that a matrix maps to zero: 1 at a column without a pivot, and what the columns before
+/// it have.
+struct NullVector {
+    std::size_t leading;
+    std::vector<std::pair<std::size_t, Residue>> others;
+};
+
+/// By the reduced echelon form, column by column: one vector for each column that depends on those
+/// before it.
+std::vector<NullVector> null_space(std::vector<Row> m) {
+    const std::size_t columns = m.front().size();
+    std::vector<std::size_t> pivots;
+    std::vector<NullVector> found;
+    for (std::size_t c = 0; c < columns; ++c) {
+        check_interruption();
+        const std::size_t rank = pivots.size();
+        const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(rank), m.end(),
+                                        [c](const Row& row) { return !(row[c] == Residue(0)); });
+        if (pivot == m.end()) {
+            NullVector v{c, {}};
+            for (std::size_t i = 0; i < rank; ++i) {
+                if (!(m[i][c] == Residue(0))) {
+                    v.others.emplace_back(pivots[i], -m[i][c]);
+                }
+            }
+            found.push_back(std::move(v));
+            continue;
+        }
+        std::swap(*pivot, m[rank]);
+        const Residue scale = Residue(1) / m[rank][c];
+        for (std::size_t k = c; k < columns; ++k) {
+            m[rank][k] *= scale;
+        }
+        for (std::size_t i = 0; i < m.size(); ++i) {
+            const Residue factor = m[i][c];
+            if (i == rank || factor == Residue(0)) {
+                continue;
+            }
+            for (std::size_t k = c; k < columns; ++k) {
+                m[i][k] -= factor * m[rank][k];
+            }
+        }
+        pivots.push_back(c);
+    }
+    return found;
+}
+
+std::optional<PolynomialRelation> over_integers(const NullVector& v,
+                                                const std::vector<Exponents>& monomials) {
+    std::vector<std::pair<Rational, Exponents>> terms{{Rational(1), monomials[v.leading]}};
+    for (auto it = v.others.rbegin(); it != v.others.rend(); ++it) {
+        const auto q = it->second.fraction();
+        if (!q) {
+            return {};
+        }
+        terms.emplace_back(*q, monomials[it->first]);
+    }
+    Integer common = 1;
+    for (const auto& [q, e] : terms) {
+        common = lcm(common, Integer(denominator(q)));
+    }
+    PolynomialRelation relation;
+    for (auto& [q, e] : terms) {
+        relation.terms.push_back({Integer(numerator(Rational(q * Rational(common)))), e});
+    }
+    return relation;
+}
+
+bool proved(const PolynomialRelation& relation, const std::vector<formula::Expr>& formulas,
+            const SymbolicCase& under) {
+    using formula::Expr;
+    Expr sum = Expr::number(0);
+    for (const PolynomialRelation::Term& term : relation.terms) {
+        Expr product = Expr::number(Rational(term.coefficient));
+        for (std::size_t i = 0; i < formulas.size(); ++i) {
+            if (term.exponents[i] > 0) {
+                product =
+                    product * pow(formulas[i], Expr::number(static_cast<long>(term.exponents[i])));
+            }
+        }
+        sum = sum + product;
+    }
+    return proved_equal(sum, Expr::number(0), under);
+}
+
+} // namespace
+
+unsigned PolynomialRelation::Term::degree() const { return degree_of(exponents); }
+
+std::size_t PolynomialRelation::terms_with(std::size_t quantity) const {
+    return static_cast<std::size_t>(std::count_if(
+        terms.begin(), terms.end(), [&](const Term& t) { return t.exponents[quantity] > 0; }));
+}
+
+FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
+                              const SymbolicCase& under) {
+    std::vector<formula::Expr> formulas;
+    std::vector<ScalingWeights> weights;
+    bool graded = true;
+    for (const RelatedQuantity& q : quantities) {
+        formulas.push_back(with_shear_put_in(q.formula));
+        const auto w = scaling_weights(derive(formulas.back(), under));
+        graded = graded && w;
+        weights.push_back(w.value_or(ScalingWeights{}));
+    }
+    std::vector<Exponents> all;
+    Exponents none(quantities.size(), 0);
+    all_monomials(none, 0, degree, all);
+    std::sort(all.begin(), all.end(), precedes);
+    // What scales differently cannot cancel: a relation falls apart into its grades.
+    std::map<ScalingWeights, std::vector<Exponents>> grades;
+    for (const Exponents& e : all) {
+        ScalingWeights sum{};
+        for (std::size_t i = 0; graded && i < e.size(); ++i) {
+            for (std::size_t j = 0; j < sum.size(); ++j) {
+                sum[j] += weights[i][j] * static_cast<long>(e[i]);
+            }
+        }
+        grades[sum].push_back(e);
+    }
+    FoundRelations result;
+    result.monomials = all.size();
+    result.grades = grades.size();
+    SampleValues values(quantities, under);
+    struct Candidate {
+        NullVector vector;
+        const std::vector<Exponents>* monomials;
+        [[nodiscard]] const Exponents& leading() const { return (*monomials)[vector.leading]; }
+    };
+    std::vector<Candidate> candidates;
+    for (const auto& [weight, monomials] : grades) {
+        if (monomials.size() > most_columns) {
+            throw InputError(std::to_string(monomials.size()) +
+                                 " monomials scale alike, more than " +
+                                 std::to_string(most_columns),
+                             "give fewer quantities or a lower degree");
+        }
+        const std::size_t rows = monomials.size() + spare_samples;
+        result.samples = std::max(result.samples, rows);
+        std::vector<Row> matrix;
+        for (std::size_t i = 0; i < rows; ++i) {
+            const Row& at = values.at(i);
+            Row row;
+            for (const Exponents& e : monomials) {
+                Residue product(1);
+                for (std::size_t j = 0; j < e.size(); ++j) {
+                    product *= Residue::power(at[j], e[j]);
+                }
+                row.push_back(product);
+            }
+            matrix.push_back(std::move(row));
+        }
+        for (NullVector& v : null_space(std::move(matrix))) {
+            candidates.push_back({std::move(v), &monomials});
+        }
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+        return precedes(x.leading(), y.leading());
+    });
+    for (const Candidate& candidate : candidates) {
+        check_interruption();
+        const bool follows = std::any_of(
+            result.relations.begin(), result.relations.end(), [&](const PolynomialRelation& r) {
+                return divides(r.terms.front().exponents, candidate.leading());
+            });
+        if (follows) {
+            continue; // less a multiple of that one, it is of a lower leading term
+        }
+        auto relation = over_integers(candidate.vector, *candidate.monomials);
+        if (relation && proved(*relation, formulas, under)) {
+            result.relations.push_back(std::move(*relation));
+        } else {
+            result.complete = false;
+        }
+    }
+    return result;
+}
+
+} // namespace edgeproof::audit

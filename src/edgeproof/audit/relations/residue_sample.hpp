@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/relations/residue.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+
+#include <cstdint>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+
+namespace edgeproof::audit {
+
+/// Numbers modulo a prime for the free symbols of a contact (a, b, P1, P2, ..., b1, ..., Q, sig0
+/// and any other), drawn when they are asked for, and what follows from them: the multipliers of
+/// both edges by the templates of contact/law, and the names that the case gives formulas for. Pi
+/// is drawn like a symbol (it is transcendental); the one root that comes in, of a + b, is a root
+/// modulo the prime. An environment of formula::evaluate<Residue>; formulas have no other root.
+class ResidueSample {
+public:
+    /// Throws DomainError where a + b is no square modulo the prime, or something is divided by
+    /// zero: then another seed will do.
+    ResidueSample(const SymbolicCase& under, std::uint64_t seed);
+
+    [[nodiscard]] Residue number(const Rational& q) const { return Residue::of(q); }
+    [[nodiscard]] Residue pi() const { return pi_; }
+    [[nodiscard]] Residue symbol(std::string_view name) const;
+    /// For the Residues that templates take by value.
+    [[nodiscard]] const Residue& root_of_length() const { return root_; }
+
+private:
+    [[nodiscard]] Residue meaning(std::string_view name) const;
+    [[nodiscard]] Residue pressure_multiplier(bool right, std::size_t k) const;
+    [[nodiscard]] Residue shear_multiplier(bool right, std::size_t k) const;
+    [[nodiscard]] Residue draw() const;
+
+    const SymbolicCase& under_;
+    mutable std::mt19937_64 random_;
+    Residue pi_;
+    Residue root_;
+    mutable std::map<std::string, Residue, std::less<>> known_;
+};
+
+} // namespace edgeproof::audit

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/certificate_folder.hpp"
+
+#include "edgeproof/certificate/coq_files.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/text/escape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace edgeproof::certificate {
+namespace {
+
+/// In the order in which they are compiled.
+const std::vector<std::pair<std::string_view, std::string_view>>& files_of_the_theory() {
+    static const std::vector<std::pair<std::string_view, std::string_view>> all{
+        {"Contact", coq_files::Contact_v},
+        {"Coefficients", coq_files::Coefficients_v},
+        {"Edges", coq_files::Edges_v},
+        {"Tactics", coq_files::Tactics_v},
+        {"FlatAndRounded", coq_files::FlatAndRounded_v},
+        {"TiltedWedge", coq_files::TiltedWedge_v},
+        {"Hertz", coq_files::Hertz_v}};
+    return all;
+}
+
+std::string index_csv(const std::vector<Certificate>& certificates) {
+    std::string text = "claim,verdict,file,theorem,states,leaves_out\n";
+    for (const Certificate& c : certificates) {
+        const auto row = [&](const std::string& file, const std::string& theorem,
+                             const std::string& states) {
+            text += fmt::format("{},{},{},{},{},{}\n", report::csv_text_cell(c.id), c.verdict, file,
+                                theorem, report::csv_text_cell(states),
+                                report::csv_text_cell(c.leaves_out));
+        };
+        for (const Certificate::Theorem& theorem : c.theorems) {
+            row(c.file, theorem.name, theorem.states);
+        }
+        if (c.theorems.empty()) {
+            row("", "", "");
+        }
+    }
+    return text;
+}
+
+std::string makefile(const std::vector<Certificate>& certificates) {
+    std::string theory;
+    for (const auto& [name, content] : files_of_the_theory()) {
+        theory += fmt::format(" {}.vo", name);
+    }
+    std::string claims;
+    for (const Certificate& c : certificates) {
+        if (!c.theorems.empty()) {
+            claims += fmt::format(" \\\n    {}o", c.file);
+        }
+    }
+    return fmt::format("# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
+                       "# (Debian: coq, libcoq-interval).\n"
+                       "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\nTHEORY "
+                       "={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
+                       "%.vo: %.v\n\t$(COQC) $(COQFLAGS) $<\n\n"
+                       "Coefficients.vo: Contact.vo\n"
+                       "Edges.vo: Contact.vo Coefficients.vo\n"
+                       "Tactics.vo FlatAndRounded.vo TiltedWedge.vo Hertz.vo: Edges.vo\n"
+                       "$(CLAIMS): $(THEORY)\n\n"
+                       "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux .lia.cache .nia.cache\n\n"
+                       ".PHONY: all clean\n",
+                       theory, claims);
+}
+
+std::string readme(const std::vector<Certificate>& certificates, const std::string& ledger,
+                   const std::string& command, const std::string& version) {
+    const auto with = std::count_if(certificates.begin(), certificates.end(),
+                                    [](const Certificate& c) { return !c.theorems.empty(); });
+    return fmt::format(R"(# Certificates of the ledger {0}
+
+Theorems about {1} of {2} claims, for Coq to check. Made by edgeproof {3}:
+
+    {4}
+
+Check them with Coq and Coq-Interval (Debian: `coq`, `libcoq-interval`):
+
+    make -j2
+
+`index.csv` says what each theorem states and what it leaves out, and of the other claims why they
+have none.
+
+## What is trusted
+
+- Coq's kernel, and the axioms that `Print Assumptions` names under each theorem: those of Coq's real
+  numbers, classical logic and functional extensionality. Coq-Interval adds the primitive integers
+  and floating-point numbers of Coq, where it was built to use them.
+- The reading of the definitions, which are the mechanics, not a way to compute them: `Contact.v`
+  says what the load of a contact, the condition of consistency and the pressure (Barber and
+  Mossakovskii's integral) are; `Edges.v` what the coefficients at an edge are; `slope` in a profile's
+  file is its g'(x).
+- The reading of the printed formula: the theorem's text beside the TeX, both in the claim's file.
+
+Not trusted: the program that wrote the files. A theorem that is false, whatever is wrong in the
+program, is not accepted.
+
+A theorem says that a pressure or coefficient exists which is as defined, and which differs from the
+printed one, or agrees with it. That there is no other (uniqueness) is not stated.
+)",
+                       ledger, with, certificates.size(), version, command);
+}
+
+} // namespace
+
+void write_certificates(const std::vector<Certificate>& certificates,
+                        const std::filesystem::path& folder, const std::string& ledger,
+                        const std::string& command, const std::string& version) {
+    std::map<std::string, std::string> ids; // by the name of the file
+    for (const Certificate& c : certificates) {
+        const auto [known, is_new] = ids.emplace(c.file, c.id);
+        if (!is_new) {
+            throw InputError(fmt::format("the claims '{}' and '{}' have the same name in Coq",
+                                         known->second, c.id),
+                             "rename one, or choose by --only");
+        }
+    }
+    for (const auto& [name, content] : files_of_the_theory()) {
+        io::write_whole(folder / fmt::format("{}.v", name), std::string(content));
+    }
+    for (const Certificate& c : certificates) {
+        if (!c.theorems.empty()) {
+            io::write_whole(folder / c.file, c.text);
+        }
+    }
+    io::write_whole(folder / "index.csv", index_csv(certificates));
+    io::write_whole(folder / "Makefile", makefile(certificates));
+    io::write_whole(folder / "README.md", readme(certificates, ledger, command, version));
+}
+
+} // namespace edgeproof::certificate

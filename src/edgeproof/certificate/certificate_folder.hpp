@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/certificate/certificate.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace edgeproof::certificate {
+
+/// Writes a folder that `make -C DIR` checks with Coq and Coq-Interval: a file a claim, the files
+/// that they are stated in, Makefile, index.csv (a row a theorem, and one a claim that has none)
+/// and README.md (what is trusted). `command`: what README.md names as the way to make the folder
+/// again; `version`: of the program. Throws InputError for what cannot be written.
+void write_certificates(const std::vector<Certificate>& certificates,
+                        const std::filesystem::path& folder, const std::string& ledger,
+                        const std::string& command, const std::string& version);
+
+} // namespace edgeproof::certificate

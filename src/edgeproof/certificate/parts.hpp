@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/certificate/certificate.hpp"
+#include "edgeproof/certificate/theory.hpp"
+
+#include <string>
+
+namespace edgeproof::certificate {
+
+/// Fill in theorems and text for claims of one kind. Throw NotStated.
+void certify_identity(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                      Certificate& certificate);
+void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                   Certificate& certificate);
+void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                    Certificate& certificate);
+
+/// The head of a file: what is printed where, and what the theory needs.
+[[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
+                                    const Theory& theory);
+/// The profiles of a family, those of the members of a union in their order.
+[[nodiscard]] std::vector<std::string> profiles_of(const audit::Ledger& ledger,
+                                                   std::string_view family);
+
+} // namespace edgeproof::certificate

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/sample/audit_context.hpp"
+#include "edgeproof/certificate/coq_text.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::certificate {
+
+/// Something that a theorem says of the contact: `statement` of the values `unknowns`, which exist,
+/// and how Coq proves it. In the proof the unknowns are existential variables.
+struct Fact {
+    std::vector<std::string> unknowns;
+    std::string statement;
+    std::string proof;
+};
+
+/// The mechanics that theorems are stated in: Coq files (share/edgeproof/coq), the contact, and
+/// which fact stands behind which name of a ledger's formulas.
+struct Theory {
+    std::vector<std::string> imports;                           ///< "Contact", "TiltedWedge", ...
+    CoqNames names;                                             ///< of the parameters
+    std::vector<std::pair<std::string, std::string>> constants; ///< parameters with their values
+    Fact right;    ///< coefficients r0, r1, r2 at the right edge
+    Fact left;     ///< coefficients l0, l1, l2 at the left edge
+    Fact load;     ///< the load P0
+    Fact pressure; ///< the pressure p0 at x
+    /// Integrals of printed formulas that there is a lemma for: as a ledger writes them, and the
+    /// proof that one is l0.
+    std::vector<std::pair<std::string, std::string>> integrals;
+    std::string unfold; ///< what the conclusion's proof unfolds
+};
+
+/// A theory with numbers: a contact and a place in it that serve as the counterexample or example
+/// of a claim. Small whole numbers, so that a reader can follow.
+struct SampledTheory {
+    Theory theory;
+    audit::Sample sample; ///< the same contact, for the enclosures that choose what is stated
+};
+
+/// For all contacts, symmetric (b = a) or not, whose load and left edge are smooth functions of the
+/// right edge.
+[[nodiscard]] Theory smooth_contact(bool symmetric);
+
+/// The samples of a family's profile, none if the Coq files have no theory of it.
+[[nodiscard]] std::vector<SampledTheory> sampled_theories(std::string_view profile);
+
+} // namespace edgeproof::certificate

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+/// What a command line says of itself.
+namespace edgeproof::cli {
+
+[[nodiscard]] inline std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
+}
+
+/// "-h", "--help".
+[[nodiscard]] inline std::vector<std::string> names_of(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) {
+        names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        names.push_back("--" + name);
+    }
+    return names;
+}
+
+[[nodiscard]] inline bool takes_value(const CLI::Option& option) {
+    return option.get_type_size() > 0 && option.get_expected_max() > 0;
+}
+
+/// The options of a command, without its arguments and what is hidden.
+[[nodiscard]] inline std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
+    return app.get_options([](const CLI::Option* option) {
+        return !option->get_positional() && !option->get_group().empty();
+    });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/scratch.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/figures/comparison_figures.hpp"
+#include "edgeproof/report/page/comparison_page.hpp"
+#include "edgeproof/report/tables/comparison_report.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct CompareOptions {
+    std::string scene;
+    std::vector<std::string> results;
+    std::string columns;
+    std::string scale;
+    std::string origin = "auto";
+    std::string tolerance;
+    std::string of = "peak";
+    std::string zone = "0";
+    std::string tolerance_a;
+    std::string tolerance_P;
+    std::string tolerance_c0;
+    bool json = false;
+    std::string junit;
+    std::string html;
+    std::string figures;
+};
+
+double tolerance_value(const std::string& option, const std::string& text) {
+    try {
+        return scene::parse_tolerance(text).to<double>();
+    } catch (const InputError& error) {
+        throw InputError(option + " " + text + ": " + error.problem(),
+                         "write it as 3%, 0.03 or 3/100");
+    }
+}
+
+std::optional<double> optional_tolerance(const std::string& option, const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(tolerance_value(option, text));
+}
+
+comparison::Tolerances tolerances_of(const CompareOptions& o) {
+    comparison::Tolerances t;
+    if (!o.tolerance.empty()) {
+        t.pressure = tolerance_value("--tolerance", o.tolerance);
+        t.stated = true;
+    }
+    if (o.of == "local") {
+        t.of = comparison::Norm::local;
+    } else if (o.of == "L2" || o.of == "l2") {
+        t.of = comparison::Norm::l2;
+    } else if (o.of != "peak") {
+        throw InputError("--of " + o.of + " is no measure of an error", "write peak, local or L2");
+    }
+    t.zone = comparison::parse_edge_zone(o.zone);
+    t.edges = optional_tolerance("--tolerance-a", o.tolerance_a);
+    t.force = optional_tolerance("--tolerance-P", o.tolerance_P);
+    t.c0 = optional_tolerance("--tolerance-c0", o.tolerance_c0);
+    return t;
+}
+
+std::optional<Rational> origin_of(const std::string& text) {
+    if (text == "auto") {
+        return {};
+    }
+    const auto number = conformance::written_number(text);
+    if (number.kind != conformance::WrittenNumber::Kind::number) {
+        throw InputError("--origin " + text + " is no place",
+                         "give the x of the data at which the scene has its origin, or auto");
+    }
+    return number.value;
+}
+
+int compare_results(const CompareOptions& o) {
+    report::ComparisonReport report;
+    report.comparison.tolerances = tolerances_of(o);
+    const auto origin = origin_of(o.origin);
+    comparison::ResultReading reading;
+    reading.columns =
+        o.columns.empty() ? comparison::ColumnChoice{} : comparison::parse_columns(o.columns);
+    if (!o.scale.empty()) {
+        comparison::parse_scale(o.scale, reading);
+    }
+    io::check_output(o.junit);
+    io::check_output(o.html);
+    if (!o.figures.empty()) {
+        io::make_folder(o.figures);
+    }
+    const scene::Scene scene = scene::read_scene(o.scene);
+    reading.units = scene.units;
+    std::vector<comparison::ResultTable> tables; // all are read before any work
+    for (const std::string& file : o.results) {
+        tables.push_back(comparison::read_result(file, reading));
+    }
+    const comparison::ExactContact exact(scene);
+    report.scene = o.scene;
+    report.title = scene.title;
+    report.units = scene.units;
+    report.exact = &exact;
+    {
+        Progress progress("files");
+        for (comparison::ResultTable& table : tables) {
+            progress(report.comparison.files.size(), tables.size());
+            report.comparison.files.push_back(comparison::compare_file(
+                std::move(table), exact, report.comparison.tolerances, origin, &scene));
+        }
+    }
+    if (report.comparison.files.size() > 1) {
+        report.comparison.convergence = convergence_of(report.comparison.files, exact);
+    }
+    if (!o.figures.empty()) {
+        write_comparison_figures(report, o.figures);
+    }
+    if (!o.html.empty()) {
+        io::write_output(o.html, comparison_page(report));
+    }
+    if (!o.junit.empty()) {
+        io::write_output(o.junit, comparison_junit(report));
+    }
+    const std::string text =
+        o.json ? comparison_json(report) : printable_lines(comparison_text(report));
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return report.comparison.passes() ? 0 : 1;
+}
+
+} // namespace
+
+void add_compare(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "compare", "results of a mesh (x and p), held against the exact contact");
+    auto o = std::make_shared<CompareOptions>();
+    sub->add_option("scene", o->scene, "the scene (TOML)")->required();
+    sub->add_option("results", o->results,
+                    "tables of x and p, as programs write them; several: of finer and finer meshes")
+        ->required();
+    sub->add_option("--columns", o->columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
+    sub->add_option("--scale", o->scale, "x=1e-3,p=1e6: multiply what the files have");
+    sub->add_option("--origin", o->origin,
+                    "x of the data at the scene's origin, or auto: 0 unless the data say otherwise")
+        ->capture_default_str();
+    sub->add_option("--tolerance", o->tolerance,
+                    "pass with an error of p within this (default: 3%)");
+    sub->add_option("--of", o->of, "peak, local or L2: what that error is relative to")
+        ->capture_default_str();
+    sub->add_option("--edge-zone", o->zone,
+                    "leave out nodes beside the edges: 2e (elements), or a length")
+        ->capture_default_str();
+    sub->add_option("--tolerance-a", o->tolerance_a, "pass with a and b within this");
+    sub->add_option("--tolerance-P", o->tolerance_P, "pass with P within this");
+    sub->add_option("--tolerance-c0", o->tolerance_c0, "pass with c_0 within this");
+    sub->add_flag("--json", o->json, "write JSON to standard output");
+    sub->add_option("--junit", o->junit, "write JUnit XML to this file");
+    sub->add_option("--html", o->html, "write a page to this file");
+    sub->add_option("--figures", o->figures, "draw data and errors into this folder (SVG, CSV)");
+    sub->callback([o, &code] { code = compare_results(*o); });
+}
+
+} // namespace edgeproof::cli

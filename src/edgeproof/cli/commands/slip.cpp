@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+struct SlipOptions : SceneOptions {
+    std::string terms;
+    std::string tolerance;
+};
+
+std::string reach_route(const scene::SlipTerms& t) {
+    return !t.reach ? "undecided" : t.leaves ? t.reach->how() : "full sliding";
+}
+
+void add_reach(std::vector<std::string>& row, const ValueColumns& value,
+               const scene::SlipTerms& t) {
+    if (t.reach) {
+        value.add(row, *t.reach, false);
+    } else {
+        value.add_none(row, false);
+    }
+    row.push_back(reach_route(t));
+}
+
+int slip(const SlipOptions& o) {
+    scene::Scene scene = asked_scene(o);
+    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
+    scene.ask.quantities = {scene::QuantityGroup::slip};
+    if (contact) {
+        scene.ask.quantities.insert(scene::QuantityGroup::contact);
+    }
+    scene.ask.edges = asked_edges(o);
+    if (!scene.slips()) {
+        throw InputError("the scene has no friction, so that nothing slips",
+                         "add friction = \"0.6\" to [shear], beside Q")
+            .at(scene.file, scene.load_line);
+    }
+    if (!o.terms.empty()) {
+        scene.ask.terms = numbers_of_terms("--terms", o.terms);
+    } else if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
+    }
+    if (!o.tolerance.empty()) {
+        try {
+            scene.ask.tolerance = scene::parse_tolerance(o.tolerance);
+        } catch (const InputError& error) {
+            throw InputError("--tolerance " + o.tolerance + ": " + error.problem(),
+                             error.instead());
+        }
+    }
+    const scene::SceneResult result = done(scene);
+    report::Table table;
+    table.title = scene.title;
+    table.facts = facts_of(scene, result);
+    add_slip_facts(table.facts, scene, result);
+    table.notes = {"d: size of the slip zone at the edge, |d - exact| <= d_bound; the rest of the "
+                   "contact, -stick_b < x < stick_a, sticks",
+                   "d_n: the first n terms of d in powers of Q/f, P and bulk_tension/Q held; d_1 = "
+                   "2 s_0/(f c_0); rel_n: |1 - d_n/d|"};
+    if (scene.ask.tolerance) {
+        table.notes.push_back("slip_load_n: the Q/(f P) up to which |1 - d_n/d| stays within " +
+                              scene.ask.tolerance->text() +
+                              ", P and bulk_tension/Q held; 1: up to full sliding");
+    }
+    table.notes.push_back(bound_note(result.plan));
+    const ValueColumns value(scene);
+    table.columns = {{"edge", report::Column::Kind::text}};
+    value.add(table.columns, "d", "route");
+    for (const std::size_t n : scene.ask.terms) {
+        table.columns.push_back({"d_" + std::to_string(n)});
+        table.columns.push_back({"rel_" + std::to_string(n)});
+    }
+    for (const std::size_t n : scene.ask.tolerance ? scene.ask.terms : std::vector<std::size_t>{}) {
+        const std::string name = "slip_load_" + std::to_string(n);
+        value.add(table.columns, name);
+        table.columns.push_back({name + "_route", report::Column::Kind::text});
+    }
+    for (const scene::SlipValues& edge : result.slips) {
+        std::vector<std::string> row{scene::edge_name(edge.edge)};
+        scene::BoundedValue size = edge.size;
+        std::string estimates;
+        for (const scene::SlipTerms& t : edge.terms) {
+            if (size.proved && !(t.size.proved && t.relative_error.proved)) {
+                estimates += (estimates.empty() ? "d_" : ", d_") + std::to_string(t.n) + ", rel_" +
+                             std::to_string(t.n);
+            }
+        }
+        size.route += estimates.empty() ? "" : " (estimate: " + estimates + ")";
+        value.add(row, size, true);
+        for (const scene::SlipTerms& t : edge.terms) {
+            row.push_back(printed(t.size, scene.ask.digits).text);
+            row.push_back(printed(t.relative_error, result.plan.error_digits()).text);
+        }
+        for (const scene::SlipTerms& t : edge.terms) {
+            if (scene.ask.tolerance) {
+                add_reach(row, value, t);
+            }
+        }
+        table.rows.push_back(std::move(row));
+    }
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_slip(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "slip", "the slip zones of a scene with friction, exact and by n terms of their series");
+    auto o = std::make_shared<SlipOptions>();
+    add_scene_options(*sub, *o);
+    add_edge_option(*sub, *o);
+    sub->add_option("--terms", o->terms,
+                    "numbers of terms, such as 1,2,3 (default: the scene's, else these)");
+    sub->add_option("--tolerance", o->tolerance,
+                    "1%, 0.01 or 1/100: also find the Q/(f P) up to which n terms stay within it "
+                    "(default: the scene's, else that is not looked for)");
+    sub->footer(
+        "P is held, then Q (and bulk_tension) are applied. What slips has |q| = f p in the\n"
+        "direction of Q; what sticks is strained alike in both bodies. [shear] of the scene gives\n"
+        "Q, bulk_tension and friction. See docs/partial-slip.md.");
+    sub->callback([o, &code] { code = slip(*o); });
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr std::size_t fewest_inside = 3;
+constexpr double presses = 0.002;
+
+std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
+
+class Judge {
+public:
+    Judge(FileComparison& file, const ExactContact& exact, const Tolerances& tolerances)
+        : file_(file), exact_(exact), tolerances_(tolerances) {}
+
+    void judge() {
+        if (file_.inside < fewest_inside) {
+            fail(fmt::format("{} of {} nodes lie inside the contact -{:.6g} < x < {:.6g}: other "
+                             "units (--scale), another origin (--origin), or another contact",
+                             file_.inside, file_.data.nodes.size(), exact_.b().value,
+                             exact_.a().value));
+        }
+        pressure();
+        if (tolerances_.edges) {
+            if (file_.data.half != contact::Edge::left) {
+                edge("a", file_.contact.a, file_.of_exact.a, exact_.a().value);
+            }
+            if (file_.data.half != contact::Edge::right) {
+                edge("b", file_.contact.b, file_.of_exact.b, exact_.b().value);
+            }
+        }
+        if (tolerances_.force) {
+            force();
+        }
+        if (tolerances_.c0) {
+            for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+                if (!file_.data.half || *file_.data.half == edge) {
+                    coefficient(edge);
+                }
+            }
+        }
+    }
+
+private:
+    void fail(std::string why) { file_.failures.push_back(std::move(why)); }
+
+    void pressure() {
+        const Errors& errors = file_.errors;
+        if (errors.nodes == 0) {
+            fail("the edge zones leave no node");
+            return;
+        }
+        const double error = tolerances_.of == Norm::peak    ? errors.peak
+                             : tolerances_.of == Norm::local ? errors.local
+                                                             : errors.l2;
+        if (error <= tolerances_.pressure) {
+            return;
+        }
+        const auto worst = tolerances_.of == Norm::local ? errors.worst_local : errors.worst;
+        std::string where;
+        if (tolerances_.of != Norm::l2 && worst) {
+            const Node& node = file_.data.nodes[*worst];
+            where = fmt::format(": line {}, x = {:.6g}, p = {:.6g}, exact {:.6g}", node.line,
+                                node.x, node.p, node.exact.p.value_or(0));
+        }
+        fail(fmt::format("the error of p, {} {}, is more than {}{}", percent(error),
+                         tolerances_.of == Norm::peak
+                             ? (exact_.scale().mean ? "of the mean pressure" : "of the peak")
+                         : tolerances_.of == Norm::local ? "of p itself"
+                                                         : "in the L2 norm",
+                         percent(tolerances_.pressure), where));
+    }
+    /// How far a value of the data is from what the same rule makes of the exact pressure, in parts
+    /// of the exact value.
+    static double off(double data, double of_exact, double exact) {
+        return std::abs((data - of_exact) / exact);
+    }
+    void edge(const char* name, const std::optional<double>& data,
+              const std::optional<double>& of_exact, double exact) {
+        if (!data) {
+            fail(fmt::format("{} is not known: the data press nowhere", name));
+            return;
+        }
+        const double error = off(*data, of_exact.value_or(exact), exact);
+        if (error > *tolerances_.edges) {
+            fail(fmt::format("{} = {:.6g} by the data is off by {} of the exact {:.6g}, more than "
+                             "{} (of the exact pressure at these nodes: {:.6g})",
+                             name, *data, percent(error), exact, percent(*tolerances_.edges),
+                             of_exact.value_or(exact)));
+        }
+    }
+    void force() {
+        const bool whole = (file_.data.half == contact::Edge::left || file_.contact.reaches[0]) &&
+                           (file_.data.half == contact::Edge::right || file_.contact.reaches[1]);
+        if (!whole) {
+            fail("P is not known: the data end inside the contact");
+            return;
+        }
+        const double exact = exact_.force().value;
+        const double error = off(*file_.contact.force, *file_.of_exact.force, exact);
+        if (error > *tolerances_.force) {
+            fail(
+                fmt::format("P = {:.6g} by the data is off by {} of the exact {:.6g}, more than {} "
+                            "(of the exact pressure at these nodes: {:.6g})",
+                            *file_.contact.force, percent(error), exact,
+                            percent(*tolerances_.force), *file_.of_exact.force));
+        }
+    }
+    void coefficient(contact::Edge edge) {
+        const auto& fit = file_.fits[index_of(edge)];
+        const double exact = exact_.c(edge, 0).value;
+        const std::string name = "c_0 at the " + scene::edge_name(edge) + " edge";
+        if (!fit) {
+            fail(name + " is not known: too few nodes within the reach of the expansion");
+            return;
+        }
+        const double of_exact = fit->own_edge ? exact : fit->c0.of_exact;
+        const double error = off(fit->c0.value, of_exact, exact);
+        if (error > *tolerances_.c0) {
+            fail(fmt::format("{} by the data, {:.6g} +- {:.2g}, is off by {} of the exact {:.6g}, "
+                             "more than {} (of the exact pressure at these nodes: {:.6g})",
+                             name, fit->c0.value, fit->c0.spread, percent(error), exact,
+                             percent(*tolerances_.c0), of_exact));
+        }
+    }
+
+    FileComparison& file_;
+    const ExactContact& exact_;
+    const Tolerances& tolerances_;
+};
+
+void count_nodes(FileComparison& file) {
+    for (const Node& node : file.data.nodes) {
+        const bool inside = node.exact.inside();
+        file.inside += inside ? 1 : 0;
+        file.outside += inside ? 0 : 1;
+        file.pressing_outside +=
+            !inside && std::abs(node.p) > presses * file.contact.largest ? 1 : 0;
+    }
+}
+
+void find_more(FileComparison& file, const ExactContact& exact) {
+    auto& findings = file.data.findings;
+    if (file.outside > 0) {
+        findings.push_back(fmt::format(
+            "{} of {} nodes lie outside the exact contact{}", file.outside, file.data.nodes.size(),
+            file.pressing_outside > 0 ? fmt::format("; {} of them press", file.pressing_outside)
+                                      : ", where p is 0"));
+    }
+    if (file.contact.gaps > 0) {
+        findings.push_back(fmt::format(
+            "the pressure of the data falls to nothing at {} inside",
+            file.contact.gaps == 1 ? "1 place" : fmt::format("{} places", file.contact.gaps)));
+    }
+    const auto corners = std::ranges::count_if(
+        file.data.nodes, [](const Node& node) { return !node.exact.p.has_value(); });
+    if (exact.scale().mean) {
+        findings.push_back(
+            "the exact pressure is infinite at a corner of the profile: errors of the "
+            "peak are relative to the mean pressure P/(a + b)" +
+            (corners > 0
+                 ? fmt::format(", and {} on it {} left out",
+                               corners == 1 ? "the node" : "the nodes", corners == 1 ? "is" : "are")
+                 : std::string()));
+    }
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        if (!file.contact.reaches[index_of(edge)] && (!file.data.half || *file.data.half == edge)) {
+            findings.push_back("the data end inside the contact, before its " +
+                               scene::edge_name(edge) + " edge");
+        }
+    }
+}
+
+} // namespace
+
+std::string norm_name(Norm norm) {
+    return norm == Norm::peak ? "peak" : norm == Norm::local ? "local" : "L2";
+}
+
+std::vector<std::string> FileComparison::findings() const {
+    std::vector<std::string> both = table.findings;
+    both.insert(both.end(), data.findings.begin(), data.findings.end());
+    return both;
+}
+
+bool Comparison::passes() const { return std::ranges::all_of(files, &FileComparison::passes); }
+
+FileComparison compare_file(ResultTable table, const ExactContact& exact,
+                            const Tolerances& tolerances, const std::optional<Rational>& origin,
+                            const scene::Scene* scene) {
+    FileComparison file;
+    file.table = std::move(table);
+    file.data = align(file.table, exact, origin);
+    file.contact = contact_of(file.data, exact);
+    AlignedResult of_exact = file.data;
+    for (Node& node : of_exact.nodes) {
+        node.p = node.exact.p.value_or(node.p);
+    }
+    file.of_exact = contact_of(of_exact, exact);
+    count_nodes(file);
+    find_more(file, exact);
+    file.errors = measure(file.data, exact, file.contact, tolerances.zone);
+    file.all = measure(file.data, exact, file.contact, {});
+    file.distances = by_distance(file.data, exact);
+    file.knots = beside_knots(file.data, exact, file.contact);
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        constexpr double elements_smeared = 2;
+        const double leave_out = std::max(tolerances.zone.at(edge, file.contact),
+                                          elements_smeared * file.contact.element[index_of(edge)]);
+        // A contact of another size has its own edges, and its own c_0 there.
+        const bool right = edge == contact::Edge::right;
+        const auto& by_data = right ? file.contact.a : file.contact.b;
+        const double outwards = by_data.value_or(0) - (right ? exact.a().value : exact.b().value);
+        const bool elsewhere =
+            by_data && std::abs(outwards) > elements_smeared * file.contact.element[index_of(edge)];
+        file.fits[index_of(edge)] = fit_edge(file.data, exact, edge, leave_out,
+                                             elsewhere ? std::optional(outwards) : std::nullopt);
+    }
+    Judge(file, exact, tolerances).judge();
+    // Data within their tolerance may be off by more than a mesh; of those that fail for want of
+    // nodes alone nothing is to be explained.
+    constexpr double worth_a_word = 0.003;
+    constexpr double roundoff = 1e-9;
+    if (scene != nullptr && file.all.peak > (file.passes() ? worth_a_word : roundoff)) {
+        file.diagnosis = diagnose(file.data, file.contact, *scene, exact);
+    }
+    return file;
+}
+
+std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
+                                        const ExactContact& exact) {
+    std::vector<Convergence> list;
+    const auto collect =
+        [&](const std::function<std::optional<double>(const FileComparison&)>& of) {
+            std::vector<MeshValue> values;
+            for (const FileComparison& file : files) {
+                const auto value = of(file);
+                if (!value || !(file.contact.mean_element > 0)) {
+                    return std::vector<MeshValue>();
+                }
+                values.push_back({file.contact.mean_element, *value});
+            }
+            return values;
+        };
+    const auto add = [&](const char* name, double limit, const auto& of) {
+        if (auto values = collect(of); values.size() >= 2) {
+            list.push_back(converge(name, std::move(values), limit));
+        }
+    };
+    using Maybe = std::optional<double>;
+    add("a", exact.a().value, [](const FileComparison& f) { return f.contact.a; });
+    add("b", exact.b().value, [](const FileComparison& f) { return f.contact.b; });
+    add("P", exact.force().value, [](const FileComparison& f) { return f.contact.force; });
+    const auto c0 = [](contact::Edge edge) {
+        return [edge](const FileComparison& f) {
+            const auto& fit = f.fits[index_of(edge)];
+            return fit ? Maybe(fit->c0.value) : Maybe();
+        };
+    };
+    add("c0", exact.c(contact::Edge::right, 0).value, c0(contact::Edge::right));
+    add("c0_left", exact.c(contact::Edge::left, 0).value, c0(contact::Edge::left));
+    if (!exact.scale().mean) {
+        add("p_max", exact.scale().value,
+            [](const FileComparison& f) { return Maybe(f.contact.largest); });
+    }
+    const auto add_error = [&](const char* name, const auto& of) {
+        if (auto values = collect(of); values.size() >= 2) {
+            list.push_back(converge_error(name, std::move(values)));
+        }
+    };
+    add_error("peak", [](const FileComparison& f) { return Maybe(f.errors.peak); });
+    add_error("local", [](const FileComparison& f) { return Maybe(f.errors.local); });
+    add_error("l2", [](const FileComparison& f) { return Maybe(f.errors.l2); });
+    return list;
+}
+
+} // namespace edgeproof::comparison

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/result_header.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace edgeproof::comparison {
+namespace {
+
+class HeaderReader {
+public:
+    HeaderReader(const std::vector<ResultLine>& lines, const TableShape& shape,
+                 const ResultReading& reading)
+        : lines_(lines), file_(shape.file), separator_(shape.separator), size_(shape.size),
+          first_row_(shape.first_row), reading_(reading) {}
+
+    TableHeader read() {
+        find_columns();
+        return std::move(found_);
+    }
+
+private:
+    [[noreturn]] void reject(std::size_t line, const std::string& problem,
+                             const std::string& instead) const {
+        throw InputError(problem, instead).at(file_, line);
+    }
+    [[nodiscard]] std::size_t numbers_in(const std::vector<Cell>& cells) const {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            cells, [this](const Cell& c) { return number_of(c, separator_).has_value(); }));
+    }
+
+    /// The names of a line before the rows, cut as the rows are or in another way.
+    [[nodiscard]] std::vector<Cell> names_in(const ResultLine& line) const {
+        std::string text = line.text;
+        if (line.comment) {
+            text.erase(0, text.find_first_not_of("#%!/*\" \t"));
+        }
+        for (std::size_t at = 0; (at = text.find_first_of("[(", at)) != std::string::npos; ++at) {
+            while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) {
+                text.erase(--at, 1); // "x [mm]" is one name
+            }
+        }
+        std::vector<Cell> cells = split_row(text, separator_);
+        for (const Separator other :
+             {Separator::comma, Separator::semicolon, Separator::tab, Separator::blank}) {
+            auto again = split_row(text, other);
+            if (cells.size() != size_ && again.size() == size_) {
+                cells = std::move(again);
+            }
+        }
+        return cells;
+    }
+
+    struct Found {
+        std::optional<std::size_t> index;
+        std::optional<std::size_t> twin; ///< another column of the same rank
+        int rank = 100;
+    };
+    [[nodiscard]] static std::map<ColumnRole, Found> roles_in(const std::vector<Cell>& names) {
+        std::map<ColumnRole, Found> roles;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto named = role_of(read_column_name(names[i].text).plain);
+            if (!named) {
+                continue;
+            }
+            Found& found = roles[named->role];
+            if (named->rank < found.rank) {
+                found = {i, {}, named->rank};
+            } else if (named->rank == found.rank) {
+                found.twin = i;
+            }
+        }
+        return roles;
+    }
+
+    /// The line nearest above the rows that names columns of theirs.
+    void find_header() {
+        for (std::size_t i = first_row_; i-- > 0;) {
+            auto names = names_in(lines_[i]);
+            if (names.empty() || numbers_in(names) > 0) {
+                continue;
+            }
+            const auto roles = roles_in(names);
+            const bool both =
+                roles.contains(ColumnRole::place) && roles.contains(ColumnRole::pressure);
+            if (names.size() == size_ && (both || names_chosen(names))) {
+                header_line_ = lines_[i].number;
+                header_ = std::move(names);
+                return;
+            }
+            if (both && !lines_[i].comment && names.size() > 1) {
+                reject(lines_[i].number,
+                       fmt::format("the header names {} columns, and the rows have {}",
+                                   names.size(), size_),
+                       "name every column once, and write no decimal commas where commas separate");
+            }
+            if (names.size() == size_ && !near_header_ && !lines_[i].comment && !all_units(names)) {
+                near_header_ = i;
+            }
+        }
+    }
+    [[nodiscard]] bool names_chosen(const std::vector<Cell>& names) const {
+        return std::ranges::any_of(
+            std::array{&reading_.columns.x, &reading_.columns.p, &reading_.columns.q},
+            [&](const std::optional<std::string>* choice) {
+                return *choice && std::ranges::any_of(names, [&](const Cell& name) {
+                    return name.text == **choice;
+                });
+            });
+    }
+    static bool all_units(const std::vector<Cell>& cells) {
+        bool any = false;
+        for (const Cell& cell : cells) {
+            const bool unit = unit_cell(cell).has_value();
+            if (!unit && !cell.text.empty() && cell.text != "-" && cell.text != "[-]" &&
+                cell.text != "1") {
+                return false;
+            }
+            any = any || unit;
+        }
+        return any;
+    }
+    static std::optional<scene::Unit> unit_cell(const Cell& cell) {
+        std::string_view text = cell.text;
+        if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) {
+            text = text.substr(1, text.size() - 2);
+        }
+        return scene::unit_named(text);
+    }
+
+    void find_columns() {
+        find_header();
+        if (header_.empty() && near_header_) {
+            header_line_ = lines_[*near_header_].number;
+            header_ = names_in(lines_[*near_header_]);
+        }
+        const auto roles = roles_in(header_);
+        found_.x = column(ColumnRole::place, reading_.columns.x, "x", roles, 0);
+        found_.p = column(ColumnRole::pressure, reading_.columns.p, "p", roles, 1);
+        const auto q = roles.find(ColumnRole::shear);
+        if (reading_.columns.q || (q != roles.end() && !q->second.twin)) {
+            found_.q = column(ColumnRole::shear, reading_.columns.q, "q", roles, 2);
+        }
+        if (found_.x.index == found_.p.index || (found_.q && (found_.q->index == found_.x.index ||
+                                                              found_.q->index == found_.p.index))) {
+            reject(header_line_, "one column is taken for two quantities",
+                   "name them by --columns x=1,p=2");
+        }
+        find_units();
+        found_.findings.push_back(fmt::format(
+            "columns: x is {}, p is {}{}; {} separate them", column_text(found_.x),
+            column_text(found_.p),
+            found_.q ? ", q is " + column_text(*found_.q) + ", read and not compared" : "",
+            separator_name(separator_)));
+    }
+    [[nodiscard]] std::string column_text(const UsedColumn& c) const {
+        return fmt::format("column {}", c.index + 1) +
+               (c.index < header_.size() ? " (" + printable(header_[c.index].text) + ")" : "");
+    }
+
+    [[nodiscard]] UsedColumn column(ColumnRole role, const std::optional<std::string>& choice,
+                                    const char* key, const std::map<ColumnRole, Found>& roles,
+                                    std::size_t usual) {
+        if (choice) {
+            return chosen(*choice, key);
+        }
+        const auto found = roles.find(role);
+        if (found != roles.end()) {
+            if (found->second.twin) {
+                reject(header_line_,
+                       fmt::format("columns {} and {} may both be {}", *found->second.index + 1,
+                                   *found->second.twin + 1, key),
+                       "say which by --columns x=1,p=2");
+            }
+            return at_column(*found->second.index);
+        }
+        if (size_ == 2) {
+            // The other one may be named, or chosen.
+            const auto other =
+                roles.find(role == ColumnRole::place ? ColumnRole::pressure : ColumnRole::place);
+            std::size_t index = usual;
+            if (other != roles.end() && other->second.index) {
+                index = 1 - *other->second.index;
+            }
+            found_.findings.push_back(
+                fmt::format("{} is taken to be column {}, as no name says so", key, index + 1));
+            return at_column(index);
+        }
+        reject(header_line_,
+               header_.empty()
+                   ? fmt::format("the rows have {} columns and no header names them", size_)
+                   : fmt::format("no column is called {}, or what programs call it", key),
+               "say which they are by --columns x=1,p=2");
+    }
+    [[nodiscard]] UsedColumn at_column(std::size_t index) const {
+        return {index,
+                index < header_.size() ? read_column_name(header_[index].text) : ColumnName{}};
+    }
+    [[nodiscard]] UsedColumn chosen(const std::string& choice, const char* key) const {
+        const auto named = std::ranges::find(header_, choice, &Cell::text);
+        if (named != header_.end()) {
+            return at_column(static_cast<std::size_t>(named - header_.begin()));
+        }
+        const bool digits = choice.find_first_not_of("0123456789") == std::string::npos;
+        const std::size_t number = digits && choice.size() < 6 ? std::stoul(choice) : 0;
+        if (number >= 1 && number <= size_) {
+            return at_column(number - 1);
+        }
+        for (std::size_t i = 0; i < header_.size(); ++i) {
+            if (read_column_name(header_[i].text).plain == read_column_name(choice).plain) {
+                return at_column(i);
+            }
+        }
+        throw InputError(fmt::format("--columns {}={}: {} has no such column", key, choice, file_),
+                         fmt::format("give a number from 1 to {}, or a name of its header", size_));
+    }
+
+    /// Behind names, in a row of their own, or in a comment "units: mm, MPa".
+    void find_units() {
+        for (std::size_t i = 0; i < first_row_; ++i) {
+            const std::string& text = lines_[i].text;
+            const auto cells = names_in(lines_[i]);
+            if (cells.size() == size_ && all_units(cells)) {
+                for (UsedColumn* c : {&found_.x, &found_.p}) {
+                    c->name.unit = c->name.unit ? c->name.unit : unit_cell(cells[c->index]);
+                }
+            }
+            std::string lower = text;
+            std::ranges::transform(lower, lower.begin(), [](char c) {
+                return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+            });
+            const std::size_t word = lower.find("unit");
+            if (word != std::string::npos) {
+                units_in_text(text.substr(word));
+            }
+        }
+        convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale,
+                reading_.units ? reading_.units->length : std::nullopt, "x", found_.x_factor);
+        convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale,
+                reading_.units ? reading_.units->pressure : std::nullopt, "p", found_.p_factor);
+    }
+    void units_in_text(std::string_view text) {
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find_first_of(" \t,;:=()[]\"", at), text.size());
+            if (const auto unit = scene::unit_named(text.substr(at, end - at))) {
+                UsedColumn* const c = unit->dimension == scene::Unit::Dimension::length ? &found_.x
+                                      : unit->dimension == scene::Unit::Dimension::pressure
+                                          ? &found_.p
+                                          : nullptr;
+                if (c != nullptr && !c->name.unit) {
+                    c->name.unit = unit;
+                }
+            }
+            at = end + 1;
+        }
+    }
+    void convert(const UsedColumn& c, scene::Unit::Dimension dimension,
+                 const std::optional<Rational>& scale, const std::optional<scene::Unit>& wanted,
+                 const char* key, Rational& factor) {
+        const auto& unit = c.name.unit;
+        if (scale) {
+            factor = *scale;
+            found_.findings.push_back(
+                fmt::format("{} is multiplied by {}, as --scale says", key, exact_text(factor)));
+            return;
+        }
+        if (!c.name.unread.empty()) {
+            found_.findings.push_back(fmt::format("'{}' behind the name of {} is no unit that is "
+                                                  "known: its numbers are taken as they stand",
+                                                  printable(c.name.unread), key));
+        }
+        if (!unit) {
+            return;
+        }
+        if (unit->dimension != dimension) {
+            reject(header_line_,
+                   fmt::format("{} is in {}, which is no unit of it", key, unit->name),
+                   "name the right column by --columns, or the factor by --scale");
+        }
+        if (!wanted) {
+            found_.findings.push_back(fmt::format("the file has {} in {}, and the scene says no "
+                                                  "units: its numbers are taken as they stand",
+                                                  key, unit->name));
+            return;
+        }
+        factor = unit->factor / wanted->factor;
+        if (factor != 1) {
+            found_.findings.push_back(
+                fmt::format("{} is converted from {} to {}", key, unit->name, wanted->name));
+        }
+    }
+
+    const std::vector<ResultLine>& lines_;
+    const std::string& file_;
+    Separator separator_;
+    std::size_t size_;
+    std::size_t first_row_;
+    const ResultReading& reading_;
+    TableHeader found_;
+    std::vector<Cell> header_;
+    std::size_t header_line_ = 0;
+    std::optional<std::size_t> near_header_; ///< a line of as many cells, of names not known
+};
+
+} // namespace
+
+TableHeader read_header(const std::vector<ResultLine>& lines, const TableShape& shape,
+                        const ResultReading& reading) {
+    return HeaderReader(lines, shape, reading).read();
+}
+
+} // namespace edgeproof::comparison

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/result_lines.hpp"
+
+#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr std::string_view white = " \t\r\f\v";
+constexpr std::size_t lines_looked_at = 400;
+constexpr std::array all_separators{Separator::tab,   Separator::semicolon,       Separator::bar,
+                                    Separator::comma, Separator::comma_and_blank, Separator::blank};
+
+std::string_view trimmed_view(std::string_view text) {
+    const std::size_t from = text.find_first_not_of(white);
+    return from == std::string_view::npos
+               ? std::string_view{}
+               : text.substr(from, text.find_last_not_of(white) - from + 1);
+}
+
+bool is_comment(std::string_view line) {
+    line = trimmed_view(line);
+    line.remove_prefix(line.starts_with('"') ? 1 : 0); // a spreadsheet quotes it
+    return std::ranges::any_of(std::array<std::string_view, 5>{"#", "%", "!", "//", "**"},
+                               [line](std::string_view mark) { return line.starts_with(mark); });
+}
+
+bool separates(std::string_view line, std::size_t at, Separator separator) {
+    const char c = line[at];
+    switch (separator) {
+    case Separator::tab:
+        return c == '\t';
+    case Separator::semicolon:
+        return c == ';';
+    case Separator::bar:
+        return c == '|';
+    case Separator::comma:
+        return c == ',';
+    case Separator::comma_and_blank:
+        return c == ',' && (at + 1 == line.size() || white.find(line[at + 1]) != white.npos);
+    case Separator::blank:
+        break;
+    }
+    return c == ' ' || c == '\t';
+}
+
+Cell cell_of(std::string_view text) {
+    text = trimmed_view(text);
+    if (text.size() >= 2 && text.front() == text.back() &&
+        (text.front() == '"' || text.front() == '\'')) {
+        return {std::string(trimmed_view(text.substr(1, text.size() - 2))), true};
+    }
+    return {std::string(text), false};
+}
+
+struct NumberCounts {
+    std::size_t rows = 0; ///< lines of two numbers or more
+    long score = 0;       ///< numbers less other cells, in those lines
+};
+
+NumberCounts count_numbers(const std::vector<ResultLine>& lines, Separator separator) {
+    NumberCounts counts;
+    std::size_t seen = 0;
+    for (const ResultLine& line : lines) {
+        if (line.comment) {
+            continue;
+        }
+        if (++seen > lines_looked_at) {
+            break;
+        }
+        long numbers = 0;
+        long others = 0;
+        for (const Cell& cell : split_row(line.text, separator)) {
+            const bool number = number_of(cell, separator) || is_nan_or_infinite(cell);
+            numbers += number ? 1 : 0;
+            others += !number && !cell.text.empty() ? 1 : 0;
+        }
+        if (numbers >= 2) {
+            ++counts.rows;
+            counts.score += numbers - others;
+        }
+    }
+    return counts;
+}
+
+/// The number of cells that the last line of text before the first row of numbers has.
+std::optional<std::size_t> header_size(const std::vector<ResultLine>& lines, Separator separator) {
+    std::optional<std::size_t> size;
+    for (const ResultLine& line : lines) {
+        const auto cells = split_row(line.text, separator);
+        const auto numbers = std::ranges::count_if(
+            cells, [&](const Cell& cell) { return number_of(cell, separator).has_value(); });
+        if (!line.comment && numbers >= 2) {
+            return size;
+        }
+        size = cells.size();
+    }
+    return {};
+}
+
+/// "0,5, 1,2": the commas that a blank follows separate, or all do.
+Separator which_commas(const std::vector<ResultLine>& lines, const std::string& file) {
+    for (const ResultLine& line : lines) {
+        const auto all = split_row(line.text, Separator::comma);
+        const auto some = split_row(line.text, Separator::comma_and_blank);
+        const bool rows = !line.comment && some.size() >= 2 && all.size() != some.size() &&
+                          std::ranges::all_of(some, [](const Cell& cell) {
+                              return number_of(cell, Separator::comma_and_blank).has_value();
+                          });
+        if (!rows) {
+            continue;
+        }
+        const auto named = header_size(lines, Separator::comma);
+        if (named && *named == some.size()) {
+            return Separator::comma_and_blank;
+        }
+        if (named && *named == all.size()) {
+            return Separator::comma;
+        }
+        throw InputError("commas may be decimal here, or separate all columns",
+                         "separate columns by semicolons or tabs, or name every column in a header")
+            .at(file, line.number);
+    }
+    return Separator::comma;
+}
+
+/// "1.5-104": Fortran leaves the letter out where the exponent has three digits.
+std::optional<std::string> with_exponent_letter(const std::string& text) {
+    const std::size_t sign = text.find_last_of("+-");
+    if (sign == std::string::npos || sign == 0 || text.size() - sign != 4 ||
+        text.find_first_not_of("+-.0123456789") != std::string::npos) {
+        return {};
+    }
+    std::string out = text;
+    out.insert(sign, "E");
+    return conformance::written_number(out).kind == conformance::WrittenNumber::Kind::number
+               ? std::optional(out)
+               : std::nullopt;
+}
+
+} // namespace
+
+std::string separator_name(Separator separator) {
+    switch (separator) {
+    case Separator::tab:
+        return "tabs";
+    case Separator::semicolon:
+        return "semicolons";
+    case Separator::bar:
+        return "bars";
+    case Separator::comma:
+        return "commas";
+    case Separator::comma_and_blank:
+        return "commas before blanks";
+    case Separator::blank:
+        break;
+    }
+    return "blanks";
+}
+
+std::vector<ResultLine> result_lines(std::string_view text, const std::string& file) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        throw InputError("the file is in UTF-16", "save it in UTF-8").at(file, 1);
+    }
+    if (text.find('\0') != std::string_view::npos) {
+        throw InputError("the file is no text: it holds a zero byte",
+                         "give a table of x and p as text")
+            .at(file, 0);
+    }
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    std::vector<ResultLine> lines;
+    std::size_t number = 1;
+    for (std::size_t at = 0; at < text.size(); ++number) {
+        if (number % 4096 == 0) {
+            check_interruption();
+        }
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::string_view line = text.substr(at, end - at);
+        if (!trimmed_view(line).empty()) {
+            lines.push_back({number, std::string(line), is_comment(line)});
+        }
+        at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+    }
+    return lines;
+}
+
+std::vector<Cell> split_row(std::string_view line, Separator separator) {
+    std::vector<Cell> cells;
+    if (separator == Separator::blank) {
+        line = trimmed_view(line);
+    }
+    std::size_t from = 0;
+    char quote = '\0';
+    for (std::size_t at = 0; at <= line.size(); ++at) {
+        const bool end = at == line.size();
+        if (!end && quote != '\0') {
+            quote = line[at] == quote ? '\0' : quote;
+            continue;
+        }
+        if (!end && (line[at] == '"' || line[at] == '\'') &&
+            trimmed_view(line.substr(from, at - from)).empty()) {
+            quote = line[at];
+            continue;
+        }
+        if (!end && !separates(line, at, separator)) {
+            continue;
+        }
+        const std::string_view cell = line.substr(from, at - from);
+        if (separator != Separator::blank || !cell.empty()) {
+            cells.push_back(cell_of(cell));
+        }
+        from = at + 1;
+    }
+    while (!cells.empty() && cells.back().text.empty()) {
+        cells.pop_back();
+    }
+    return cells;
+}
+
+std::optional<std::string> number_of(const Cell& cell, Separator separator) {
+    using conformance::WrittenNumber;
+    if (cell.text.empty()) {
+        return {};
+    }
+    if (conformance::written_number(cell.text).kind == WrittenNumber::Kind::number) {
+        return cell.text;
+    }
+    if (auto fortran = with_exponent_letter(cell.text)) {
+        return fortran;
+    }
+    return separator != Separator::comma || cell.quoted ? conformance::with_decimal_point(cell.text)
+                                                        : std::nullopt;
+}
+
+bool is_nan_or_infinite(const Cell& cell) {
+    using conformance::WrittenNumber;
+    const WrittenNumber::Kind kind = conformance::written_number(cell.text).kind;
+    return kind == WrittenNumber::Kind::nan || kind == WrittenNumber::Kind::infinite;
+}
+
+Separator find_separator(const std::vector<ResultLine>& lines, const std::string& file) {
+    std::optional<Separator> best;
+    NumberCounts most;
+    for (const Separator separator : all_separators) {
+        if (separator == Separator::comma_and_blank) {
+            continue; // told from the comma below
+        }
+        const NumberCounts counts = count_numbers(lines, separator);
+        if (counts.rows > 0 && (!best || counts.score > most.score)) {
+            best = separator;
+            most = counts;
+        }
+    }
+    if (!best) {
+        throw InputError("there is no row of two numbers",
+                         "give a table with a column of places x and one of pressures p")
+            .at(file, 0);
+    }
+    return *best == Separator::comma ? which_commas(lines, file) : *best;
+}
+
+} // namespace edgeproof::comparison

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/written_digits.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace edgeproof::comparison {
+namespace {
+
+/// How a decimal is written.
+struct DecimalForm {
+    bool exact = false; ///< hexadecimal
+    bool with_exponent = false;
+    bool zero = true;
+    int significant = 0; ///< digits from the first that is not 0
+    int leading = 0;     ///< the power of ten of that one
+    int decimals = 0;    ///< behind the point, where there is no exponent
+};
+
+DecimalForm form_of(std::string_view text) {
+    DecimalForm form;
+    if (text.find_first_of("xX") != std::string_view::npos) {
+        form.exact = true;
+        return form;
+    }
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    const std::size_t letter = text.find_first_of("eEdD");
+    int exponent = 0;
+    if (letter != std::string_view::npos) {
+        form.with_exponent = true;
+        std::string_view digits = text.substr(letter + 1);
+        digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+        text = text.substr(0, letter);
+    }
+    const std::size_t point = std::min(text.find('.'), text.size());
+    int place = static_cast<int>(point) - 1; // power of ten of the digit at hand
+    for (const char c : text) {
+        if (c == '.') {
+            continue;
+        }
+        if (form.zero && c != '0') {
+            form.zero = false;
+            form.leading = place + exponent;
+        }
+        form.significant += form.zero ? 0 : 1;
+        --place;
+    }
+    form.decimals = static_cast<int>(point < text.size() ? text.size() - point - 1 : 0);
+    return form;
+}
+
+} // namespace
+
+std::vector<double> column_rounding(const std::vector<std::string_view>& column) {
+    std::vector<DecimalForm> forms;
+    forms.reserve(column.size());
+    int significant = 0;
+    int decimals = 0;
+    bool exponents = false;
+    for (const std::string_view text : column) {
+        forms.push_back(form_of(text));
+        significant = std::max(significant, forms.back().significant);
+        decimals = std::max(decimals, forms.back().decimals);
+        exponents = exponents || forms.back().with_exponent;
+    }
+    std::vector<double> half;
+    half.reserve(forms.size());
+    for (const DecimalForm& form : forms) {
+        const int last = exponents ? form.leading - significant + 1 : -decimals;
+        half.push_back(form.exact || (exponents && form.zero) ? 0 : 0.5 * std::pow(10.0, last));
+    }
+    return half;
+}
+
+} // namespace edgeproof::comparison

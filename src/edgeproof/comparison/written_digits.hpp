@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::comparison {
+
+/// Half a unit of the last digit of each number of a column. Numbers written with an exponent have
+/// as many digits as the longest of the column, those without one as many decimals: "0.5" among
+/// "0.333333" is taken to be right to six. Hexadecimal numbers, and zero with an exponent, are
+/// exact: 0.
+[[nodiscard]] std::vector<double> column_rounding(const std::vector<std::string_view>& column);
+
+} // namespace edgeproof::comparison

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/best_reach.hpp"
+
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long reach_bits = 192;
+constexpr double bits_a_digit = 3.3219281;
+constexpr double jump_of_reach = 1e-5;        ///< beside it, a difference of reaches is a jump
+constexpr double touching_excess = 1e-2;      ///< of the tolerance: an extremum that may touch it
+constexpr double farthest_from_sample = 1e-4; ///< of the range: the best value from that sampled
+
+Real real_of(double x) { return Real(x); }
+
+/// A short rational near x, on one side of it (or either, for 0).
+Rational short_rational(const Ball& x, int side, const Rational& distance) {
+    return exact_value(Ball(Ball(x.midpoint(), 192) + Ball(Rational(distance * side), 192))
+                           .with_bits(64)
+                           .midpoint());
+}
+
+class DesignSearch {
+public:
+    DesignSearch(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
+                 const DesignOptions& options)
+        : problem_(problem), ranges_(ranges), options_(options),
+          bits_(static_cast<long>(options.digits * bits_a_digit) * 2 + 128) {}
+
+    [[nodiscard]] BestReach run() {
+        sampled_ = sampled_best(
+            [&](const std::vector<double>& x) { return sampled_reach(problem_, x).reach; }, ranges_,
+            SampleGrid::of(ranges_.size()));
+        if (sampled_.value.empty()) {
+            throw BudgetError("no reach is found anywhere in the range");
+        }
+        BestReach best;
+        if (ranges_.size() == 1) {
+            one_parameter(best);
+        }
+        if (best.kind == BestReach::Kind::box) {
+            by_samples(best);
+        }
+        if (best.missing.empty()) {
+            prove(best);
+        }
+        return best;
+    }
+
+private:
+    [[nodiscard]] double span() const {
+        return Rational(ranges_[0].to - ranges_[0].from).convert_to<double>();
+    }
+    [[nodiscard]] bool in_range(const Ball& x, std::size_t i = 0) const {
+        return !certainly_less(x, Ball(ranges_[i].from, x.bits())) &&
+               !certainly_less(Ball(ranges_[i].to, x.bits()), x);
+    }
+    void one_parameter(BestReach& best) {
+        const double x = sampled_.value[0];
+        const double step = std::max(8 * sampled_.width[0], 1e-12 * span());
+        const double from = ranges_[0].from.convert_to<double>();
+        const double to = ranges_[0].to.convert_to<double>();
+        const SampledReach here = sampled_reach(problem_, {x});
+        if (!here.leaves && show(best, {exact_value(real_of(x))})) {
+            best.kind = BestReach::Kind::everywhere;
+            best.value = {Ball(best.shown_at[0], bits_)};
+            best.reach = best.shown_reach;
+            return;
+        }
+        // An end first: there the reach need not be stationary.
+        for (const bool upper : {false, true}) {
+            if (std::fabs((upper ? to : from) - x) <= step &&
+                show(best, {upper ? ranges_[0].to : ranges_[0].from})) {
+                best.kind = BestReach::Kind::end_of_range;
+                best.value = {Ball(best.shown_at[0], bits_)};
+                best.reach = best.shown_reach;
+                return;
+            }
+        }
+        const SampledReach before = sampled_reach(problem_, {x - step});
+        const SampledReach after = sampled_reach(problem_, {x + step});
+        const auto jumps = [&](const SampledReach& there) {
+            return here.reach - there.reach > jump_of_reach * here.reach;
+        };
+        if (jumps(before) || jumps(after)) {
+            touching(best, here, jumps(before) ? 1 : -1, x);
+        }
+        if (best.kind == BestReach::Kind::box && problem_.edges.size() == 2) {
+            two_edges(best, here, x);
+        }
+        if (best.kind == BestReach::Kind::box) {
+            smooth(best, here, x);
+        }
+    }
+    /// `good`: on which side of the value the reach is long.
+    void touching(BestReach& best, const SampledReach& here, int good, double x) {
+        for (const SampledReach::Extremum& e : here.extrema) {
+            if (std::fabs(e.excess) > touching_excess * problem_.tolerance.convert_to<double>()) {
+                break;
+            }
+            const auto point =
+                design_point(problem_, {BestReach::Kind::touching, e.edge, e.side, 1}, real_of(e.u),
+                             real_of(x), bits_);
+            if (!point || !near_sample(point->parameter, x)) {
+                continue;
+            }
+            const auto errors = problem_.over({point->parameter});
+            const Ball level = Ball(problem_.tolerance, bits_) * here.side;
+            const auto exit = here.leaves
+                                  ? exit_near(*errors[here.edge], level, real_of(here.reach), bits_)
+                                  : std::nullopt;
+            if (here.leaves && !exit) {
+                continue;
+            }
+            Rational distance = (ranges_[0].to - ranges_[0].from) / 1'000'000'000;
+            for (int k = 0; k < 3; ++k) {
+                if (show(best, {short_rational(point->parameter, good, distance)})) {
+                    break;
+                }
+                distance *= 100;
+            }
+            const Ball reach = exit ? *exit : best.shown_reach;
+            if (best.shown_at.empty() ||
+                certainly_less(Ball(options_.gap, bits_), abs(reach - best.shown_reach))) {
+                best.shown_at.clear();
+                continue;
+            }
+            best.kind = BestReach::Kind::touching;
+            best.value = {point->parameter};
+            best.touches_at = point->u;
+            best.attained = false;
+            best.reach = reach;
+            return;
+        }
+    }
+    void two_edges(BestReach& best, const SampledReach& here, double x) {
+        const auto errors = problem_.over({Ball(real_of(x), reach_bits)});
+        const Ball other = errors[1 - here.edge]->at(Ball(real_of(here.reach), reach_bits));
+        at_point(
+            best,
+            {BestReach::Kind::two_edges, here.edge, here.side, certainly_negative(other) ? -1 : 1},
+            here, x);
+    }
+    void smooth(BestReach& best, const SampledReach& here, double x) {
+        at_point(best, {BestReach::Kind::smooth, here.edge, here.side, 1}, here, x);
+    }
+    void at_point(BestReach& best, const DesignEquations& equations, const SampledReach& here,
+                  double x) {
+        const auto point =
+            design_point(problem_, equations, real_of(here.reach), real_of(x), bits_);
+        if (!point || !near_sample(point->parameter, x) ||
+            !show(best, {short_rational(point->parameter, 0, 0)}) ||
+            certainly_less(Ball(options_.gap, bits_), abs(point->u - best.shown_reach))) {
+            best.shown_at.clear();
+            return;
+        }
+        best.kind = equations.kind;
+        best.value = {point->parameter};
+        best.reach = point->u;
+    }
+    [[nodiscard]] bool near_sample(const Ball& parameter, double x) const {
+        const Ball off = abs(parameter - Ball(real_of(x), bits_));
+        return in_range(parameter) &&
+               certainly_less(off, Ball(real_of(farthest_from_sample * span()), bits_));
+    }
+    /// The reach for parameters that are exact, proved.
+    bool show(BestReach& best, const std::vector<Rational>& at) const {
+        for (long bits = reach_bits; bits <= 2 * std::max(bits_, reach_bits); bits *= 2) {
+            try {
+                ProvedReach r = proved_reach(problem_, at, std::max(bits, bits_));
+                best.shown_at = at;
+                best.shown_reach = std::move(r.reach);
+                return true;
+            } catch (const BudgetError&) {
+            }
+        }
+        return false;
+    }
+    void by_samples(BestReach& best) const {
+        std::vector<Rational> at;
+        best.value.clear();
+        for (std::size_t i = 0; i < ranges_.size(); ++i) {
+            const double x = sampled_.value[i];
+            at.push_back(std::clamp(exact_value(real_of(x)), ranges_[i].from, ranges_[i].to));
+            best.value.push_back(Ball::around(real_of(x), real_of(2 * sampled_.width[i]), 64));
+        }
+        if (!show(best, at)) {
+            best.reach = Ball(real_of(sampled_.score), 64);
+            best.missing = "the reach at the best value sampled is not proved";
+            return;
+        }
+        best.reach = best.shown_reach;
+    }
+    void prove(BestReach& best) const {
+        const Ball lowest(best.shown_reach.lower(), best.shown_reach.bits());
+        const Rational target = exact_value(lowest.with_bits(96).lower()) + options_.gap;
+        const CoveredRange cover = covered_by_exits(problem_, ranges_, target, options_);
+        best.boxes = cover.boxes;
+        best.proved = cover.covered;
+        if (!cover.covered) {
+            best.missing =
+                "that nothing reaches farther is not proved for the values " + cover.where;
+        }
+    }
+
+    const ReachProblem& problem_;
+    const std::vector<ParameterRange>& ranges_;
+    const DesignOptions& options_;
+    long bits_;
+    SampledBest sampled_;
+};
+
+} // namespace
+
+BestReach best_reach(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
+                     const DesignOptions& options) {
+    return DesignSearch(problem, ranges, options).run();
+}
+
+} // namespace edgeproof::contact

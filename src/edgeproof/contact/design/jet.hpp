@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace edgeproof::contact {
+
+/// A function of u and up to two parameters with its first and second derivatives, each a ball that
+/// encloses it for every choice of the arguments from their balls: what interval Newton and the
+/// mean value theorem need. Variable 0 is u, 1 and 2 are the parameters.
+struct Jet {
+    static constexpr std::size_t variables = 3;
+    Ball v;
+    std::array<Ball, variables> g;
+    std::array<Ball, 6> h; ///< (0,0) (0,1) (0,2) (1,1) (1,2) (2,2)
+
+    Jet() = default;
+    explicit Jet(Ball constant) : v(std::move(constant)) {}
+    [[nodiscard]] static Jet variable(const Ball& x, std::size_t which);
+    [[nodiscard]] static constexpr std::size_t second(std::size_t i, std::size_t j) {
+        return i <= j ? i * variables - i * (i + 1) / 2 + j : second(j, i);
+    }
+
+    Jet& operator+=(const Jet& o);
+    Jet& operator-=(const Jet& o);
+    Jet& operator*=(const Jet& o);
+    Jet& operator/=(const Jet& o);
+    Jet& operator*=(long k);
+    Jet& operator/=(long k);
+    Jet& operator+=(long k);
+    friend Jet operator-(Jet x) { return std::move(x *= -1); }
+    friend Jet operator+(Jet x, const Jet& y) { return std::move(x += y); }
+    friend Jet operator-(Jet x, const Jet& y) { return std::move(x -= y); }
+    friend Jet operator*(Jet x, const Jet& y) { return std::move(x *= y); }
+    friend Jet operator/(Jet x, const Jet& y) { return std::move(x /= y); }
+    friend Jet operator*(Jet x, long k) { return std::move(x *= k); }
+    friend Jet operator/(Jet x, long k) { return std::move(x /= k); }
+    friend Jet operator+(Jet x, long k) { return std::move(x += k); }
+    friend Jet operator-(Jet x, long k) { return std::move(x += -k); }
+    friend Jet operator-(long k, Jet x) { return std::move((x *= -1) += k); }
+};
+
+/// f(x) for a function of one variable with the derivatives f0, f1, f2 at x.v.
+[[nodiscard]] Jet composed(const Jet& x, const Ball& f0, const Ball& f1, const Ball& f2);
+[[nodiscard]] Jet sqrt(const Jet& x);
+[[nodiscard]] Jet exp(const Jet& x);
+[[nodiscard]] Jet log(const Jet& x);
+[[nodiscard]] Jet log1p(const Jet& x);
+[[nodiscard]] Jet sin(const Jet& x);
+[[nodiscard]] Jet cos(const Jet& x);
+[[nodiscard]] Jet atan(const Jet& x);
+
+/// What templates over Ball and Jet need of both.
+[[nodiscard]] inline const Ball& value_in(const Ball& x) { return x; }
+[[nodiscard]] inline const Ball& value_in(const Jet& x) { return x.v; }
+template <class T> [[nodiscard]] T lifted(const Ball& x) { return T(x); }
+/// Not finite: nothing is known.
+[[nodiscard]] inline Ball unknown_ball(long bits) {
+    Ball x(0, bits);
+    arb_indeterminate(x.data());
+    return x;
+}
+
+} // namespace edgeproof::contact

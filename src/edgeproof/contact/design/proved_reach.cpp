@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/reach.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr std::size_t most_intervals = 60'000;
+constexpr int most_halvings_at_edge = 400;
+constexpr int most_newton_images = 60;
+const Rational narrowest_interval(1, Integer(1) << 44); // NOLINT: no exception can matter here
+
+/// The scan of one edge.
+class ReachScan {
+public:
+    ReachScan(const ErrorOverBox& f, const Rational& tolerance, const Rational& part, long bits)
+        : f_(f), bits_(bits), tolerance_(tolerance, bits),
+          end_(exact_value(Ball(f.length() * Ball(part, bits)).lower())) {}
+
+    [[nodiscard]] ProvedReach run() {
+        Rational lo = from_edge();
+        while (lo < end_) {
+            Rational hi = exact_value(Ball(Rational(lo * Rational(5, 4)), 24).midpoint());
+            hi = std::min(hi, end_);
+            if (auto found = look(lo, hi)) {
+                return *found;
+            }
+            lo = hi;
+        }
+        return {f_.length() * Ball(1, bits_), false, 0, 0};
+    }
+
+private:
+    [[nodiscard]] bool within(const Ball& x) const {
+        return x.is_finite() && certainly_less(abs(x), tolerance_);
+    }
+    [[nodiscard]] bool beyond(const Ball& x) const {
+        return x.is_finite() && certainly_less(tolerance_, abs(x));
+    }
+    /// Within the tolerance from the edge up to here.
+    [[nodiscard]] Rational from_edge() const {
+        Rational hi = end_ / 8;
+        for (int k = 0; k < most_halvings_at_edge; ++k) {
+            if (within(f_.at(Ball::hull(Ball(0, bits_), Ball(hi, bits_))))) {
+                return hi;
+            }
+            hi /= 2;
+        }
+        throw BudgetError("the error by the edge is not enclosed");
+    }
+    /// The first exit in lo ... hi, f being within the tolerance at lo.
+    [[nodiscard]] std::optional<ProvedReach> look(const Rational& lo, const Rational& hi) {
+        check_interruption();
+        if (++intervals_ > most_intervals) {
+            throw BudgetError("undecided after " + std::to_string(most_intervals) + " intervals");
+        }
+        const Rational m = middle(lo, hi);
+        const Ball whole = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
+        const Ball h = whole - Ball(m, bits_);
+        const Jet over = f_.jet(whole);
+        const Ball& curvature = over.h[Jet::second(0, 0)];
+        if (curvature.is_finite()) {
+            const Jet at = f_.jet(Ball(m, bits_));
+            if (within(at.v + at.g[0] * h + curvature * h * h / 2)) {
+                return {};
+            }
+            const Ball rate = at.g[0] + curvature * h;
+            if (certainly_positive(rate) || certainly_negative(rate)) {
+                const Ball there = f_.at(Ball(hi, bits_));
+                if (within(there)) {
+                    return {};
+                }
+                if (beyond(there)) {
+                    return crossing(lo, hi, certainly_positive(there) ? 1 : -1);
+                }
+            }
+        } else if (within(f_.at(whole))) {
+            return {};
+        }
+        if (hi - lo < narrowest_interval * hi) {
+            throw BudgetError("the error touches the tolerance near u = " +
+                              std::to_string(m.convert_to<double>()));
+        }
+        if (auto found = look(lo, m)) {
+            return found;
+        }
+        return look(m, hi);
+    }
+    /// f is monotone in lo ... hi, within the tolerance at lo and beyond it at hi.
+    [[nodiscard]] ProvedReach crossing(const Rational& lo, const Rational& hi, int side) const {
+        Ball x = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
+        const Ball level = side > 0 ? tolerance_ : -tolerance_;
+        for (int k = 0; k < most_newton_images; ++k) {
+            const Ball m(x.midpoint(), bits_);
+            Ball image = m - (f_.at(m) - level) / f_.jet(x).g[0];
+            if (!image.is_finite()) {
+                image = x; // bisect below
+            }
+            Ball next = x;
+            if (arb_intersection(next.data(), x.data(), image.data(), bits_) == 0) {
+                break;
+            }
+            if (certainly_less(Ball(next.radius(), bits_) * 2, Ball(x.radius(), bits_))) {
+                x = next;
+                continue;
+            }
+            const Ball at_m = f_.at(m);
+            if (within(at_m)) {
+                x = Ball::from_interval(m.midpoint(), x.upper(), bits_);
+            } else if (beyond(at_m)) {
+                x = Ball::from_interval(x.lower(), m.midpoint(), bits_);
+            } else {
+                break;
+            }
+        }
+        return {x, true, 0, side};
+    }
+
+    const ErrorOverBox& f_;
+    long bits_;
+    Ball tolerance_;
+    Rational end_;
+    std::size_t intervals_ = 0;
+};
+
+} // namespace
+
+std::vector<std::unique_ptr<ErrorOverBox>> ReachProblem::over(const std::vector<Ball>& box) const {
+    std::vector<std::unique_ptr<ErrorOverBox>> all;
+    all.reserve(edges.size());
+    for (const ErrorFamily* family : edges) {
+        all.push_back(family->over(box));
+    }
+    return all;
+}
+
+ProvedReach proved_reach(const ReachProblem& problem, const std::vector<Rational>& parameters,
+                         long bits) {
+    std::vector<Ball> at;
+    for (const Rational& q : parameters) {
+        at.emplace_back(q, bits);
+    }
+    return proved_reach(problem, at);
+}
+
+ProvedReach proved_reach(const ReachProblem& problem, const std::vector<Ball>& at) {
+    const long bits = at.front().bits();
+    const auto errors = problem.over(at);
+    std::optional<ProvedReach> least;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (!errors[i]->length().is_finite()) {
+            throw BudgetError("the edges of the contact are not enclosed");
+        }
+        ProvedReach here = ReachScan(*errors[i], problem.tolerance, problem.part, bits).run();
+        here.edge = i;
+        if (!here.leaves) {
+            here.reach = errors[i]->length() * Ball(problem.part, bits);
+        }
+        if (!least || certainly_less(here.reach, least->reach)) {
+            least = std::move(here);
+        } else if (overlaps(here.reach, least->reach) && here.leaves) {
+            least->reach = min(least->reach, here.reach);
+        }
+    }
+    return *least;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/reach.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long sample_bits = 96;
+constexpr int sample_points = 160;
+constexpr int refinements_of_a_place = 48;
+/// An extremum of |f| by less than this share of the tolerance is looked at more closely.
+constexpr double near_the_tolerance = 0.25;
+
+double as_double(const Ball& x) {
+    return x.is_finite() ? arf_get_d(arb_midref(x.data()), ARF_RND_NEAR)
+                         : std::numeric_limits<double>::quiet_NaN();
+}
+
+class EdgeSamples {
+public:
+    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, bool whole)
+        : f_(f), tolerance_(tolerance), end_(end), whole_(whole) {}
+
+    /// |f| - tolerance; at a corner, where p is infinite, f = -1.
+    [[nodiscard]] double excess(double u) const {
+        const double f = error(u);
+        return std::isnan(f) ? 1 : std::fabs(f) - tolerance_;
+    }
+    [[nodiscard]] double error(double u) const {
+        return as_double(f_.at(Ball(Real(u), sample_bits)));
+    }
+
+    void into(SampledReach& result, std::size_t edge) const {
+        std::vector<double> u;
+        for (int k = 0; k < sample_points; ++k) {
+            const double s = static_cast<double>(k + 1) / sample_points;
+            u.push_back(end_ * (k + 1 == sample_points ? 1 - 1e-9 : s * s * s));
+        }
+        std::vector<double> e;
+        bool passed = false;
+        for (const double x : u) {
+            // Far beyond the exit nothing is asked but the measure.
+            e.push_back(passed ? tolerance_ : excess(x));
+            passed = !whole_ && (passed || e.back() > near_the_tolerance * tolerance_);
+        }
+        double exit = end_;
+        bool leaves = false;
+        double measure = 0;
+        for (std::size_t k = 0; k < u.size(); ++k) {
+            const double before = k == 0 ? 0 : u[k - 1];
+            const double at_before = k == 0 ? -tolerance_ : e[k - 1];
+            double top = u[k];
+            if (!leaves && k > 0 && k + 1 < u.size() && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
+                e[k] < 0 && e[k] > -near_the_tolerance * tolerance_) {
+                top = highest(u[k - 1], u[k + 1]);
+                const double most = excess(top);
+                result.extrema.push_back({edge, top, most, error(top) > 0 ? 1 : -1});
+                if (most >= 0) { // passed between two samples
+                    leaves = true;
+                    exit = crossing(before, top);
+                }
+            }
+            const bool was = at_before < 0;
+            const bool is = e[k] < 0;
+            if (was != is) {
+                const double at = was ? crossing(before, u[k]) : crossing(u[k], before);
+                measure += was ? at - before : u[k] - at;
+                if (was && !leaves) {
+                    leaves = true;
+                    exit = at;
+                }
+            } else if (is) {
+                measure += u[k] - before;
+            }
+            // Of an exit at a place beyond the tolerance, too: the extremum that pokes out.
+            if (k > 0 && k + 1 < u.size() && e[k] >= 0 && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
+                e[k] < near_the_tolerance * tolerance_) {
+                top = highest(u[k - 1], u[k + 1]);
+                result.extrema.push_back({edge, top, excess(top), error(top) > 0 ? 1 : -1});
+            }
+        }
+        if (exit < result.reach || edge == 0) {
+            result.reach = exit;
+            result.leaves = leaves;
+            result.edge = edge;
+            result.side = error(exit) > 0 ? 1 : -1;
+        }
+        result.measure = edge == 0 ? measure : std::min(measure, result.measure);
+    }
+
+private:
+    /// Within at `in`, beyond at `out`.
+    [[nodiscard]] double crossing(double in, double out) const {
+        for (int k = 0; k < refinements_of_a_place; ++k) {
+            const double m = (in + out) / 2;
+            (excess(m) < 0 ? in : out) = m;
+        }
+        return (in + out) / 2;
+    }
+    [[nodiscard]] double highest(double lo, double hi) const {
+        const double golden = (std::sqrt(5.0) - 1) / 2;
+        double x = hi - golden * (hi - lo);
+        double y = lo + golden * (hi - lo);
+        double at_x = excess(x);
+        double at_y = excess(y);
+        for (int k = 0; k < refinements_of_a_place; ++k) {
+            if (at_x > at_y) {
+                hi = y;
+                y = x;
+                at_y = at_x;
+                x = hi - golden * (hi - lo);
+                at_x = excess(x);
+            } else {
+                lo = x;
+                x = y;
+                at_x = at_y;
+                y = lo + golden * (hi - lo);
+                at_y = excess(y);
+            }
+        }
+        return (lo + hi) / 2;
+    }
+
+    const ErrorOverBox& f_;
+    double tolerance_;
+    double end_;
+    bool whole_;
+};
+
+} // namespace
+
+SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double>& parameters,
+                           bool whole) {
+    check_interruption();
+    std::vector<Ball> at;
+    for (const double x : parameters) {
+        at.emplace_back(Real(x), sample_bits);
+    }
+    const auto errors = problem.over(at);
+    SampledReach result;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double end = as_double(errors[i]->length()) * problem.part.convert_to<double>();
+        if (std::isnan(end)) {
+            result.reach = end;
+            return result;
+        }
+        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, whole).into(result, i);
+    }
+    std::sort(result.extrema.begin(), result.extrema.end(),
+              [](const SampledReach::Extremum& x, const SampledReach::Extremum& y) {
+                  return std::fabs(x.excess) < std::fabs(y.excess);
+              });
+    return result;
+}
+
+} // namespace edgeproof::contact

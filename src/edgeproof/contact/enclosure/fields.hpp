@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/field.hpp"
+#include "edgeproof/formula/exact/exact_number.hpp"
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/ball_series.hpp"
+
+#include <cstddef>
+#include <utility>
+
+/// Balls, series of balls, exact numbers and symbols as fields of the formulas in contact/law/.
+namespace edgeproof::contact {
+
+template <> struct Field<Ball> {
+    static Ball number(int k, const Ball& like) { return {static_cast<long>(k), like.bits()}; }
+    static Ball pi(const Ball& like) { return Ball::pi(like.bits()); }
+    static Ball over(Ball x, int k) { return std::move(x /= k); }
+    static bool vanishes(const Ball& x) { return x.is_exact() && contains_zero(x); }
+    static Ball times(const Ball& weight, const Ball& x) { return weight * x; }
+    static void add_product(Ball& sum, const Ball& x, const Ball& y) {
+        arb_addmul(sum.data(), x.data(), y.data(), sum.bits());
+    }
+    static Ball twice(Ball x) {
+        arb_mul_2exp_si(x.data(), x.data(), 1);
+        return x;
+    }
+    static Ball smaller(const Ball& x, const Ball& y) { return min(x, y); }
+    /// Of a ball that reaches below zero, the root of its part above.
+    static Ball root(const Ball& x) {
+        Ball r(0, x.bits());
+        arb_sqrtpos(r.data(), x.data(), x.bits());
+        return r;
+    }
+    static Ball angle(const Ball& near, const Ball& far) {
+        return atan2(root(near), root(far)) * 2;
+    }
+    /// The difference: more bits make up for what cancels.
+    template <class Mark> static Ball other_angle(const Mark& m) { return pi(m.h) - m.h; }
+};
+
+template <> struct Field<BallSeries> {
+    static BallSeries number(int k, const BallSeries& like) {
+        return {Ball(static_cast<long>(k), like.bits()), like.order()};
+    }
+    static BallSeries pi(const BallSeries& like) { return {Ball::pi(like.bits()), like.order()}; }
+    static BallSeries over(const BallSeries& x, int k) {
+        return x * Ball(Rational(1, k), x.bits());
+    }
+    static BallSeries times(const Ball& weight, const BallSeries& x) { return x * weight; }
+    static void add_product(BallSeries& sum, const Ball& x, const BallSeries& y) {
+        sum = sum + y * x;
+    }
+    static BallSeries root(const BallSeries& x) { return sqrt(x); }
+    /// Of a knot that may lie on an edge, as far as the bits tell, not finite: said, not guessed.
+    static BallSeries angle(const BallSeries& near, const BallSeries& far) {
+        return atan(sqrt(near / far)) * Ball(2, near.bits());
+    }
+    template <class Mark> static BallSeries other_angle(const Mark& m) {
+        return -m.h + Ball::pi(m.h.bits());
+    }
+    static BallSeries resized(const BallSeries& x, std::size_t order) { return x.resized(order); }
+    static void set_constant(BallSeries& x, const Ball& c) { x.set(0, c); }
+};
+
+template <> struct Field<formula::ExactNumber> {
+    using X = formula::ExactNumber;
+    static X number(int k, const X&) { return {k}; }
+    static X pi(const X&) { return X::pi(); }
+    static X over(const X& x, int k) { return x / k; }
+    static bool vanishes(const X& x) { return x.is_zero(); }
+    static X times(const X& weight, const X& x) { return weight * x; }
+    static X root(const X& x) { return sqrt(x); }
+    static X angle(const X& near, const X& far) {
+        return angle_of_cosine((far - near) / (far + near));
+    }
+    template <class Mark> static X other_angle(const Mark& m) { return X::pi() - m.h; }
+};
+
+template <> struct Field<formula::Expr> {
+    using X = formula::Expr;
+    static X number(int k, const X&) { return X::number(Rational(k)); }
+    static X pi(const X&) { return X::pi(); }
+    static X over(const X& x, int k) { return x / X::number(Rational(k)); }
+    static bool vanishes(const X& x) { return x.rational() != nullptr && *x.rational() == 0; }
+    static X times(const X& weight, const X& x) { return weight * x; }
+    static X root(const X& x) { return X::call("sqrt", {x}); }
+    static X angle(const X& near, const X& far) {
+        return X::call("acos", {(far - near) / (far + near)});
+    }
+    template <class Mark> static X other_angle(const Mark& m) { return X::pi() - m.h; }
+};
+
+} // namespace edgeproof::contact

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <optional>
+#include <string>
+
+namespace edgeproof::contact {
+
+/// How a zero is searched for.
+struct ZeroSearch {
+    bool prove = true;     ///< without, only the place that the search came to
+    bool nested = false;   ///< the function is itself solved for: known to fewer bits
+    int most_stalls = 400; ///< steps that lead nowhere, before the search ends
+};
+
+[[nodiscard]] inline Ball middle(const Ball& x) { return {x.midpoint(), x.bits()}; }
+
+/// A zero of f, which is monotone on the positive axis, by the interval form of Newton's method:
+/// when middle - f(middle)/f'(X) lies inside X, there is exactly one zero in X, and it lies there.
+/// f(x) > 0 is to mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
+/// Throws BudgetError, which names `what`, where the bits do not isolate it.
+template <class F, class Rate>
+Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
+                  const ZeroSearch& search) {
+    const long bits = start.bits();
+    Ball x = middle(start);
+    // Walk until a sign change is certain, then Newton on midpoints: none of this proves anything.
+    std::optional<Ball> lo;
+    std::optional<Ball> hi;
+    long factor = 2;
+    for (int k = 0; k < 64 && !(lo && hi); ++k) {
+        const Ball value = f(x);
+        if (certainly_positive(value)) {
+            lo = x;
+            x = middle(x * factor);
+        } else if (certainly_negative(value)) {
+            hi = x;
+            x = middle(x / factor);
+        } else {
+            break;
+        }
+        factor = factor < (1L << 30) ? factor * factor : factor;
+    }
+    if (lo && hi) {
+        x = middle(sqrt(*lo * *hi));
+    }
+    Ball step(0, bits);
+    const long wanted = search.nested && !search.prove ? bits / 2 : bits - 12;
+    const Ball tiny(Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(wanted))),
+                    bits);
+    const Ball noise(
+        Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits / 8 * 3))), bits);
+    int stalls = 0;
+    std::optional<Ball> previous;
+    for (int k = 0; k < 400; ++k) {
+        const Ball value = middle(f(x));
+        if (certainly_positive(value)) {
+            lo = x;
+        } else if (certainly_negative(value)) {
+            hi = x;
+        }
+        step = middle(value / rate(x));
+        // No step where the rate may be zero (an edge on the end of a flat): halve instead. So too
+        // where steps do not shrink: beside a corner f goes like a root, and Newton's method to and
+        // fro.
+        Ball next = step.is_finite() ? middle(x - step) : x;
+        const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
+                            (!hi || certainly_less(next, *hi)) && certainly_positive(next);
+        if (inside && !certainly_less(tiny * abs(x), abs(step))) {
+            x = next;
+            break;
+        }
+        const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
+        // Beside a knot f has half the bits, and fewer where it is itself solved for.
+        stalls += (slow || !inside) && certainly_less(abs(step), noise * abs(x)) ? 1 : 0;
+        if (stalls > search.most_stalls) {
+            break;
+        }
+        if ((!inside || slow) && lo && hi) {
+            next = middle(sqrt(*lo * *hi));
+            previous = std::nullopt;
+        } else if (!inside) {
+            break;
+        } else {
+            previous = abs(step);
+        }
+        x = next;
+    }
+    if (!search.prove) {
+        return x;
+    }
+    // The proof.
+    Ball radius = abs(x) * tiny;
+    if (step.is_finite()) {
+        radius += abs(step) * 4;
+    }
+    for (long k = 0; 5 * k < bits; ++k) {
+        const Ball candidate = Ball::around(x.midpoint(), radius.upper(), bits);
+        const Ball image = x - f(x) / rate(candidate);
+        if (image.is_finite() && certainly_positive(image) && contains(candidate, image)) {
+            return image;
+        }
+        radius = middle(radius * 32);
+    }
+    throw BudgetError(std::string("ball arithmetic at ") + std::to_string(bits) +
+                      " bits does not isolate " + what);
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/elementary/elementary.hpp"
+#include "edgeproof/series/functions.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace edgeproof::contact {
+
+/// What the formulas of this folder ask of a number besides +, -, * and / of two of its kind. Each
+/// formula stands once, as a template over U: binary64 and its wider kin, Real, rational numbers,
+/// symbols, exact numbers, balls, and power series over any of them. A kind of number that writes
+/// an operation in another way specialises this (enclosure/fields.hpp has balls and exact numbers).
+/// A member is compiled only for the numbers that it is used with.
+template <class U> struct Field {
+    /// The whole number k, as precise as `like`.
+    static U number(int k, const U&) { return U(k); }
+    static U pi(const U&) {
+        if constexpr (Arithmetic<U>) {
+            return edgeproof::pi<U>();
+        } else {
+            return U::pi();
+        }
+    }
+    static U over(const U& x, int k) { return U(x / k); }
+    /// Certainly 0: what it multiplies need not be known.
+    static bool vanishes(const U& x) { return x == U(0); }
+    /// A weight (a number, for U a series as well) times x.
+    template <class W> static U times(const W& weight, const U& x) { return U(weight * x); }
+    /// sum += x y: with one rounding where the numbers can do that.
+    template <class W> static void add_product(U& sum, const W& x, const U& y) {
+        sum = sum + times(x, y);
+    }
+    static U twice(const U& x) { return U(x * 2); }
+    static U smaller(const U& x, const U& y) { return y < x ? y : x; }
+    /// The root of a number that is known not to be negative.
+    static U root(const U& x) {
+        using std::sqrt;
+        return U(sqrt(x));
+    }
+    /// 2 atan sqrt(near/far), of distances that are known not to be negative.
+    static U angle(const U& near, const U& far) {
+        return U(arc_tangent(U(root(U(near / far)))) * 2);
+    }
+    /// pi - h of a mark inside: as 2 atan sqrt((v + b)/(a - v)), since by the left edge the
+    /// difference would cancel.
+    template <class Mark> static U other_angle(const Mark& m) {
+        return U(arc_tangent(U(m.w / m.right)) * 2);
+    }
+};
+
+template <class T> struct Field<series::Series<T>> {
+    using U = series::Series<T>;
+    static U number(int k, const U& like) { return U(Field<T>::number(k, like[0]), like.order()); }
+    static U pi(const U& like) { return U(Field<T>::pi(like[0]), like.order()); }
+    static U over(const U& x, int k) { return x / Field<T>::number(k, x[0]); }
+    template <class W> static U times(const W& weight, const U& x) { return weight * x; }
+    template <class W> static void add_product(U& sum, const W& x, const U& y) { sum += x * y; }
+    static U root(const U& x) { return sqrt(x); }
+    static U angle(const U& near, const U& far) {
+        if constexpr (Arithmetic<T>) {
+            return arc_tangent(root(near / far)) * T(2);
+        } else {
+            // dh/dz = -d(cos h)/dz / sin h: the angle has the cosine (far - near)/(far + near) and
+            // the sine 2 sqrt(far near)/(far + near).
+            const T start = Field<T>::angle(near[0], far[0]);
+            if (near.order() < 2) {
+                return U(start, near.order());
+            }
+            const U sum = far + near;
+            const U cosine = (far - near) / sum;
+            const U over_sine = over(sum, 2) / root(near * far);
+            return antiderivative(-(derivative(cosine) * over_sine.truncated(near.order() - 1)),
+                                  start);
+        }
+    }
+    template <class Mark> static U other_angle(const Mark& m) {
+        if constexpr (Arithmetic<T>) {
+            return arc_tangent(m.w / m.right) * T(2);
+        } else {
+            return pi(m.h) - m.h;
+        }
+    }
+    /// Known to fewer terms, or to more, the new ones being 0 (a start for Newton's steps).
+    static U resized(const U& x, std::size_t order) {
+        std::vector<T> c = x.coefficients();
+        c.resize(order, Field<T>::number(0, x[0]));
+        return U(std::move(c));
+    }
+    static void set_constant(U& x, const T& c) { x[0] = c; }
+};
+
+/// weight x, sum += x y: by the field of the second factor.
+template <class W, class U> [[nodiscard]] U times(const W& weight, const U& x) {
+    return Field<U>::times(weight, x);
+}
+
+} // namespace edgeproof::contact

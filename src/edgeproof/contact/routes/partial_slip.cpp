@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/routes/partial_slip.hpp"
+
+#include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/quadrature/near_singularity.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr unsigned coarse_slip_digits = 15;
+constexpr unsigned slip_guard_digits = 10;
+constexpr int most_slip_steps = 60;
+
+InputError beyond(const std::string& what, const std::string& instead) { return {what, instead}; }
+
+} // namespace
+
+PartialSlip::PartialSlip(const NormalContact& contact, const ShearSpec& shear)
+    : contact_(contact), shear_(shear) {
+    const PrecisionScope scope(contact.digits() + 2 * slip_guard_digits);
+    if (!(load_ratio() < 1)) {
+        throw beyond("|Q| is not below f P: the contact slides",
+                     "give |Q| < f P, or leave friction out");
+    }
+    // With few digits first, the load in parts, so that each start is near.
+    const NormalContact coarse(Profile(contact.profile()), contact.contact_modulus(),
+                               contact.load(), coarse_slip_digits);
+    Zones d{Real(0), Real(0)};
+    {
+        const PrecisionScope few(coarse_slip_digits + 2 * slip_guard_digits);
+        Asked at = asked(coarse);
+        const Real whole = at.force;
+        const Real c_right = coarse.expansion(Edge::right, 1)[0];
+        const Real c_left = coarse.expansion(Edge::left, 1)[0];
+        const Real lead = 2 * whole / (pi<Real>() * sqrt(at.D));
+        const Zones first{Real(lead * (1 + at.turn * at.D) / c_right),
+                          Real(lead * (1 - at.turn * at.D) / c_left)};
+        Real part(0);
+        for (const char* next : {"0.1", "0.3", "0.6", "1"}) {
+            const Real to(next);
+            at.force = whole * to;
+            const Real scale = part > 0 ? Real(to / part) : Real(1);
+            d = part > 0 ? Zones{Real(d.right * scale), Real(d.left * scale)}
+                         : Zones{Real(first.right * to), Real(first.left * to)};
+            const Real most = at.D * Real("0.98");
+            const Real sum = d.right + d.left;
+            if (sum > most) {
+                d.right *= most / sum;
+                d.left *= most / sum;
+            }
+            d = solve(at, d);
+            part = to;
+        }
+    }
+    d_ = solve(asked(contact), {Real(d.right), Real(d.left)});
+}
+
+PartialSlip::Asked PartialSlip::asked(const NormalContact& contact) const {
+    return {contact, Real(contact.a() + contact.b()),
+            Real(abs(shear_.Q.to<Real>()) / shear_.friction->to<Real>()),
+            Real(pi<Real>() * shear_.bulk_tension.to<Real>() / shear_.Q.to<Real>() / 8),
+            contact.digits() + slip_guard_digits / 2};
+}
+
+/// The integral of p kernel(u, d - u) over a slip zone, cut at the knots in it.
+template <class F>
+Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& kernel) {
+    std::vector<Real> cuts{Real(0)};
+    for (const formula::Exact& knot : at.contact.profile().knots()) {
+        const Real v = knot.to<Real>();
+        const Real u = edge == Edge::right ? Real(at.contact.a() - v) : Real(at.contact.b() + v);
+        if (u > 0 && u < d) {
+            cuts.push_back(u);
+        }
+    }
+    cuts.push_back(d);
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<Real> lengths;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        lengths.push_back(Real(cuts[i + 1] - cuts[i]));
+    }
+    const auto f = [&](std::size_t i, const Real& lo, const Real& hi) {
+        const Real u = cuts[i] + lo;
+        const Real rest = i + 2 == cuts.size() ? hi : Real(d - cuts[i + 1] + hi);
+        return Real(at.contact.pressure(edge, u).value * kernel(u, rest));
+    };
+    const auto sum = quadrature::integrate_pieces<Real>(f, lengths, Real(0), Real(0),
+                                                        {.target_digits = at.target});
+    if (!sum.converged) {
+        throw BudgetError("the quadrature over a slip zone did not converge");
+    }
+    return sum.value;
+}
+
+PartialSlip::Balance PartialSlip::off(const Asked& at, const Zones& d) {
+    check_interruption();
+    const Real stick = at.D - d.right - d.left;
+    const auto side = [&](Edge edge) {
+        const Real& near = edge == Edge::right ? d.right : d.left;
+        const Real& far = edge == Edge::right ? d.left : d.right;
+        const Real here = over_zone(at, edge, near, [&](const Real& /*u*/, const Real& rest) {
+            return Real(sqrt(Real((stick + rest) / rest)));
+        });
+        const Real there =
+            over_zone(at, opposite(edge), far, [&](const Real& /*u*/, const Real& rest) {
+                return Real(sqrt(Real(rest / (stick + rest))));
+            });
+        const Real turn = edge == Edge::right ? at.turn : Real(-at.turn);
+        return Real((here + there) / (at.force) - (1 + turn * stick));
+    };
+    return {side(Edge::right), side(Edge::left)};
+}
+
+/// Broyden's method; its first matrix by differences.
+PartialSlip::Zones PartialSlip::solve(const Asked& at, Zones d) {
+    const Real tiny = pow(Real(10), -static_cast<int>(at.contact.digits() + 2));
+    const Real step("1e-6");
+    Balance f = off(at, d);
+    const Balance by_right = off(at, {Real(d.right * (1 + step)), d.left});
+    const Balance by_left = off(at, {d.right, Real(d.left * (1 + step))});
+    // The rates, by the logarithms of the sizes.
+    Real rr = (by_right.right - f.right) / step;
+    Real lr = (by_right.left - f.left) / step;
+    Real rl = (by_left.right - f.right) / step;
+    Real ll = (by_left.left - f.left) / step;
+    for (int k = 0; k < most_slip_steps; ++k) {
+        const Real determinant = rr * ll - rl * lr;
+        Real x = -(f.right * ll - f.left * rl) / determinant;
+        Real y = -(f.left * rr - f.right * lr) / determinant;
+        const Real most = std::max(Real(abs(x)), Real(abs(y)));
+        if (most > Real("0.5")) {
+            x /= 2 * most;
+            y /= 2 * most;
+        }
+        const Zones next{Real(d.right * (1 + x)), Real(d.left * (1 + y))};
+        if (!(next.right + next.left < at.D) || !(most == most)) {
+            break;
+        }
+        d = next;
+        if (most < tiny) {
+            return d;
+        }
+        const Balance g = off(at, d);
+        const Real size = x * x + y * y;
+        const Real u = (g.right - f.right - rr * x - rl * y) / size;
+        const Real v = (g.left - f.left - lr * x - ll * y) / size;
+        rr += u * x;
+        rl += u * y;
+        lr += v * x;
+        ll += v * y;
+        f = g;
+    }
+    throw BudgetError("no slip zones were found in the pressure: the stick zone may reach an edge "
+                      "of the contact");
+}
+
+Real PartialSlip::load_ratio() const {
+    return abs(shear_.Q.to<Real>()) / (shear_.friction->to<Real>() * contact_.force());
+}
+
+Real PartialSlip::size(Edge edge) const { return edge == Edge::right ? d_.right : d_.left; }
+
+Real PartialSlip::estimate() const { return pow(Real(10), -static_cast<int>(contact_.digits())); }
+
+bool PartialSlip::sticks(Edge edge, const Real& u) const {
+    const Real D = contact_.a() + contact_.b();
+    return u > size(edge) && D - u > size(opposite(edge));
+}
+
+Real PartialSlip::traction(Edge edge, const formula::Exact& u) const {
+    const PrecisionScope scope(contact_.digits() + 2 * slip_guard_digits);
+    const Real from = u.to<Real>();
+    const Real f = shear_.friction->to<Real>() * shear_.Q.sign();
+    if (!sticks(edge, from)) {
+        return f * contact_.pressure(edge, u).value;
+    }
+    const Asked at = asked(contact_);
+    const Real stick = at.D - d_.right - d_.left;
+    const Real near = from - size(edge); // from that end of the stick zone
+    const Real far = stick - near;
+    const auto side = [&](Edge zone) {
+        const Real& gap = zone == edge ? near : far;
+        return over_zone(at, zone, size(zone), [&](const Real& /*u*/, const Real& rest) {
+            return Real(1 / (sqrt(Real(rest * (stick + rest))) * (gap + rest)));
+        });
+    };
+    return f * sqrt(Real(near * far)) / pi<Real>() * (side(Edge::right) + side(Edge::left));
+}
+
+SlipSeries<Real> PartialSlip::series(std::size_t terms) const {
+    const Real D = contact_.a() + contact_.b();
+    const Real P = contact_.force();
+    const Real ratio = shear_.bulk_tension.to<Real>() / shear_.Q.to<Real>();
+    return slip_series<Real>(
+        contact_.expansion(Edge::right, terms), contact_.expansion(Edge::left, terms), D,
+        Real(2 * P / (pi<Real>() * sqrt(D))), Real(P * ratio / (4 * sqrt(D))), terms, Real(1));
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/law/contact_law.hpp"
+#include "edgeproof/contact/law/point.hpp"
+#include "edgeproof/contact/routes/pressure_routes.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace edgeproof::contact {
+
+/// I_m(q), the integral of s^m/sqrt(s^2 - q^2) over q < s < 1, in Real. It shares neither a series
+/// nor a recurrence with the enclosure of PowerLawIntegral:
+///
+/// q^2 >= 1/2: I_m = sqrt(y) 2F1(1, (1 - m)/2; 3/2; y), y = 1 - q^2, by Gauss's series in y, with
+/// as many digits more as cancel in it (m > 1). Where those are too many (large m), by Euler's
+/// integral of the 2F1 (DLMF 15.6.1), sqrt(y) times the integral of (q^2 + y t^2)^((m-1)/2) over 0
+/// < t < 1, by tanh-sinh.
+///
+/// Else: cut at h, (q/h)^2 = 1/2 or (q < 1/2) 1/4. Below, the integral is h^m I_m(q/h). Above, with
+/// beta_k = (2k)!/(4^k k!^2), it is the sum of beta_k q^(2k) (1 - h^(m-2k))/(m - 2k), no term of
+/// which is negative: it converges as (q/h)^(2k), and has no pole where m is even.
+class PowerLawIntegralInReal {
+public:
+    /// m > 0, and all results, at the working precision of the thread. `target_digits` of a
+    /// quadrature. Throws DomainError for m <= 0, BudgetError
+    /// for m > 1e12.
+    PowerLawIntegralInReal(const formula::Exact& m, unsigned target_digits);
+
+    struct Value {
+        Real value;
+        Real estimate; ///< of a quadrature, relative; 0 where there is none
+        std::size_t evaluations = 0;
+        bool converged = true;
+    };
+    /// 0 <= q < 1. `y` is 1 - q^2, given beside q so that it keeps its digits near the edge.
+    [[nodiscard]] Value operator()(const Real& q, const Real& y);
+
+private:
+    [[nodiscard]] Value beside_edge(const Real& y) const;
+    [[nodiscard]] Value by_gauss(const Real& y, unsigned more_digits) const;
+    [[nodiscard]] Value by_euler(const Real& y) const;
+
+    [[nodiscard]] unsigned digits_of_m() const;
+    void times_less_m(Real& x, long k) const;
+    void over_m_less(Real& x, long k) const;
+
+    Real m_;
+    double about_m_;
+    /// m = over/under, where that is made of small numbers.
+    struct Words {
+        long over;
+        long under;
+    };
+    std::optional<Words> words_;
+    unsigned target_digits_;
+    std::array<std::optional<Value>, 2> at_cut_; ///< I_m(q/h)
+};
+
+/// p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
+class PowerLawPressure {
+public:
+    /// Of a power law of m > 0 that is not piecewise linear.
+    PowerLawPressure(const formula::Exact& m, const ContactLaw<Real>& law, const Extent<Real>& e,
+                     unsigned target_digits);
+    [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
+
+private:
+    Real a_;
+    Real factor_; ///< P'(a)/pi
+    PowerLawIntegralInReal integral_;
+};
+
+} // namespace edgeproof::contact

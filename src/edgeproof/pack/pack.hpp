@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgeproof::pack {
+
+/// A frozen set of questions and correctly rounded answers, that a contact code takes into its own
+/// tests without this program: tables, and drivers in C, C++, Fortran, Python and Octave.
+struct PackFile {
+    std::string name;
+    std::string text;
+};
+
+/// The number of the set: another one wherever a question or a tolerance changes.
+inline constexpr int pack_version = 1;
+
+struct PackOptions {
+    unsigned threads = 0; ///< 0: as many as the machine has
+    std::function<void(std::size_t, std::size_t)> progress = {};
+};
+
+/// All files but the manifest, in their order; the same in every byte, on any number of threads.
+/// Throws Interrupted.
+[[nodiscard]] std::vector<PackFile> make_pack(const PackOptions& options);
+
+/// MANIFEST: what made the pack, and the SHA-256 of each file as `sha256sum -c` reads it.
+struct Origin {
+    std::string program; ///< "edgeproof 0.2.0"
+    std::string commit;
+    std::string date; ///< of the day, ISO 8601
+    std::string command;
+};
+[[nodiscard]] std::string manifest(const std::vector<PackFile>& files, const Origin& origin);
+inline constexpr const char* manifest_name = "MANIFEST";
+
+/// The tables' rows: questions rounded to binary64, with what is known of each answer. Left out are
+/// those without a proved value whose rounding is decided, those that are zero, and those whose
+/// conditioning is not known.
+struct PackRows {
+    std::size_t left_out = 0;
+    std::size_t rows = 0;
+    std::string text; ///< CSV, without a head
+};
+/// The names of the columns, as CSV with a line's end.
+[[nodiscard]] std::string pack_columns();
+/// `with_scale`: the largest exact pressure beside each row (the mean one, where that is infinite).
+[[nodiscard]] PackRows recipe_rows(std::string_view recipe, const std::string& file,
+                                   bool with_scale, const PackOptions& options);
+/// The hard cases that are pressures, tractions, coefficients, loads and left edges of the kinds
+/// that the columns can name; the reason of each in a comment above it.
+[[nodiscard]] PackRows hard_case_rows(std::string_view cases, const std::string& file,
+                                      const PackOptions& options);
+
+/// share/edgeproof/pack and the hard cases, as they were when the program was built.
+namespace pack_template {
+extern const std::string_view pack_toml;
+extern const std::string_view level_a_toml;
+extern const std::string_view hard_cases_toml;
+extern const std::string_view README_md;
+extern const std::string_view edgeproof_case_h;
+extern const std::string_view edgeproof_case_hpp;
+extern const std::string_view edgeproof_case_f90;
+extern const std::string_view driver_c;
+extern const std::string_view example_c;
+extern const std::string_view driver_cpp;
+extern const std::string_view example_cpp;
+extern const std::string_view driver_f90;
+extern const std::string_view example_f90;
+extern const std::string_view driver_py;
+extern const std::string_view example_py;
+extern const std::string_view run_pack_m;
+extern const std::string_view edgeproof_answer_m;
+} // namespace pack_template
+
+} // namespace edgeproof::pack

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/run.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/python/bindings.hpp"
+#include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/report/tables/golden.hpp"
+#include "edgeproof/report/tables/verdict_writers.hpp"
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace edgeproof::python {
+namespace {
+
+constexpr long least_digits = 10;
+constexpr long most_digits_of_claims = 10'000;
+constexpr long most_threads = 1024;
+
+struct Verified {
+    std::string source;
+    std::string json;
+    std::string counts;
+    std::vector<std::string> differences;
+    bool recorded = false;
+};
+
+Verified verified(const std::string& file, const audit::AuditOptions& options) {
+    const audit::Ledger ledger = audit::read_ledger(file);
+    const audit::AuditResult result = audit::run_audit(ledger, options);
+    Verified v{result.source, report::verdicts_json(result), report::counts_line(result), {}};
+    const std::filesystem::path golden = report::golden_file(file);
+    if (std::filesystem::exists(golden)) {
+        v.recorded = true;
+        v.differences = report::golden_differences(result, golden, options.only);
+    }
+    return v;
+}
+
+py::dict verify(const std::string& ledger, long digits, const std::string& only, long threads,
+                py::object callback) {
+    if (digits < least_digits || digits > most_digits_of_claims) {
+        throw InputError("digits = " + std::to_string(digits) + " is out of range",
+                         "give a number from " + std::to_string(least_digits) + " to " +
+                             std::to_string(most_digits_of_claims));
+    }
+    if (threads < 0 || threads > most_threads) {
+        throw InputError("threads = " + std::to_string(threads) + " is out of range",
+                         "give a number from 0 (as many as the machine has) to " +
+                             std::to_string(most_threads));
+    }
+    Progress progress(std::move(callback));
+    audit::AuditOptions options;
+    options.digits = static_cast<unsigned>(digits);
+    options.threads = static_cast<int>(threads);
+    options.only = only;
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    const Verified v = without_gil([&] { return verified(ledger, options); }, &progress);
+    progress.rethrow();
+    py::dict d;
+    d["source"] = v.source;
+    d["json"] = v.json;
+    d["counts"] = v.counts;
+    d["differences"] = v.recorded ? py::cast(v.differences) : py::object(py::none());
+    return d;
+}
+
+} // namespace
+
+void bind_audit(py::module_& module) {
+    module.def("verify", &verify, py::arg("ledger"), py::arg("digits"), py::arg("only"),
+               py::arg("threads"), py::arg("progress"));
+}
+
+} // namespace edgeproof::python

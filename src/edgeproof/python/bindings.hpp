@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+/// The Python module: the library's values, scenes, audits and conformance checks as Python
+/// objects. It computes nothing itself. One function a source, each of which adds its part:
+///   errors.cpp   the library's exceptions as those of edgeproof.errors
+///   value.cpp    Value
+///   scene.cpp    NativeScene
+///   audit.cpp    verify
+///   check.cpp    check
+namespace edgeproof::python {
+
+/// None for an empty text.
+[[nodiscard]] inline pybind11::object text_or_none(const std::string& text) {
+    return text.empty() ? pybind11::object(pybind11::none())
+                        : pybind11::object(pybind11::str(text));
+}
+
+void bind_errors(pybind11::module_& module);
+void bind_value(pybind11::module_& module);
+void bind_scene(pybind11::module_& module);
+void bind_audit(pybind11::module_& module);
+void bind_check(pybind11::module_& module);
+
+} // namespace edgeproof::python

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace edgeproof::python {
+
+/// What a scene is asked, by names and exact texts; what is left out stays as the scene has it.
+struct AskedByName {
+    std::optional<std::vector<std::string>> edges;
+    std::optional<std::vector<std::string>> u;
+    std::optional<std::vector<long>> terms;
+    std::optional<std::vector<std::string>> quantities;
+    std::optional<std::string> tolerance;
+    std::optional<std::string> process_zone;
+    std::optional<std::vector<std::string>> part;
+    std::optional<long> digits;
+};
+
+/// "right" or "left". Throws InputError.
+[[nodiscard]] contact::Edge edge_named(const std::string& name);
+
+/// A scene with the text that it was read from. Any number of threads may use one.
+class NativeScene {
+public:
+    NativeScene(std::string text, scene::Scene scene);
+
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+    [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
+    /// The scene with other questions. Throws InputError for what makes no sense.
+    [[nodiscard]] scene::Scene asking(const AskedByName& ask) const;
+    /// Binary64Pressures of each; `p` and `u` of one size. Solved contacts are kept for the next
+    /// call, one for each thread that calls at the same time.
+    void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
+
+private:
+    struct Pool {
+        std::mutex mutex;
+        std::vector<std::unique_ptr<scene::Binary64Pressures>> free;
+    };
+
+    std::string text_;
+    scene::Scene scene_;
+    std::shared_ptr<Pool> pool_;
+};
+
+} // namespace edgeproof::python

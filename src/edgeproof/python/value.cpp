@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/python/value.hpp"
+
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/python/bindings.hpp"
+#include "edgeproof/python/undecided.hpp"
+
+#include <pybind11/operators.h>
+#include <pybind11/stl.h>
+
+#include <flint/flint.h>
+
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace edgeproof::python {
+namespace {
+
+constexpr long most_digits = 100'000;
+
+py::object fraction_of(const std::string& text) {
+    return py::module_::import("fractions").attr("Fraction")(text);
+}
+
+Rational rational_of_real(const Real& x) {
+    Rational q;
+    mpfr_get_q(q.backend().data(), x.backend().data());
+    return q;
+}
+
+/// Both ends of what encloses the value, exactly.
+std::pair<Rational, Rational> ends(const Value& v) {
+    if (v.value().exactly) {
+        return {*v.value().exactly, *v.value().exactly};
+    }
+    const Rational middle = rational_of_real(v.value().value.midpoint());
+    const Rational radius = rational_of_real(v.value().value.radius());
+    return {middle - radius, middle + radius};
+}
+
+[[noreturn]] void refuse_comparison() {
+    throw UndecidedError("the bounds of the two values overlap", "ask for both with more digits");
+}
+
+/// -1, 0 or 1.
+int compared(const std::pair<Rational, Rational>& x, const std::pair<Rational, Rational>& y) {
+    if (x.second < y.first) {
+        return -1;
+    }
+    if (y.second < x.first) {
+        return 1;
+    }
+    if (x.first == x.second && y.first == y.second) {
+        return 0;
+    }
+    refuse_comparison();
+}
+
+/// The ends of the other side of a comparison; nothing for what is no number.
+std::optional<std::pair<Rational, Rational>> ends_of(const py::object& other) {
+    if (py::isinstance<Value>(other)) {
+        return ends(other.cast<const Value&>());
+    }
+    if (py::isinstance<py::str>(other) || py::isinstance<py::bytes>(other)) {
+        return {};
+    }
+    try {
+        const py::object text =
+            py::module_::import("edgeproof._numbers").attr("exact_text")(other, "a number");
+        const Rational q = parse_decimal(text.cast<std::string>());
+        return std::pair{q, q};
+    } catch (py::error_already_set& error) {
+        if (error.matches(PyExc_TypeError)) {
+            return {};
+        }
+        throw;
+    }
+}
+
+template <class Test> auto comparison(const Test& test) {
+    return [test](const py::object& self, const py::object& other) -> py::object {
+        if (self.is(other)) {
+            return py::bool_(test(0));
+        }
+        const auto theirs = ends_of(other);
+        if (!theirs) {
+            return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+        }
+        return py::bool_(test(compared(ends(self.cast<const Value&>()), *theirs)));
+    };
+}
+
+/// The number that the text states. Throws UndecidedError where it states two.
+std::string one_number(const Value& v) {
+    if (v.printed().text.empty() || v.printed().text.front() == '[') {
+        throw UndecidedError("the rounding of the value is undecided: " + v.printed().text,
+                             "take .interval(), or ask for more digits");
+    }
+    return v.printed().text;
+}
+
+std::string dumped(const Ball& x) {
+    const std::unique_ptr<char, void (*)(void*)> text(arb_dump_str(x.data()), flint_free);
+    return text.get();
+}
+
+Ball loaded(const std::string& text, long bits) {
+    Ball x(0, bits);
+    if (arb_load_str(x.data(), text.c_str()) != 0) {
+        throw InputError("this is no pickled Value", "");
+    }
+    return x;
+}
+
+py::tuple state_of(const Value& v) {
+    const auto& exactly = v.value().exactly;
+    return py::make_tuple(
+        dumped(v.value().value), v.value().value.bits(), v.value().proved, v.value().route,
+        exactly ? py::object(py::str(exactly->str())) : py::object(py::none()), v.digits());
+}
+
+Value from_state(const py::tuple& state) {
+    scene::BoundedValue value{loaded(state[0].cast<std::string>(), state[1].cast<long>()),
+                              state[2].cast<bool>(), state[3].cast<std::string>()};
+    if (!state[4].is_none()) {
+        value.exactly = parse_decimal(state[4].cast<std::string>());
+    }
+    return {std::move(value), state[5].cast<unsigned>()};
+}
+
+std::string shown(const Value& v) {
+    return "<edgeproof.Value " + v.printed().text + ", " + (v.value().proved ? "" : "estimated ") +
+           "bound " + v.printed().bound + ", " + how(v.value(), v.printed()) + ">";
+}
+
+py::object mpmath_of(const Value& v) {
+    const std::string text = one_number(v);
+    const py::module_ mpmath = py::module_::import("mpmath");
+    const py::object scope = mpmath.attr("workdps")(v.digits() + 5);
+    scope.attr("__enter__")();
+    py::object number = mpmath.attr("mpf")(text);
+    scope.attr("__exit__")(py::none(), py::none(), py::none());
+    return number;
+}
+
+} // namespace
+
+scene::Digits digits_asked(unsigned count) { return {count, Rounding::nearest, true}; }
+
+unsigned checked_digits(long count) {
+    if (count < 2 || count > most_digits) {
+        throw InputError("digits = " + std::to_string(count) + " is out of range",
+                         "give a number from 2 to " + std::to_string(most_digits));
+    }
+    return static_cast<unsigned>(count);
+}
+
+Value::Value(scene::BoundedValue value, unsigned digits)
+    : value_(std::move(value)), digits_(digits) {
+    if (!value_.exactly && !value_.value.is_finite()) {
+        throw BudgetError("no number of bits tried gives a value");
+    }
+    printed_ = scene::printed(value_, digits_asked(digits_));
+}
+
+double Value::nearest() const {
+    if (!printed_.binary64) {
+        throw UndecidedError("two binary64 may be the nearest one", "ask for more digits");
+    }
+    return *printed_.binary64 + 0.0; // no negative zero
+}
+
+void bind_value(py::module_& module) {
+    py::class_<Value> value(module, "Value", R"(A computed number with how far it is to be trusted.
+
+    text     the value, rounded correctly to the digits asked for (or to those that are certain;
+             "[lower, upper]" where the rounding of a proved value is undecided)
+    bound    text: |text - exact| is at most this
+    proved   True: the bound is proved. False: it is what the route estimates of itself
+    route    how the value was computed: "closed-form", "series", "given", ...
+    digits   the digits asked for
+    exact    fractions.Fraction where the value is known to be that rational number, else None
+
+float(v) is the binary64 nearest to the exact value. v.fraction(), v.decimal() and v.mpmath() are
+the number that .text states, exactly; v.interval() is what encloses the exact value. Comparisons
+(with values and with int, float, Fraction, Decimal, mpmath.mpf, exactly) raise UndecidedError where
+the bounds overlap, so that an answer is certain as far as the bounds are.)");
+    value
+        .def_property_readonly(
+            "text", [](const Value& v) { return v.printed().text; },
+            "The value, rounded correctly to the digits asked for.")
+        .def_property_readonly(
+            "bound", [](const Value& v) { return v.printed().bound; },
+            "|text - exact| is at most this; two digits, rounded up.")
+        .def_property_readonly(
+            "proved", [](const Value& v) { return v.value().proved; },
+            "Whether the bound is proved; else it is an estimate.")
+        .def_property_readonly(
+            "route", [](const Value& v) { return v.value().route; }, "How it was computed.")
+        .def_property_readonly("digits", &Value::digits, "The digits asked for.")
+        .def_property_readonly(
+            "complete", [](const Value& v) { return v.printed().complete; },
+            "Whether .text has all the digits asked for.")
+        .def_property_readonly(
+            "exact",
+            [](const Value& v) {
+                return v.value().exactly ? fraction_of(v.value().exactly->str())
+                                         : py::object(py::none());
+            },
+            "The value as a Fraction where it is known to be rational, else None.")
+        .def(
+            "interval",
+            [](const Value& v) {
+                const auto [low, high] = ends(v);
+                return py::make_tuple(fraction_of(low.str()), fraction_of(high.str()));
+            },
+            "interval()\n\n(lower, upper): Fractions with the exact value between them (proved, or "
+            "estimated).")
+        .def(
+            "rounded",
+            [](const Value& v, long digits) {
+                return scene::printed(v.value(), digits_asked(checked_digits(digits))).text;
+            },
+            py::arg("digits"),
+            "rounded(digits)\n\nThe text at another number of digits, rounded from the value "
+            "itself.")
+        .def(
+            "fraction", [](const Value& v) { return fraction_of(one_number(v)); },
+            "fraction()\n\nThe number that .text states, as fractions.Fraction.")
+        .def(
+            "decimal",
+            [](const Value& v) {
+                return py::module_::import("decimal").attr("Decimal")(one_number(v));
+            },
+            "decimal()\n\nThe number that .text states, as decimal.Decimal.")
+        .def("mpmath", &mpmath_of,
+             "mpmath()\n\nThe number that .text states, as mpmath.mpf with a few digits to spare.")
+        .def("_mpmath_", [](const Value& v, const py::args&) { return mpmath_of(v); })
+        .def("__float__", &Value::nearest)
+        .def("__str__", [](const Value& v) { return v.printed().text; })
+        .def("__repr__", &shown)
+        .def("__format__",
+             [](const Value& v, const std::string& spec) {
+                 return spec.empty()
+                            ? py::str(v.printed().text)
+                            : py::str(py::module_::import("builtins")
+                                          .attr("format")(py::module_::import("decimal").attr(
+                                                              "Decimal")(one_number(v)),
+                                                          spec));
+             })
+        .def("__bool__",
+             [](const Value& v) {
+                 const Rational zero = 0;
+                 return compared(ends(v), {zero, zero}) != 0;
+             })
+        .def("__lt__", comparison([](int c) { return c < 0; }))
+        .def("__le__", comparison([](int c) { return c <= 0; }))
+        .def("__gt__", comparison([](int c) { return c > 0; }))
+        .def("__ge__", comparison([](int c) { return c >= 0; }))
+        .def("__eq__", comparison([](int c) { return c == 0; }))
+        .def("__ne__", comparison([](int c) { return c != 0; }))
+        .def(
+            "to_dict",
+            [](const Value& v) {
+                py::dict d;
+                d["text"] = v.printed().text;
+                d["bound"] = v.printed().bound;
+                d["proved"] = v.value().proved;
+                d["route"] = v.value().route;
+                return d;
+            },
+            "to_dict()\n\n{\"text\", \"bound\", \"proved\", \"route\"}.")
+        .def(py::pickle(&state_of, &from_state));
+    value.attr("__hash__") = py::none(); // equal values need not be known to be equal
+    value.attr("__module__") = "edgeproof";
+}
+
+} // namespace edgeproof::python

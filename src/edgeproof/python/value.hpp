@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/scene/input/bounded_value.hpp"
+
+#include <optional>
+
+namespace edgeproof::python {
+
+/// A value of the library with the digits that it was asked for: edgeproof.Value.
+class Value {
+public:
+    /// Throws BudgetError for a ball that is not finite: no value is ever NaN.
+    Value(scene::BoundedValue value, unsigned digits);
+
+    [[nodiscard]] const scene::BoundedValue& value() const noexcept { return value_; }
+    [[nodiscard]] unsigned digits() const noexcept { return digits_; }
+    [[nodiscard]] const scene::PrintedValue& printed() const noexcept { return printed_; }
+    /// Throws UndecidedError where several binary64 may be the nearest.
+    [[nodiscard]] double nearest() const;
+
+private:
+    scene::BoundedValue value_;
+    unsigned digits_;
+    scene::PrintedValue printed_;
+};
+
+/// How values are asked for: with the bits that a binary64 needs.
+[[nodiscard]] scene::Digits digits_asked(unsigned count);
+
+/// Throws DomainError outside 2 ... 100,000.
+[[nodiscard]] unsigned checked_digits(long count);
+
+} // namespace edgeproof::python

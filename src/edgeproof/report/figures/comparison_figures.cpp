@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/figures/comparison_figures.hpp"
+
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/scratch.hpp"
+#include "edgeproof/io/staged_folder.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/figures/figures_gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace edgeproof::report {
+namespace {
+
+using comparison::FileComparison;
+using comparison::Node;
+
+std::optional<Real> point(double x) {
+    return std::isfinite(x) ? std::optional(Real(x)) : std::nullopt;
+}
+
+/// The exact curve's places: even, and dense at the edges.
+std::vector<double> curve_places(const comparison::ExactContact& exact) {
+    std::vector<double> places;
+    constexpr int count = 240;
+    const double middle = 0.5 * (exact.a().value - exact.b().value);
+    for (int i = 0; i <= count; ++i) {
+        const double angle = 3.14159265358979 * i / count;
+        places.push_back(middle - 0.5 * exact.length() * std::cos(angle));
+    }
+    for (const comparison::ContactKnot& knot : exact.knots()) {
+        for (const double side : {-1e-6, -1e-4, -1e-3, 1e-3, 1e-4, 1e-6}) {
+            places.push_back(knot.x + side * exact.length());
+        }
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+std::string file_id(const std::filesystem::path& file, std::set<std::string>& taken) {
+    std::string id;
+    for (const char c : file.stem().string()) {
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+        id += plain ? c : '-';
+    }
+    id = id.empty() ? "result" : id;
+    std::string own = id;
+    for (int i = 2; !taken.insert(own).second; ++i) {
+        own = id + "-" + std::to_string(i);
+    }
+    return own;
+}
+
+std::string shown_name(const FileComparison& file) {
+    return std::filesystem::path(file.table.file).filename().string();
+}
+
+std::string length_label(const ComparisonReport& report) {
+    return report.units ? unit_label(report.units->length) : std::string();
+}
+
+} // namespace
+
+Plot pressure_plot(const ComparisonReport& report, const FileComparison& file,
+                   const std::string& id) {
+    const comparison::ExactContact& exact = *report.exact;
+    Plot plot;
+    plot.id = id + "-pressure";
+    plot.title = "Pressure: " + shown_name(file);
+    plot.description = "The pressures of the data as points, and the exact pressure as a line, "
+                       "along the contact";
+    plot.x = {"x" + length_label(report), false, {}};
+    plot.y = {"p" + (report.units ? unit_label(report.units->pressure) : std::string()), false, {}};
+    plot.columns = {"x", "exact", "data"};
+    plot.curves = {{"exact", "exact", {Pen::Colour::blue, 1, {}, 2}},
+                   {"data", "data", {Pen::Colour::black, 0, 6, 1.5}}};
+    double most = file.contact.largest;
+    for (const double x : curve_places(exact)) {
+        const auto place = exact.at(Real(x));
+        if (place.p && exact.scale().mean) {
+            most = std::max(most, std::min(*place.p, 3 * exact.scale().value));
+        }
+        plot.rows.push_back({Real(x), place.p ? point(*place.p) : std::nullopt, std::nullopt});
+    }
+    for (const Node& node : file.data.nodes) {
+        // Far outside there is nothing to see.
+        if (node.exact.u() > -0.15 * exact.length()) {
+            plot.rows.push_back({point(node.x), std::nullopt, point(node.p)});
+        }
+    }
+    if (exact.scale().mean) {
+        plot.y.range = {"0", fmt::format("{:.6g}", 1.1 * most)};
+    }
+    return plot;
+}
+
+Plot error_plot(const ComparisonReport& report, const FileComparison& file, const std::string& id) {
+    const comparison::ExactContact& exact = *report.exact;
+    Plot plot;
+    plot.id = id + "-error";
+    plot.title = "Error of p: " + shown_name(file);
+    plot.description = "The relative error of the data's pressures against the distance from the "
+                       "edge, on logarithmic axes; the two elements at the edge and the window "
+                       "that c_0 is fitted over are shaded";
+    plot.x = {"distance from the edge, u/(a + b)", true, {}};
+    plot.y = {"|error of p|/p", true, {}};
+    plot.columns = {"u", "right", "left"};
+    double least_u = 0.5;
+    double least = 1;
+    double most = 1e-16;
+    for (const Node& node : file.data.nodes) {
+        if (!node.exact.p || !node.exact.inside() || !(*node.exact.p > 0) || node.error == 0) {
+            continue;
+        }
+        const double u = node.exact.u() / exact.length();
+        const double error = std::abs(node.error / *node.exact.p);
+        const bool right = node.exact.nearer() == contact::Edge::right;
+        plot.rows.push_back(
+            {point(u), right ? point(error) : std::nullopt, right ? std::nullopt : point(error)});
+        least_u = std::min(least_u, u);
+        least = std::min(least, error);
+        most = std::max(most, error);
+    }
+    std::ranges::stable_sort(plot.rows, [](const auto& s, const auto& t) { return *s[0] < *t[0]; });
+    plot.curves = {{"right", "right edge", {Pen::Colour::vermilion, 0, 7, 1}},
+                   {"left", "left edge", {Pen::Colour::blue, 0, 4, 1}}};
+    const double from = least_u / 2;
+    const auto number = [](double x) { return fmt::format("{:.6g}", x); };
+    plot.x.range = {number(from), "0.6"};
+    plot.y.range = {fmt::format("1e{:d}", static_cast<int>(std::floor(std::log10(least))) - 1),
+                    fmt::format("1e{:d}", static_cast<int>(std::ceil(std::log10(most))) + 1)};
+    const contact::Edge edge = file.data.half.value_or(contact::Edge::right);
+    const double element = file.contact.element[index_of(edge)] / exact.length();
+    if (2 * element > from && 2 * element < 0.6) {
+        plot.bands.push_back({number(from), number(2 * element), "two elements", 0.3});
+    }
+    if (const auto& fit = file.fits[index_of(edge)]) {
+        plot.bands.push_back({number(fit->from / exact.length()), number(fit->to / exact.length()),
+                              "c_0 fitted here", 0.12});
+    }
+    const comparison::Tolerances& t = report.comparison.tolerances;
+    if (t.of == comparison::Norm::local) {
+        plot.level = {number(t.pressure), "tolerance"};
+    }
+    plot.key_below = true;
+    return plot;
+}
+
+Plot convergence_plot(const ComparisonReport& report) {
+    const comparison::ExactContact& exact = *report.exact;
+    Plot plot;
+    plot.id = "convergence";
+    plot.title = "Errors of several meshes";
+    plot.description = "Errors relative to the exact values against the mean width of an element, "
+                       "on logarithmic axes";
+    plot.x = {"width of an element/(a + b)", true, {}};
+    plot.y = {"relative error", true, {}};
+    plot.columns = {"h", "peak", "L2", "a", "P", "c_0"};
+    plot.curves = {{"peak", "p, of the peak", {Pen::Colour::vermilion, 1, 7, 1}},
+                   {"L2", "p, L2", {Pen::Colour::blue, 2, 4, 1}},
+                   {"a", "a", {Pen::Colour::green, 3, 8, 1}},
+                   {"P", "P", {Pen::Colour::purple, 4, 10, 1}},
+                   {"c_0", "c_0", {Pen::Colour::black, 5, 12, 1}}};
+    for (const FileComparison& file : report.comparison.files) {
+        const auto relative = [](const std::optional<double>& data,
+                                 double value) -> std::optional<Real> {
+            const double error = data ? std::abs(*data / value - 1) : 0;
+            constexpr double roundoff = 1e-8; // a load that was prescribed
+            return error > roundoff ? point(error) : std::nullopt;
+        };
+        const auto& fit = file.fits[0];
+        plot.rows.push_back({point(file.contact.mean_element / exact.length()),
+                             file.errors.peak > 0 ? point(file.errors.peak) : std::nullopt,
+                             file.errors.l2 > 0 ? point(file.errors.l2) : std::nullopt,
+                             relative(file.contact.a, exact.a().value),
+                             relative(file.contact.force, exact.force().value),
+                             relative(fit ? std::optional(fit->c0.value) : std::nullopt,
+                                      exact.c(contact::Edge::right, 0).value)});
+    }
+    std::ranges::stable_sort(plot.rows, [](const auto& s, const auto& t) { return *s[0] < *t[0]; });
+    plot.key_below = true;
+    return plot;
+}
+
+std::vector<Figure> comparison_figures(const ComparisonReport& report) {
+    const PrecisionScope scope(comparison::ExactContact::place_digits);
+    std::vector<Figure> figures;
+    std::set<std::string> taken{"convergence"};
+    for (const FileComparison& file : report.comparison.files) {
+        const std::string id = file_id(file.table.file, taken);
+        Figure figure{id,
+                      shown_name(file),
+                      "Left: data and exact pressure. Right: the relative error of each node "
+                      "against its distance from the nearer edge.",
+                      {pressure_plot(report, file, id)}};
+        Plot errors = error_plot(report, file, id);
+        if (!errors.rows.empty()) {
+            figure.plots.push_back(std::move(errors));
+        }
+        figures.push_back(std::move(figure));
+    }
+    if (report.comparison.files.size() > 1) {
+        figures.push_back({"convergence",
+                           "Several meshes",
+                           "Errors against the mean width of an element; a straight line of slope "
+                           "s is an error that goes like its s-th power.",
+                           {convergence_plot(report)}});
+    }
+    return figures;
+}
+
+void write_comparison_figures(const ComparisonReport& report, const std::filesystem::path& folder) {
+    const auto gnuplot = find_gnuplot();
+    if (!gnuplot) {
+        throw InputError("there is no gnuplot to draw figures with", "install gnuplot-nox");
+    }
+    const PrecisionScope scope(figure_digits + 10);
+    const io::Scratch scratch;
+    io::StagedFolder staged(folder);
+    for (const Figure& figure : comparison_figures(report)) {
+        for (const Plot& plot : figure.plots) {
+            io::write_whole(staged.path() / (plot.id + ".csv"), to_csv(plot));
+            io::write_whole(staged.path() / (plot.id + ".svg"),
+                            draw_svg(plot, *gnuplot, scratch.path()));
+        }
+    }
+    staged.commit();
+}
+
+} // namespace edgeproof::report

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/report/figures/figures.hpp"
+#include "edgeproof/scene/design/run_design.hpp"
+
+#include <filesystem>
+
+namespace edgeproof::report {
+
+/// The reach against the one parameter, with the best value and the one that is printed marked. The
+/// line is broken where the reach jumps. Columns: the parameter, reach, best, printed.
+[[nodiscard]] Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& result);
+
+/// The plot as .svg (gnuplot draws it) or as .csv. Throws InputError for another ending, and for
+/// .svg where there is no gnuplot.
+void write_design_figure(const scene::DesignScene& design, const scene::DesignResult& result,
+                         const std::filesystem::path& file);
+
+} // namespace edgeproof::report

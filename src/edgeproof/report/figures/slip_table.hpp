@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/enclosure/slip_reach.hpp"
+#include "edgeproof/report/figures/figures_paper.hpp"
+#include "edgeproof/report/tables/table.hpp"
+#include "edgeproof/scene/input/bounded_value.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace edgeproof::report {
+
+/// The slip of one of the paper's contacts under a shear force alone, in balls, at any number of
+/// bits. Sizes as parts of a do not depend on E*, f or P: E* = f = 1.
+class PaperSlip {
+public:
+    explicit PaperSlip(const NamedScene& scene) : scene_(scene) {}
+    [[nodiscard]] const NamedScene& scene() const { return scene_; }
+    /// Throws BudgetError where so few bits do not enclose the contact.
+    [[nodiscard]] const contact::BallSlip& at(long bits);
+
+private:
+    struct Level;
+    NamedScene scene_;
+    std::map<long, std::shared_ptr<Level>> levels_;
+};
+
+struct SlipTableOptions {
+    std::vector<std::string> tolerances{"1%", "5%",
+                                        "10%"}; ///< as scene::parse_tolerance reads them
+    std::vector<std::size_t> terms{1};
+    scene::Digits digits{10};
+    std::function<void(std::size_t, std::size_t)> progress = {}; ///< rows done, of how many
+};
+
+/// Up to which Q/(f P) n terms of the slip zone's size stay within each tolerance, for all of the
+/// paper's profiles at both edges, under Q alone: proved. Throws InputError for tolerances that are
+/// none, BudgetError where the budget decides one of them not.
+[[nodiscard]] Table slip_table(const std::string& paper, const SlipTableOptions& options);
+
+} // namespace edgeproof::report

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/tables/comparison_report.hpp"
+
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/text/escape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof::report {
+namespace {
+
+using comparison::Convergence;
+using comparison::Errors;
+using comparison::FileComparison;
+
+std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
+
+std::string relative_text(const std::optional<double>& data, double exact) {
+    return data && exact != 0 ? fmt::format("{:+.3g} %", 100 * (*data / exact - 1)) : "";
+}
+
+/// Columns as wide as what stands in them; the first to the left, the others to the right.
+std::string aligned_rows(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> width;
+    for (const auto& row : rows) {
+        width.resize(std::max(width.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            width[i] = std::max(width[i], row[i].size());
+        }
+    }
+    std::string out;
+    for (const auto& row : rows) {
+        std::string line = "  ";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += i == 0 ? fmt::format("{:<{}}", row[i], width[i])
+                           : fmt::format("  {:>{}}", row[i], width[i]);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + '\n';
+    }
+    return out;
+}
+
+std::string quantities_text(const ComparisonReport& report, const FileComparison& file) {
+    std::vector<std::vector<std::string>> rows{
+        {"", "data", "+-", "exact p", "exact", "off by", ""}};
+    for (const HeldQuantity& q : held_quantities(report, file)) {
+        rows.push_back({q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"),
+                        q.data ? fmt::format("{:.7g}", *q.data) : "-",
+                        q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
+                        q.of_exact ? fmt::format("{:.7g}", *q.of_exact) : "",
+                        fmt::format("{:.10g}", q.exact), relative_text(q.data, q.exact), q.note});
+    }
+    return aligned_rows(rows);
+}
+
+std::vector<std::string> error_cells(const Errors& e) {
+    return {std::to_string(e.nodes), percent_text(e.peak), percent_text(e.local),
+            percent_text(e.median_local), fmt::format("{:.1f}", e.digits())};
+}
+
+std::string errors_text(const ComparisonReport& report, const FileComparison& file) {
+    const bool mean = report.exact->scale().mean;
+    std::vector<std::vector<std::string>> rows{{"nodes by distance from an edge", "nodes",
+                                                mean ? "of the mean" : "of the peak", "of p itself",
+                                                "median", "digits right"}};
+    const auto add = [&](const std::string& name, const Errors& errors) {
+        auto cells = error_cells(errors);
+        cells.insert(cells.begin(), name);
+        rows.push_back(std::move(cells));
+    };
+    for (const comparison::DistanceErrors& d : file.distances) {
+        add(distance_text(d), d.errors);
+    }
+    for (const comparison::KnotErrors& k : file.knots) {
+        add(fmt::format("beside the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
+            k.errors);
+    }
+    return aligned_rows(rows);
+}
+
+std::string file_text(const ComparisonReport& report, const FileComparison& file) {
+    std::string out = printable(file.table.file) + "\n";
+    for (const std::string& finding : file.findings()) {
+        out += "  " + printable(finding) + "\n";
+    }
+    out += "\n" + quantities_text(report, file) + "\n" + errors_text(report, file) + "\n";
+    const Errors& all = file.errors;
+    out +=
+        fmt::format("  error of p{}: {} of the {}, {} of p itself, {} in the L2 norm\n",
+                    file.all.nodes == all.nodes
+                        ? std::string()
+                        : fmt::format(", {} of {} nodes (the others lie in the edge zones)",
+                                      all.nodes, file.all.nodes),
+                    percent_text(all.peak), report.exact->scale().mean ? "mean pressure" : "peak",
+                    percent_text(all.local), percent_text(all.l2));
+    const double element = file.contact.element[0];
+    out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "
+                       "left {:.4g}\n",
+                       element, element / report.exact->length(), file.contact.element[1]);
+    for (const std::string& failure : file.failures) {
+        out += "  FAIL: " + printable(failure) + "\n";
+    }
+    for (const std::string& line : diagnosis_lines(file)) {
+        out += "  " + printable(line) + "\n";
+    }
+    return out + "\n";
+}
+
+std::string convergence_text(const std::vector<Convergence>& list) {
+    std::vector<std::vector<std::string>> rows{
+        {"of several meshes", "order", "own order", "limit", "+-", "exact", ""}};
+    for (const Convergence& c : list) {
+        const auto number = [](const std::optional<double>& x, int digits) {
+            return x ? fmt::format("{:.{}g}", *x, digits) : std::string("-");
+        };
+        rows.push_back({c.quantity, number(c.order, 3), number(c.own_order, 3),
+                        number(c.extrapolated, 7),
+                        c.extrapolated ? fmt::format("{:.2g}", c.extrapolation_error) : "",
+                        c.exact != 0 ? fmt::format("{:.8g}", c.exact) : "",
+                        !c.agrees   ? c.why_not
+                        : *c.agrees ? c.trusted ? "agrees" : "agrees; " + c.why_not
+                        : c.trusted ? "DIFFERS from the exact value"
+                                    : "differs; " + c.why_not});
+    }
+    return aligned_rows(rows);
+}
+
+std::string with_unit(const std::optional<scene::Unit>& unit, const std::string& more) {
+    return unit ? unit->name + more : std::string();
+}
+
+} // namespace
+
+std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
+                                          const FileComparison& file) {
+    const comparison::ExactContact& exact = *report.exact;
+    const scene::Units units = report.units.value_or(scene::Units{});
+    const std::string length = with_unit(units.length, "");
+    const std::string pressure = with_unit(units.pressure, "");
+    const std::string force =
+        units.force && units.length ? units.force->name + "/" + units.length->name : "";
+    const auto coefficient = [&](const char* power) {
+        return units.length && units.pressure ? pressure + "/" + length + "^" + std::string(power)
+                                              : std::string();
+    };
+    std::vector<HeldQuantity> list;
+    const auto add = [&](HeldQuantity q) { list.push_back(std::move(q)); };
+    add({"a", length, file.contact.a, 0, file.of_exact.a, exact.a().value, exact.a().route, ""});
+    add({"b", length, file.contact.b, 0, file.of_exact.b, exact.b().value, exact.b().route, ""});
+    add({"P", force, file.contact.force, 0, file.of_exact.force, exact.force().value,
+         exact.force().route, ""});
+    if (!exact.scale().mean) {
+        add({"largest p", pressure, file.contact.largest, 0, file.of_exact.largest,
+             exact.scale().value, "batch (estimate)", ""});
+    }
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        const auto& fit = file.fits[index_of(edge)];
+        const char* const where = edge == contact::Edge::right ? "" : " left";
+        for (const std::size_t k : {0U, 1U}) {
+            HeldQuantity q;
+            q.name = "c_" + std::to_string(k) + where;
+            q.unit = coefficient(k == 0 ? "(1/2)" : "(3/2)");
+            q.exact = exact.c(edge, k).value;
+            q.route = exact.c(edge, k).route;
+            if (fit) {
+                q.data = (k == 0 ? fit->c0 : fit->c1).value;
+                q.spread = (k == 0 ? fit->c0 : fit->c1).spread;
+                if (!fit->own_edge) {
+                    q.of_exact = (k == 0 ? fit->c0 : fit->c1).of_exact;
+                }
+                q.note =
+                    k == 0 ? fmt::format("({} nodes, u{} from {:.3g} to {:.3g}, {} terms)",
+                                         fit->nodes, fit->own_edge ? " from the data's edge," : "",
+                                         fit->from, fit->to, fit->terms)
+                           : "";
+            } else {
+                q.note = "(too few nodes)";
+            }
+            add(std::move(q));
+        }
+    }
+    return list;
+}
+
+std::vector<std::string> diagnosis_lines(const FileComparison& file) {
+    std::vector<std::string> lines;
+    if (!file.diagnosis) {
+        return lines;
+    }
+    const comparison::Diagnosis& d = *file.diagnosis;
+    if (d.at_edges_only) {
+        lines.push_back(fmt::format("away from the edges p is right to {}: what is off lies at the "
+                                    "edges, as what a mesh does to them",
+                                    percent_text(d.unexplained)));
+    } else if (d.causes.empty()) {
+        lines.push_back(fmt::format("no cause that is known explains it: {} are left, where the "
+                                    "nodes scatter by {}",
+                                    percent_text(d.unexplained), percent_text(d.noise)));
+    }
+    for (std::size_t i = 0; i < d.causes.size(); ++i) {
+        const comparison::Cause& cause = d.causes[i];
+        lines.push_back(fmt::format("{}: {} ({}); it leaves {} of {}",
+                                    d.causes.size() == 1 ? "likely cause"
+                                    : i == 0 ? "likely causes, not told apart by the data"
+                                             : "or",
+                                    cause.name, cause.what, percent_text(cause.scatter),
+                                    percent_text(d.unexplained)));
+    }
+    return lines;
+}
+
+std::string distance_text(const comparison::DistanceErrors& d) {
+    return fmt::format("{}: {:g} to {:g} of a + b", scene::edge_name(d.edge), d.from, d.to);
+}
+
+std::string tolerance_text(const comparison::Tolerances& t) {
+    std::string out = fmt::format("p within {} {}", percent_text(t.pressure),
+                                  t.of == comparison::Norm::peak    ? "of the peak"
+                                  : t.of == comparison::Norm::local ? "of p itself"
+                                                                    : "in the L2 norm");
+    if (t.zone.length) {
+        out += fmt::format(", {:g} beside each edge left out", *t.zone.length);
+    } else if (t.zone.elements > 0) {
+        out += fmt::format(", {:g} elements beside each edge left out", t.zone.elements);
+    }
+    const auto add = [&out](const char* name, const std::optional<double>& tolerance) {
+        out += tolerance ? fmt::format(", {} within {}", name, percent_text(*tolerance)) : "";
+    };
+    add("a and b", t.edges);
+    add("P", t.force);
+    add("c_0", t.c0);
+    return out + (t.stated ? "" : " (none is stated: --tolerance)");
+}
+
+std::string comparison_text(const ComparisonReport& report) {
+    std::string out = "scene: " + printable(report.scene) +
+                      (report.title.empty() ? "" : " (" + printable(report.title) + ")") + "\n";
+    if (report.units) {
+        out += "units: " + report.units->text() + "\n";
+    }
+    out += fmt::format("exact: a and b {}, P {}, c_0 {}; pressures by the batch rule\n",
+                       report.exact->a().route, report.exact->force().route,
+                       report.exact->c(contact::Edge::right, 0).route);
+    out += "edges, fits and limits of the data are estimates; exact p: what the same rule makes of "
+           "the exact pressure at these nodes\n\n";
+    for (const FileComparison& file : report.comparison.files) {
+        out += file_text(report, file);
+    }
+    if (!report.comparison.convergence.empty()) {
+        out += convergence_text(report.comparison.convergence) + "\n";
+    }
+    out += "tolerance: " + tolerance_text(report.comparison.tolerances) + "\n";
+    const auto failing = std::ranges::count_if(
+        report.comparison.files, [](const FileComparison& file) { return !file.passes(); });
+    const std::size_t files = report.comparison.files.size();
+    return out + (failing == 0 ? fmt::format("pass: {} file{}\n", files, files == 1 ? "" : "s")
+                               : fmt::format("FAIL: {} of {} file{}\n", failing, files,
+                                             files == 1 ? "" : "s"));
+}
+
+std::string comparison_junit(const ComparisonReport& report) {
+    std::string suites;
+    std::size_t failures = 0;
+    for (const FileComparison& file : report.comparison.files) {
+        std::string cases;
+        if (file.passes()) {
+            cases = fmt::format("    <testcase classname=\"compare\" name=\"{}\"/>\n",
+                                xml_text(tolerance_text(report.comparison.tolerances)));
+        }
+        for (const std::string& failure : file.failures) {
+            const std::string name = failure.substr(0, failure.find_first_of("=:,"));
+            cases += fmt::format("    <testcase classname=\"compare\" name=\"{}\">\n      <failure "
+                                 "message=\"{}\"/>\n    </testcase>\n",
+                                 xml_text(name), xml_text(failure));
+        }
+        failures += file.failures.size();
+        suites +=
+            fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n{}"
+                        "  </testsuite>\n",
+                        xml_text(file.table.file), std::max<std::size_t>(1, file.failures.size()),
+                        file.failures.size(), cases);
+    }
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"edgeproof "
+                       "compare\" failures=\"{}\">\n{}</testsuites>\n",
+                       failures, suites);
+}
+
+} // namespace edgeproof::report

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/binary64_pressures.hpp"
+
+#include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/tilt/ball_tilt.hpp"
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+/// Two words: balls of so many bits keep their numbers without a heap.
+constexpr long first_bits = 128;
+constexpr unsigned batch_digits = 25;
+/// Of the edges: a place near the far edge, or beside a knot, is a difference with them.
+constexpr unsigned edge_digits = 70;
+/// What is left to roundoff beside the rule's own error, as a power of ten.
+constexpr int roundoff_power = -(static_cast<int>(batch_digits) - 3);
+
+Real real_of(double u) {
+    const PrecisionScope scope(edge_digits);
+    return Real(u);
+}
+
+/// The one binary64 that all numbers within a relative error of x round to.
+std::optional<double> nearest_within(const Real& x, const Real& relative) {
+    const Real change = abs(x) * relative;
+    return nearest_binary64(Ball::around(x, change, 2 * first_bits));
+}
+
+} // namespace
+
+struct Binary64Pressures::Contact {
+    explicit Contact(const Scene& asked) : scene(asked) {
+        scene.ask = {};
+        scene.ask.quantities = {QuantityGroup::contact};
+        // Whatever no contact carries is refused here, as everywhere.
+        const SceneResult found = run_scene(scene);
+        length = found.contact.a.value + found.contact.b.value;
+        exact_a = found.contact.a.exactly;
+        exact_b = found.contact.b.exactly;
+        if (exact_a && exact_b) {
+            exact_length = *exact_a + *exact_b;
+        }
+        if (!scene.profile || contact::BallContact::has_closed_form(*scene.profile)) {
+            enclose();
+        } else {
+            make_batch();
+        }
+    }
+
+    void enclose() {
+        if (scene.punch) {
+            const contact::EnclosedTilt tilt =
+                enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value, *scene.moment,
+                             2 * first_bits);
+            profile = tilt.near;
+            if (tilt.exactly_zero) {
+                balls.emplace(tilt.near, scene.contact_modulus, scene.load, first_bits);
+            } else {
+                balls.emplace(tilt.near, tilt.alpha, scene.contact_modulus, scene.load, first_bits);
+            }
+        } else {
+            profile = scene.profile;
+            balls.emplace(*scene.profile, scene.contact_modulus, scene.load, first_bits);
+        }
+    }
+    void make_batch() {
+        profile = scene.profile;
+        const contact::NormalContact edges(*scene.profile, scene.contact_modulus, scene.load,
+                                           edge_digits);
+        batch.emplace(edges, batch_digits);
+    }
+
+    [[nodiscard]] bool outside(double u) const {
+        if (!(u > 0)) {
+            return true;
+        }
+        if (exact_length) {
+            return !std::isfinite(u) || Rational(u) >= *exact_length;
+        }
+        return !std::isfinite(u) || certainly_less(length, Ball(real_of(u), length.bits()));
+    }
+
+    /// Where that is known exactly; elsewhere nothing tells a place from a corner but run_scene.
+    [[nodiscard]] bool on_corner(contact::Edge edge, double u) const {
+        const auto& end = edge == contact::Edge::right ? exact_a : exact_b;
+        for (std::size_t i = 0; end && i < profile->knots().size(); ++i) {
+            const auto knot = rational_of(profile->knots()[i]);
+            if (profile->has_corner(i) && knot &&
+                Rational(u) == (edge == contact::Edge::right ? Rational(*end - *knot)
+                                                             : Rational(*end + *knot))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] double at(contact::Edge edge, double u) const {
+        if (outside(u)) {
+            return 0;
+        }
+        if (balls) {
+            const Ball p = balls->pressure(edge, Ball(real_of(u), first_bits));
+            if (const auto nearest = p.is_finite() ? nearest_binary64(p) : std::nullopt) {
+                return *nearest;
+            }
+        } else if (const auto nearest = by_batch(edge, u)) {
+            return *nearest;
+        }
+        return on_corner(edge, u) ? std::numeric_limits<double>::infinity() : in_full(edge, u);
+    }
+
+    [[nodiscard]] std::optional<double> by_batch(contact::Edge edge, double u) const {
+        try {
+            const contact::RoutedPressure<Real> p = (*batch)(edge, real_of(u));
+            if (!p.converged) {
+                return {};
+            }
+            const PrecisionScope scope(edge_digits);
+            return nearest_within(p.value, p.estimate + pow(Real(10), roundoff_power));
+        } catch (const DomainError&) {
+            return {}; // on a corner, or too near to the far edge for the digits
+        }
+    }
+
+    /// One value by the scene's own routes.
+    [[nodiscard]] double in_full(contact::Edge edge, double u) const {
+        Scene one = scene;
+        one.ask.edges = {edge};
+        one.ask.u = {{formula::Exact::of(Rational(u)), 0}};
+        one.ask.quantities = {QuantityGroup::pressure};
+        one.ask.digits = {batch_digits, Rounding::nearest, true};
+        const BoundedValue p = *run_scene(one).points.at(0).values.p;
+        const PrintedValue text = printed(p, one.ask.digits);
+        if (!text.binary64) {
+            throw BudgetError("the binary64 nearest to p is undecided at u = " +
+                              exact_text(Rational(u)));
+        }
+        return *text.binary64;
+    }
+
+    Scene scene;
+    Ball length;
+    std::optional<Rational> exact_a;
+    std::optional<Rational> exact_b;
+    std::optional<Rational> exact_length;
+    std::optional<contact::Profile> profile;
+    std::optional<contact::BallContact> balls;
+    std::optional<contact::BatchPressure> batch;
+};
+
+Binary64Pressures::Binary64Pressures(const Scene& scene)
+    : contact_(std::make_unique<Contact>(scene)) {}
+Binary64Pressures::~Binary64Pressures() = default;
+Binary64Pressures::Binary64Pressures(Binary64Pressures&&) noexcept = default;
+Binary64Pressures& Binary64Pressures::operator=(Binary64Pressures&&) noexcept = default;
+
+double Binary64Pressures::operator()(contact::Edge edge, double u) const {
+    if (std::isnan(u)) {
+        throw DomainError("u is not a number");
+    }
+    return contact_->at(edge, u);
+}
+
+bool Binary64Pressures::proved() const noexcept { return contact_->balls.has_value(); }
+
+} // namespace edgeproof::scene

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
+
+#include <set>
+
+namespace edgeproof::scene {
+namespace {
+
+using contact::ParametricSlope;
+using formula::Expr;
+
+/// The numbers of a design scene as formulas in its parameters.
+class DesignFormulas {
+public:
+    DesignFormulas(const io::TomlSection& top, const std::vector<std::string>& names)
+        : top_(top), names_(names.begin(), names.end()) {}
+
+    [[nodiscard]] Expr number(const char* section, const std::string& key) const {
+        const io::TomlSection s = top_.section(section);
+        if (s.is_table(key)) {
+            return Expr::symbol(key);
+        }
+        return parsed(s.written(key), names_);
+    }
+    [[nodiscard]] std::optional<Expr> number_or_none(const char* section, const char* key) const {
+        return top_.has(section) && top_.section(section).has(key)
+                   ? std::optional(number(section, key))
+                   : std::nullopt;
+    }
+    [[nodiscard]] std::vector<Expr> list(const char* key, bool in_x) const {
+        std::vector<Expr> all;
+        const io::TomlSection profile = top_.section("profile");
+        if (profile.has(key)) {
+            std::set<std::string> names = names_;
+            if (in_x) {
+                names.insert("x");
+            }
+            for (const std::string& text : profile.written_list(key)) {
+                all.push_back(parsed(text, names));
+            }
+        }
+        return all;
+    }
+    [[nodiscard]] std::string kind() const { return top_.section("profile").text("kind"); }
+    [[nodiscard]] bool flag(const char* key) const {
+        const io::TomlSection profile = top_.section("profile");
+        return profile.has(key) && profile.flag(key);
+    }
+
+private:
+    [[nodiscard]] static Expr parsed(const std::string& text, const std::set<std::string>& names) {
+        return formula::parse(text, formula::Symbols(names));
+    }
+    const io::TomlSection& top_;
+    std::set<std::string> names_;
+};
+
+Expr num(long k) { return Expr::number(Rational(k)); }
+
+ParametricSlope flat_and_rounded(const DesignFormulas& of) {
+    const Expr t = of.number("profile", "t");
+    const Expr R = of.number("profile", "R");
+    const Expr rate = num(1) / R;
+    ParametricSlope s;
+    s.knots = {-t, num(0), t};
+    s.pieces = {{t / R, rate}, {num(0), num(0)}, {num(0), num(0)}, {-(t / R), rate}};
+    s.corner = {false, false, false};
+    s.origin = 1;
+    s.symmetric = true;
+    return s;
+}
+
+ParametricSlope tilted_wedge(const DesignFormulas& of) {
+    const Expr phi = of.number("profile", "phi");
+    const Expr alpha = of.number("profile", "alpha");
+    ParametricSlope s;
+    s.knots = {num(0)};
+    s.pieces = {{-(phi + alpha), num(0)}, {phi - alpha, num(0)}};
+    s.corner = {true};
+    return s;
+}
+
+ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
+    const Expr alpha = of.number("profile", "alpha");
+    const Expr R = of.number("profile", "R");
+    const Expr two_t = num(2) * of.number("profile", "t");
+    const Expr rate = num(1) / R;
+    const Expr end = -(alpha * R);
+    ParametricSlope s;
+    s.knots = {end - two_t, end, num(0)};
+    s.pieces = {{two_t / R, rate}, {-alpha, num(0)}, {num(0), rate}, {num(0), rate}};
+    s.corner = {false, false, false};
+    s.origin = 2;
+    return s;
+}
+
+/// A quotient of polynomials: upper bounds of their degrees in each parameter, or nothing where the
+/// formula is not such a quotient.
+struct Degrees {
+    long over;
+    long under;
+};
+std::optional<Degrees> degrees_of(const Expr& e) {
+    using Kind = Expr::Kind;
+    if (e.rational() != nullptr) {
+        return Degrees{0, 0};
+    }
+    if (e.kind() == Kind::symbol) {
+        return Degrees{1, 0};
+    }
+    if (e.kind() == Kind::neg) {
+        return degrees_of(e.arg(0));
+    }
+    if (e.args().size() != 2) {
+        return {};
+    }
+    const auto x = degrees_of(e.arg(0));
+    if (e.kind() == Kind::pow) {
+        const Rational* n = e.arg(1).rational();
+        if (!x || n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 20) {
+            return {};
+        }
+        const long k = n->convert_to<long>();
+        return Degrees{x->over * k, x->under * k};
+    }
+    const auto y = degrees_of(e.arg(1));
+    if (!x || !y) {
+        return {};
+    }
+    switch (e.kind()) {
+    case Kind::add:
+    case Kind::sub:
+        return Degrees{std::max(x->over + y->under, y->over + x->under), x->under + y->under};
+    case Kind::mul:
+        return Degrees{x->over + y->over, x->under + y->under};
+    case Kind::div:
+        return Degrees{x->over + y->under, x->under + y->over};
+    default:
+        return {};
+    }
+}
+
+/// Whether a quotient of polynomials in the parameters is zero identically: where it is, exactly,
+/// for more values of each than its numerator has roots.
+bool identically_zero(const Expr& e, const std::vector<DesignScene::Parameter>& parameters) {
+    const auto degrees = degrees_of(e);
+    if (!degrees || degrees->over > 40) {
+        return false;
+    }
+    const long values = degrees->over + 1;
+    const auto value = [&](const DesignScene::Parameter& p, long k) {
+        return Rational(p.range.from + (p.range.to - p.range.from) * (2 * k + 1) / (2 * values));
+    };
+    const long second = parameters.size() == 2 ? values : 1;
+    for (long k = 0; k < values; ++k) {
+        for (long j = 0; j < second; ++j) {
+            Expr at = substitute(e, parameters[0].name, Expr::number(value(parameters[0], k)));
+            if (parameters.size() == 2) {
+                at = substitute(at, parameters[1].name, Expr::number(value(parameters[1], j)));
+            }
+            const Rational* q = at.rational();
+            if (q == nullptr || *q != 0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// The number of knots left of the origin for some values of the parameters, and whether the next
+/// is the origin itself.
+std::size_t knots_before_origin(const std::vector<Expr>& knots,
+                                const std::vector<DesignScene::Parameter>& parameters, bool upper) {
+    std::size_t before = 0;
+    for (Expr knot : knots) {
+        for (const DesignScene::Parameter& p : parameters) {
+            knot = substitute(knot, p.name, Expr::number(upper ? p.range.to : p.range.from));
+        }
+        before += formula::Exact(knot).sign() < 0 ? 1 : 0;
+    }
+    return before;
+}
+
+std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
+                                         const std::vector<DesignScene::Parameter>& parameters,
+                                         std::string& why_not) {
+    std::vector<Expr> knots = of.list("knots", false);
+    std::vector<ParametricSlope::Piece> pieces;
+    for (const Expr& slope : of.list("slopes", true)) {
+        const auto linear = contact::as_linear(slope, "x");
+        if (!linear) {
+            why_not = "a piece of the slope is curved: enclosures over a range of the parameter "
+                      "are known for piecewise linear slopes, power laws and full stick";
+            return {};
+        }
+        pieces.push_back({linear->at_origin, linear->rate});
+    }
+    ParametricSlope s;
+    s.symmetric = of.flag("symmetric");
+    if (s.symmetric) {
+        std::vector<Expr> all;
+        std::vector<ParametricSlope::Piece> both;
+        for (std::size_t i = knots.size(); i-- > 0;) {
+            all.push_back(-knots[i]);
+        }
+        s.origin = all.size();
+        all.push_back(num(0));
+        all.insert(all.end(), knots.begin(), knots.end());
+        for (std::size_t i = pieces.size(); i-- > 0;) {
+            both.push_back({-pieces[i].at_origin, pieces[i].rate});
+        }
+        both.insert(both.end(), pieces.begin(), pieces.end());
+        s.knots = std::move(all);
+        s.pieces = std::move(both);
+    } else {
+        s.origin = knots_before_origin(knots, parameters, false);
+        if (s.origin != knots_before_origin(knots, parameters, true)) {
+            why_not = "a knot passes the origin within the range";
+            return {};
+        }
+        const auto at = static_cast<std::ptrdiff_t>(s.origin);
+        if (s.origin == knots.size() || !identically_zero(knots[s.origin], parameters)) {
+            pieces.insert(pieces.begin() + at, pieces[s.origin]);
+            knots.insert(knots.begin() + at, num(0));
+        }
+        s.knots = std::move(knots);
+        s.pieces = std::move(pieces);
+    }
+    for (std::size_t i = 0; i < s.knots.size(); ++i) {
+        const auto value = [&](const ParametricSlope::Piece& p) {
+            return p.at_origin + p.rate * s.knots[i];
+        };
+        s.corner.push_back(
+            !identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), parameters));
+    }
+    return s;
+}
+
+std::optional<contact::ParametricLoad> load_of(const DesignFormulas& of, std::string& why_not) {
+    contact::ParametricLoad load;
+    load.a = of.number_or_none("load", "a");
+    load.P = of.number_or_none("load", "P");
+    const auto modulus = of.number_or_none("load", "contact_modulus");
+    if (of.number_or_none("load", "M")) {
+        why_not = "the tilt is solved for from a moment";
+        return {};
+    }
+    if (modulus) {
+        load.contact_modulus = *modulus;
+        return load;
+    }
+    const auto compliance = [&](const char* E, const char* nu) {
+        const Expr n = of.number("load", nu);
+        return (num(1) - n * n) / of.number("load", E);
+    };
+    load.contact_modulus = num(1) / (compliance("E1", "nu1") + compliance("E2", "nu2"));
+    return load;
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::string& why_not) const {
+    const io::TomlSection top = io::TomlSection::parse(scene_text_, file);
+    contact::ErrorQuestion question;
+    question.terms = terms;
+    question.unit = unit;
+    for (const Parameter& p : parameters) {
+        question.names.push_back(p.name);
+    }
+    const DesignFormulas of(top, question.names);
+    const std::string kind = of.kind();
+    std::vector<std::unique_ptr<contact::ErrorFamily>> all;
+    const auto load = load_of(of, why_not);
+    if (!load) {
+        return all;
+    }
+    const bool symmetric_kind = kind == "power-law" || kind == "flat-and-rounded" ||
+                                (kind == "piecewise" && of.flag("symmetric"));
+    std::optional<Expr> length;
+    if (symmetric_kind && load->a) {
+        length = num(2) * *load->a;
+    }
+    std::optional<ParametricSlope> slope;
+    if (!shear && kind != "power-law") {
+        slope = kind == "flat-and-rounded"          ? std::optional(flat_and_rounded(of))
+                : kind == "tilted-wedge"            ? std::optional(tilted_wedge(of))
+                : kind == "tilted-flat-and-rounded" ? std::optional(tilted_flat_and_rounded(of))
+                                                    : piecewise(of, parameters, why_not);
+        if (!slope) {
+            return all;
+        }
+    }
+    if (shear && top.section("shear").has("path") &&
+        top.section("shear").text("path") == "together") {
+        why_not =
+            "P and Q grow together: q = (Q/P) p, whose relative error is that of the pressure";
+        return all;
+    }
+    for (const contact::Edge edge : edges) {
+        question.edge = edge;
+        if (shear) {
+            if (!length) {
+                why_not = "a + b is no formula in the parameters: give a symmetric profile and a";
+                return {};
+            }
+            all.push_back(contact::full_stick_errors(
+                of.number_or_none("shear", "Q").value_or(num(0)),
+                of.number_or_none("shear", "bulk_tension").value_or(num(0)), *length, question));
+        } else if (kind == "power-law") {
+            if (unit == contact::ReachUnit::distance && !load->a) {
+                why_not = "the half-width of a power law under a given load is not enclosed over a "
+                          "range of the parameter: give a, or unit = \"fraction\"";
+                return {};
+            }
+            all.push_back(contact::power_law_errors(of.number("profile", "m"), load->a, question));
+        } else {
+            all.push_back(contact::linear_slope_errors(*slope, *load, question));
+        }
+    }
+    return all;
+}
+
+} // namespace edgeproof::scene

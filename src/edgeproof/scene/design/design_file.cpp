@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/design/design_file.hpp"
+
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/design/design_text.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr long most_design_terms = 12;
+constexpr std::size_t most_design_parameters = 2;
+
+Rational rational_at(const io::TomlSection& section, std::string_view key) {
+    const formula::Exact x = section.exact(key);
+    if (!x.is_rational()) {
+        section.reject(key, std::string(key) + " = " + x.text() + " is not rational",
+                       "give a decimal or a quotient");
+    }
+    return x.rational();
+}
+
+contact::ParameterRange range_at(const io::TomlSection& section, std::string_view key) {
+    const io::TomlSection range = section.section(key);
+    range.allow({"from", "to"});
+    const contact::ParameterRange r{rational_at(range, "from"), rational_at(range, "to")};
+    if (!(r.from < r.to)) {
+        section.reject(key, "the range of " + std::string(key) + " is empty",
+                       "write { from = \"0\", to = \"3\" }, from < to");
+    }
+    return r;
+}
+
+void read_parameters(const io::TomlSection& top, DesignScene& design) {
+    const auto add = [&](const io::TomlSection& section, const std::string& name) {
+        for (const DesignScene::Parameter& p : design.parameters) {
+            if (p.name == name) {
+                section.reject(name, "the parameter " + name + " is given twice",
+                               "give one of them another name, in [parameters]");
+            }
+        }
+        design.parameters.push_back({name, range_at(section, name), {}});
+    };
+    for (const char* where : {"profile", "load", "shear"}) {
+        if (!top.has(where)) {
+            continue;
+        }
+        const io::TomlSection section = top.section(where);
+        for (const std::string& key : section.keys()) {
+            if (section.is_table(key)) {
+                add(section, key);
+            }
+        }
+    }
+    if (top.has("parameters")) {
+        const io::TomlSection section = top.section("parameters");
+        for (const std::string& key : section.keys()) {
+            if (key == "x" || key == "pi" || key == "Pi") {
+                section.reject(key, "no parameter may be called " + key, "take another name");
+            }
+            add(section, key);
+        }
+    }
+    if (design.parameters.empty() || design.parameters.size() > most_design_parameters) {
+        top.reject(top.section("design").line(),
+                   std::to_string(design.parameters.size()) + " numbers of the scene are ranges",
+                   "write one or two as { from = \"0\", to = \"3\" }");
+    }
+}
+
+void read_edges_of_design(const io::TomlSection& section, DesignScene& design) {
+    const std::string edge = section.text("edge");
+    if (edge == "both") {
+        design.edges = {contact::Edge::right, contact::Edge::left};
+    } else if (edge == "right" || edge == "left") {
+        design.edges = {edge == "right" ? contact::Edge::right : contact::Edge::left};
+    } else {
+        section.reject("edge", "there is no edge '" + edge + "'", "write right, left or both");
+    }
+}
+
+void read_objective(const io::TomlSection& section, DesignScene& design) {
+    const std::string maximise = section.text("maximise");
+    if (maximise == "measure") {
+        design.objective = DesignObjective::measure;
+    } else if (maximise != "first_exit") {
+        static constexpr std::array<std::string_view, 2> names{"first_exit", "measure"};
+        section.reject("maximise", "nothing is known of '" + maximise + "'",
+                       one_of(maximise, names));
+    }
+}
+
+void read_design_section(const io::TomlSection& section, DesignScene& design) {
+    section.allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
+    read_objective(section, design);
+    if (section.has("of")) {
+        const std::string of = section.text("of");
+        if (of != "pressure" && of != "shear") {
+            section.reject("of", "there is no traction '" + of + "'", "write pressure or shear");
+        }
+        design.shear = of == "shear";
+    }
+    design.terms = section.has("terms") ? section.count("terms", 1, most_design_terms) : 1;
+    design.tolerance = io::at_place(section.file(), section.line("tolerance"),
+                                    [&] { return parse_tolerance(section.written("tolerance")); });
+    if (!design.tolerance.is_rational() || design.tolerance.rational() >= 1) {
+        section.reject("tolerance", "the tolerance is not a rational number below 1",
+                       "write 1%, 0.01 or 1/100");
+    }
+    if (section.has("edge")) {
+        read_edges_of_design(section, design);
+    }
+    if (section.has("unit")) {
+        const std::string unit = section.text("unit");
+        if (unit != "fraction" && unit != "distance") {
+            section.reject("unit", "unknown unit '" + unit + "'",
+                           "write fraction (of a + b) or distance");
+        }
+        design.unit =
+            unit == "distance" ? contact::ReachUnit::distance : contact::ReachUnit::fraction;
+    }
+    if (section.has("part")) {
+        design.part = rational_at(section, "part");
+        if (design.part <= 0 || design.part > 1) {
+            section.reject("part", "the part looked at is not in 0 ... 1",
+                           "write part = \"1/2\", a fraction of a + b from the edge");
+        }
+    }
+    if (section.has("printed")) {
+        const io::TomlSection printed = section.section("printed");
+        for (const std::string& key : printed.keys()) {
+            const auto it =
+                std::find_if(design.parameters.begin(), design.parameters.end(),
+                             [&](const DesignScene::Parameter& p) { return p.name == key; });
+            if (it == design.parameters.end()) {
+                section.reject("printed", "there is no parameter " + key, "name one of the ranges");
+            }
+            it->printed = rational_at(printed, key);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<contact::ParameterRange> DesignScene::ranges() const {
+    std::vector<contact::ParameterRange> all;
+    for (const Parameter& p : parameters) {
+        all.push_back(p.range);
+    }
+    return all;
+}
+
+Scene DesignScene::at(const std::vector<Rational>& values) const {
+    std::map<std::string, std::string> texts;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        texts[parameters[i].name] = exact_text(values[i]);
+    }
+    Scene scene = parse_scene(with_values(scene_text_, texts), file);
+    scene.ask = {};
+    scene.ask.edges = edges;
+    scene.ask.terms = {terms};
+    scene.ask.tolerance = tolerance;
+    scene.ask.part = {formula::Exact(), formula::Exact::of(part)};
+    scene.ask.quantities = {QuantityGroup::extent};
+    return scene;
+}
+
+DesignScene parse_design(std::string_view text, const std::string& file) {
+    const io::TomlSection top = io::TomlSection::parse(text, file);
+    if (!top.has("design")) {
+        top.reject(top.line(), "there is no [design]",
+                   "add [design] with maximise and tolerance (docs/design.md)");
+    }
+    top.allow({"title", "profile", "load", "shear", "ask", "parameters", "design"});
+    DesignScene design;
+    design.file = file;
+    design.title = top.has("title") ? top.text("title") : std::string();
+    design.scene_text_ = without_sections(text, {"design", "parameters", "design.printed"});
+    read_parameters(top, design);
+    read_design_section(top.section("design"), design);
+    // Both ends make a scene; what is between is convex where they are, or refused when it is
+    // tried.
+    std::vector<Rational> lo;
+    std::vector<Rational> hi;
+    for (const DesignScene::Parameter& p : design.parameters) {
+        lo.push_back(p.range.from);
+        hi.push_back(p.range.to);
+    }
+    const Scene one = design.at(lo);
+    (void)design.at(hi);
+    if (design.shear && !one.shear) {
+        top.reject(top.section("design").line(), "shear is asked for and there is no [shear]",
+                   "add [shear] with Q or bulk_tension");
+    }
+    return design;
+}
+
+DesignScene read_design(const std::filesystem::path& file) {
+    return parse_design(io::read_text(file, "scene (TOML)", io::most_toml_bytes), file.string());
+}
+
+} // namespace edgeproof::scene

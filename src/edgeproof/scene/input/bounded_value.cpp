@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/bounded_value.hpp"
+
+#include "edgeproof/formula/exact/exact_ball.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr long bits_beyond = 16;
+constexpr long binary64_limit_bits = 64;
+constexpr unsigned bound_bits = 64;
+
+/// The largest |x - q| over the ball.
+Real farthest(const Ball& x, const Rational& q) {
+    return abs(Ball(x - Ball(q, x.bits() + bits_beyond))).upper();
+}
+
+std::string bound_of(const Rational& error) {
+    return bound_text(abs(Ball(error, bound_bits)).upper());
+}
+
+/// Of what is printed in place of the number itself: the width of an enclosure.
+std::string bound_of(const Rounded& r) {
+    return bound_of(Rational(r.upper.value() - r.lower.value()));
+}
+
+PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
+    const Rounded r = round_rational(q, digits.count, digits.rounding);
+    PrintedValue p;
+    p.text = r.text;
+    p.bound = digits.rounding == Rounding::enclosure ? bound_of(r)
+                                                     : bound_of(Rational(r.lower.value() - q));
+    p.complete = true;
+    return p;
+}
+
+} // namespace
+
+bool settles(const Ball& x, const Digits& digits) {
+    return (rounds_alike(x, digits.count, digits.rounding) ||
+            round_ball(x, digits.count, digits.rounding).complete) &&
+           (!digits.binary64 || nearest_binary64(x));
+}
+
+bool may_be_a_limit(const Ball& x, const Digits& digits) {
+    if (contains_zero(x)) {
+        return true;
+    }
+    const long needed =
+        std::max(formula::bits_for(digits.count), digits.binary64 ? binary64_limit_bits : 0);
+    if (x.relative_accuracy_bits() < needed) {
+        return false;
+    }
+    // An enclosure of what is exactly a short decimal is that decimal, twice.
+    const bool told = digits.rounding == Rounding::enclosure
+                          ? round_ball(x, digits.count, Rounding::down).complete
+                          : settles(x, digits);
+    return !told || (digits.binary64 && !nearest_binary64(x));
+}
+
+std::string how(const BoundedValue& x, const PrintedValue& p) {
+    return x.how() + (p.undecided ? " (rounding undecided)" : "");
+}
+
+PrintedValue printed(const BoundedValue& x, const Digits& digits) {
+    PrintedValue p;
+    if (x.exactly) {
+        p = printed_exactly(*x.exactly, digits);
+    } else if (!x.value.is_finite()) {
+        return {"nan", "inf", false, false, {}, {}};
+    } else if (digits.rounding == Rounding::enclosure) {
+        const Rounded r = round_ball(x.value, digits.count, Rounding::enclosure);
+        p = {r.text, bound_of(r), r.complete, false, {}, {}};
+    } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
+        p = {"0", bound_text(farthest(x.value, Rational(0))), x.value.is_exact(), false, {}, {}};
+    } else {
+        Rounded r = round_ball(x.value, digits.count, digits.rounding);
+        if (!r.complete && x.proved) {
+            r = round_ball(x.value, digits.count, Rounding::enclosure);
+            p = {r.text, bound_of(r), false, true, {}, {}};
+        } else {
+            const bool complete = r.complete;
+            if (!complete && digits.rounding != Rounding::nearest) {
+                const Rounded both = round_ball(x.value, digits.count, Rounding::enclosure);
+                const Decimal& end = digits.rounding == Rounding::down ? both.lower : both.upper;
+                r = round_rational(end.value(), digits.count, Rounding::nearest);
+            } else if (r.text.empty()) {
+                r = round_ball(Ball(x.value.midpoint(), x.value.bits()), 1);
+            }
+            p = {r.text, bound_text(farthest(x.value, r.lower.value())), complete, false, {}, {}};
+        }
+    }
+    if (digits.binary64 && x.exactly) {
+        p.binary64 = nearest_binary64(*x.exactly);
+    } else if (digits.binary64) {
+        p.binary64 = nearest_binary64(x.value);
+        if (!p.binary64) {
+            p.undecided = p.undecided || x.proved;
+            p.binary64_between = {x.value.lower().convert_to<double>(),
+                                  x.value.upper().convert_to<double>()};
+        }
+    }
+    return p;
+}
+
+BoundedValue estimated(const Real& value, const Real& error, std::string route) {
+    const long bits = mpfr_get_prec(value.backend().data());
+    return {Ball::around(value, error, bits), false, std::move(route)};
+}
+
+} // namespace edgeproof::scene

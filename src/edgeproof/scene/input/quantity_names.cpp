@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
+
+#include <charconv>
+#include <vector>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr std::size_t most_k = 399;
+constexpr std::size_t most_suggested = 4;
+
+using Index = QuantityRow::Index;
+
+std::string indexed(const QuantityRow& row, const std::string& k) {
+    return std::string(row.symbol) + (row.index == Index::none ? "" : "_" + k);
+}
+
+/// The index of "c_1" behind "c"; nothing where it is none of this row.
+std::optional<std::size_t> index_behind(std::string_view name, const QuantityRow& row) {
+    const std::size_t from = row.symbol.size() + 1;
+    if (!name.starts_with(row.symbol) || name.size() <= from || name[from - 1] != '_') {
+        return {};
+    }
+    std::size_t k = 0;
+    const char* const end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + from, end, k);
+    const bool read = error == std::errc{} && stop == end && k <= most_k;
+    return read && (k > 0 || row.index != Index::terms) ? std::optional(k) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<NamedQuantity> quantity_named(std::string_view symbol) {
+    for (const QuantityRow& row : quantity_rows()) {
+        if (row.symbol.empty()) {
+            continue;
+        }
+        if (row.index == Index::none) {
+            if (row.symbol == symbol) {
+                return NamedQuantity{row.quantity};
+            }
+        } else if (const auto k = index_behind(symbol, row)) {
+            return NamedQuantity{row.quantity, *k};
+        }
+    }
+    return {};
+}
+
+std::string symbol_of(const AskedValue& asked) {
+    return indexed(row_of(asked.quantity), std::to_string(asked.k));
+}
+
+std::string family_of(const AskedValue& asked) { return indexed(row_of(asked.quantity), "k"); }
+
+std::string text_of(const AskedValue& asked) {
+    const QuantityRow& row = row_of(asked.quantity);
+    const std::string what = row.index == Index::terms ? std::string(row.name) + " of " +
+                                                             std::to_string(asked.k) + " terms"
+                             : row.label.empty() ? symbol_of(asked)
+                                                 : std::string(row.label);
+    const std::string edge = edge_name(asked.edge) + " edge";
+    return row.at_point()  ? what + " at u = " + asked.u->text() + " from the " + edge
+           : row.at_edge() ? what + " at the " + edge
+                           : what;
+}
+
+std::string quantity_advice(std::string_view name) {
+    std::vector<std::string> ways;    // to write a quantity
+    std::vector<std::string> symbols; // that the name may be a slip of the pen for
+    std::string meant;
+    for (const QuantityRow& row : quantity_rows()) {
+        if (row.symbol.empty()) {
+            continue;
+        }
+        const std::size_t first = row.index == Index::terms ? 1 : 0;
+        ways.push_back(indexed(row, std::to_string(first)));
+        meant = row.name == name ? ways.back() : meant;
+        for (std::size_t k = first; k < (row.index == Index::none ? 1 : most_suggested); ++k) {
+            symbols.push_back(indexed(row, std::to_string(k)));
+        }
+        if (row.index == Index::order) {
+            ways.insert(ways.end(), {indexed(row, "1"), "..."});
+        }
+    }
+    if (meant.empty()) {
+        meant = near_name(name, std::vector<std::string_view>(symbols.begin(), symbols.end()));
+    }
+    std::string list;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        list += (i == 0 ? "" : i + 1 == ways.size() ? " or " : ", ") + ways[i];
+    }
+    return (meant.empty() ? "" : "did you mean " + meant + "? ") + "write " + list;
+}
+
+std::string group_name(QuantityGroup group) {
+    return std::string(group_rows()[static_cast<std::size_t>(group)].name);
+}
+
+std::string edge_name(contact::Edge edge) {
+    return edge == contact::Edge::right ? "right" : "left";
+}
+
+std::optional<contact::Edge> edge_named(std::string_view name) {
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        if (name == edge_name(edge)) {
+            return edge;
+        }
+    }
+    return {};
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/read_ask.hpp"
+
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/input/points.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr long most_terms_allowed = 400;
+constexpr long most_digits = 100'000;
+
+const GroupRow& group_of(const io::TomlSection& ask, const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const GroupRow& row : group_rows()) {
+        if (row.name == name) {
+            return row;
+        }
+        names.push_back(row.name);
+    }
+    ask.reject("quantities", "unknown quantity '" + name + "'", one_of(name, names));
+}
+
+/// What f refuses, told with the line of a key.
+template <class F> auto at_key(const io::TomlSection& ask, std::string_view key, const F& f) {
+    return io::at_place(ask.file(), ask.line(key), f);
+}
+
+std::vector<AskedPoint> read_points(const io::TomlSection& ask) {
+    std::vector<AskedPoint> points;
+    if (!ask.is_table("u")) {
+        for (const auto& item : ask.exacts("u")) {
+            if (sign_of(ask, "u", item.value) <= 0) {
+                ask.reject(item.line, "u = " + item.value.text() + " is not inside the contact",
+                           "give distances from the edge, 0 < u < a + b");
+            }
+            points.push_back({item.value, item.line});
+        }
+        return points;
+    }
+    const io::TomlSection range = ask.section("u");
+    range.allow({"from", "to", "per_decade", "points"});
+    const std::size_t line = ask.line("u");
+    if (range.has("per_decade") == range.has("points")) {
+        ask.reject(line, "a range of u needs one of per_decade and points",
+                   "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
+    }
+    at_key(ask, "u", [&] {
+        const formula::Exact from = range.exact("from");
+        const formula::Exact to = range.exact("to");
+        if (sign_of(range, "from", from) <= 0) {
+            ask.reject(line, "u = " + from.text() + " is not inside the contact",
+                       "give distances from the edge, 0 < u < a + b");
+        }
+        const auto list = range.has("per_decade")
+                              ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
+                              : even_points(from, to, range.count("points", 2, 100'000));
+        for (const formula::Exact& u : list) {
+            points.push_back({u, line});
+        }
+    });
+    return points;
+}
+
+void read_edges(const io::TomlSection& ask, Ask& result) {
+    result.edges.clear();
+    for (const std::string& name : ask.texts("edges")) {
+        const auto edge = edge_named(name);
+        if (!edge) {
+            ask.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
+        }
+        if (std::find(result.edges.begin(), result.edges.end(), *edge) != result.edges.end()) {
+            ask.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
+        }
+        result.edges.push_back(*edge);
+    }
+    if (result.edges.empty()) {
+        ask.reject("edges", "no edge is asked for", "write \"right\" or \"left\"");
+    }
+}
+
+contact::Route route_of(const io::TomlSection& ask) {
+    const std::string name = ask.text("route");
+    for (const contact::Route route :
+         {contact::Route::automatic, contact::Route::closed_form, contact::Route::singular_integral,
+          contact::Route::barber_mossakovskii}) {
+        if (name == route_name(route)) {
+            return route;
+        }
+    }
+    static constexpr std::array<std::string_view, 4> names{
+        "automatic", "closed-form", "singular-integral", "barber-mossakovskii"};
+    ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
+}
+
+} // namespace
+
+int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
+    return io::at_place(
+        section.file(), section.line(key), [&] { return value.sign(); },
+        "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+}
+
+void read_ask(const io::TomlSection& ask, Scene& scene) {
+    ask.allow({"edges", "terms", "u", "quantities", "tolerance", "process_zone", "part", "route",
+               "digits"});
+    Ask& result = scene.ask;
+    scene.ask_line = ask.line();
+    if (ask.has("edges")) {
+        read_edges(ask, result);
+    }
+    if (ask.has("terms")) {
+        result.terms = ask.counts("terms", 1, most_terms_allowed);
+    }
+    if (ask.has("digits")) {
+        result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
+    }
+    if (ask.has("u")) {
+        result.u = read_points(ask);
+    }
+    if (ask.has("tolerance")) {
+        result.tolerance =
+            at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
+    }
+    if (ask.has("process_zone")) {
+        const formula::Exact zone = ask.exact("process_zone");
+        if (sign_of(ask, "process_zone", zone) <= 0) {
+            ask.reject("process_zone", "process_zone = " + zone.text() + " is not positive",
+                       "give the length of the process zone, or leave it out");
+        }
+        result.process_zone = zone;
+    }
+    if (ask.has("part")) {
+        const auto part = ask.exacts("part");
+        if (part.size() != 2 || sign_of(ask, "part", part[0].value) < 0 ||
+            sign_of(ask, "part", formula::Exact(part[1].value.expr() - part[0].value.expr())) <=
+                0 ||
+            sign_of(ask, "part",
+                    formula::Exact(formula::Expr::number(Rational(1)) - part[1].value.expr())) <
+                0) {
+            ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
+                       "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
+        }
+        if (result.process_zone && part[0].value.sign() != 0) {
+            ask.reject("part", "a process zone begins at the edge, and this part does not",
+                       "write part = [\"0\", \"...\"], or leave process_zone out");
+        }
+        result.part = {part[0].value, part[1].value};
+    }
+    if (ask.has("route")) {
+        result.route = route_of(ask);
+        if (result.route == contact::Route::closed_form && scene.profile &&
+            !contact::BallContact::has_closed_form(*scene.profile)) {
+            ask.reject("route",
+                       "only a power law or a piecewise linear g' has its pressure in closed form",
+                       "write route = \"automatic\"");
+        }
+    }
+    if (ask.has("quantities")) {
+        for (const std::string& name : ask.texts("quantities")) {
+            const GroupRow& group = group_of(ask, name);
+            if (group.shear && !scene.shear) {
+                ask.reject("quantities", name + " is asked for and there is no [shear]",
+                           "add [shear] with Q or bulk_tension");
+            }
+            if (group.friction && !scene.slips()) {
+                ask.reject("quantities", name + " is asked for and there is no friction",
+                           "add friction = \"0.6\" to [shear]");
+            }
+            result.quantities.insert(group.group);
+        }
+    }
+}
+
+void default_quantities(Ask& ask, bool shear, bool friction) {
+    if (!ask.quantities.empty()) {
+        return;
+    }
+    if (!ask.u.empty()) {
+        ask.quantities.insert(QuantityGroup::pressure);
+        if (shear) {
+            ask.quantities.insert(QuantityGroup::shear);
+        }
+    }
+    if (ask.tolerance) {
+        ask.quantities.insert(QuantityGroup::extent);
+    }
+    if (friction) {
+        ask.quantities.insert(QuantityGroup::slip);
+    }
+    if (ask.quantities.empty()) {
+        ask.quantities.insert(QuantityGroup::coefficients);
+    }
+}
+
+std::size_t Ask::most_terms() const {
+    return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
+}
+
+formula::Exact parse_tolerance(std::string_view text) {
+    const bool percent = !text.empty() && text.back() == '%';
+    const formula::Exact given = [&] {
+        try {
+            return formula::Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
+        } catch (const InputError& error) {
+            throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
+                             "write it as 1%, 0.01 or 1/100");
+        }
+    }();
+    if (given.sign() <= 0) {
+        throw InputError("a tolerance of " + std::string(text) + " is not positive",
+                         "give a tolerance > 0, such as 1%");
+    }
+    return percent ? formula::Exact(given.expr() / formula::Expr::number(Rational(100))) : given;
+}
+
+} // namespace edgeproof::scene

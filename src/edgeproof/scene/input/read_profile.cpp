@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/read_profile.hpp"
+
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+
+#include <array>
+#include <functional>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr auto kinds = std::to_array<std::string_view>({
+    "power-law",
+    "hertz",
+    "cylinder-on-flat",
+    "flat-and-rounded",
+    "tilted-wedge",
+    "tilted-flat-and-rounded",
+    "piecewise",
+});
+
+formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
+
+/// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2).
+/// A negative radius is that of a hollow; together the curvatures are to be positive.
+contact::Profile read_cylinders(const io::TomlSection& section, bool two) {
+    section.allow(two ? std::vector<std::string_view>{"kind", "R", "R1", "R2"}
+                      : std::vector<std::string_view>{"kind", "R"});
+    const auto curvature = [&](std::string_view key) {
+        const formula::Exact R = section.exact(key);
+        if (io::at_place(section.file(), section.line(key), [&] { return R.sign(); }) == 0) {
+            section.reject(key, std::string(key) + " is zero",
+                           "give a radius; a flat body is left out");
+        }
+        return whole(1) / R.expr();
+    };
+    const bool pair = section.has("R1") || section.has("R2");
+    if (section.has("R") && pair) {
+        section.reject("R", "the radius is given twice",
+                       "give R, or R1 and R2 (one of them alone where the other body is flat)");
+    }
+    if (!section.has("R") && !pair) {
+        section.reject(section.line(), "there is no radius",
+                       two ? "add R = \"...\", or R1 and R2 of the two bodies" : "add R = \"...\"");
+    }
+    formula::Expr sum = curvature(!pair ? "R" : section.has("R1") ? "R1" : "R2");
+    if (section.has("R1") && section.has("R2")) {
+        sum = sum + curvature("R2");
+    }
+    const formula::Exact C(sum);
+    const char* const key = !pair ? "R" : section.has("R1") ? "R1" : "R2";
+    if (io::at_place(section.file(), section.line(key), [&] { return C.sign(); }) <= 0) {
+        section.reject(key,
+                       "the bodies do not part beside the contact: 1/R1 + 1/R2 is not positive",
+                       "give a positive radius, or a hollow that is flatter than what lies in it");
+    }
+    return contact::Profile::power_law(C, formula::Exact(whole(1)));
+}
+
+/// Runs a maker; what it refuses is told with the line of the parameter that it names.
+template <class Make>
+auto located(const io::TomlSection& section, const std::vector<std::string_view>& parameters,
+             const Make& make) {
+    try {
+        return make();
+    } catch (const Error& error) {
+        const auto* input = dynamic_cast<const InputError*>(&error);
+        if (input != nullptr && !input->file().empty()) {
+            throw;
+        }
+        const std::string problem = input != nullptr ? input->problem() : error.what();
+        // The parameter that is named first is the one at fault.
+        std::size_t line = section.line();
+        std::size_t first = std::string::npos;
+        for (const std::string_view key : parameters) {
+            const std::size_t named = problem.find(std::string(key) + " = ");
+            if (section.has(key) && named < first) {
+                first = named;
+                line = section.line(key);
+            }
+        }
+        io::rethrow_at(section.file(), line);
+    }
+}
+
+contact::Profile read_piecewise(const io::TomlSection& section) {
+    section.allow({"kind", "knots", "slopes", "symmetric"});
+    const bool symmetric = section.has("symmetric") && section.flag("symmetric");
+    std::vector<formula::Exact> knots;
+    if (section.has("knots")) {
+        for (const auto& item : section.exacts("knots")) {
+            knots.push_back(item.value);
+        }
+    }
+    std::vector<formula::Expr> slopes;
+    for (const std::string& text : section.texts("slopes")) {
+        try {
+            slopes.push_back(parse(text, formula::Symbols{"x"}));
+        } catch (const InputError& error) {
+            throw InputError("slope \"" + text + "\": " + error.problem(), error.instead())
+                .at(section.file(), section.line("slopes"));
+        }
+    }
+    return located(section, {}, [&] {
+        return symmetric ? contact::Profile::piecewise_symmetric(knots, slopes)
+                         : contact::Profile::piecewise(knots, slopes);
+    });
+}
+
+} // namespace
+
+void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
+    scene.profile_line = section.line();
+    const std::string kind = section.text("kind");
+    const auto get = [&](std::string_view key) {
+        formula::Exact value = section.exact(key);
+        (void)io::at_place( // every parameter is compared with zero
+            section.file(), section.line(key), [&] { return value.sign(); },
+            "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+        return value;
+    };
+    const auto make = [&](const std::vector<std::string_view>& parameters, const auto& maker) {
+        std::vector<std::string_view> keys{"kind"};
+        keys.insert(keys.end(), parameters.begin(), parameters.end());
+        section.allow(keys);
+        return located(section, parameters, maker);
+    };
+    const bool tilted = kind == "tilted-wedge" || kind == "tilted-flat-and-rounded";
+    if (tilted && tilt_unknown && section.has("alpha")) {
+        section.reject("alpha", "both the tilt alpha and the moment M are given",
+                       "give alpha with a or P, or P and M without alpha");
+    }
+    if (tilted && !tilt_unknown && !section.has("alpha")) {
+        section.reject(section.line(), "there is no tilt alpha",
+                       "add alpha = \"...\", or give P and M in [load] so that it is solved for");
+    }
+    if (!tilted && tilt_unknown) {
+        section.reject("kind", "a moment M is given, and a " + kind + " profile has no tilt",
+                       "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
+    }
+    if (kind == "power-law") {
+        scene.profile =
+            make({"m", "C"}, [&] { return contact::Profile::power_law(get("C"), get("m")); });
+    } else if (kind == "hertz" || kind == "cylinder-on-flat") {
+        scene.profile = read_cylinders(section, kind == "hertz");
+    } else if (kind == "flat-and-rounded" && section.has("flat_width")) {
+        if (section.has("t")) {
+            section.reject("flat_width", "the flat is given twice",
+                           "give t, its half-length, or flat_width, its length");
+        }
+        scene.profile = make({"flat_width", "R"}, [&] {
+            return contact::Profile::flat_and_rounded(
+                formula::Exact(get("flat_width").expr() / whole(2)), get("R"));
+        });
+    } else if (kind == "flat-and-rounded") {
+        scene.profile = make(
+            {"t", "R"}, [&] { return contact::Profile::flat_and_rounded(get("t"), get("R")); });
+    } else if (kind == "tilted-wedge" && tilt_unknown) {
+        scene.punch = make({"phi", "alpha"}, [&] {
+            const contact::TiltedPunch punch = contact::TiltedPunch::wedge(get("phi"));
+            (void)punch.at(formula::Exact());
+            return punch;
+        });
+    } else if (kind == "tilted-wedge") {
+        scene.profile = make({"phi", "alpha"}, [&] {
+            return contact::Profile::tilted_wedge(get("phi"), get("alpha"));
+        });
+    } else if (kind == "tilted-flat-and-rounded" && tilt_unknown) {
+        scene.punch = make({"alpha", "t", "R"}, [&] {
+            const contact::TiltedPunch punch =
+                contact::TiltedPunch::flat_and_rounded(get("t"), get("R"));
+            (void)punch.at(formula::Exact());
+            return punch;
+        });
+    } else if (kind == "tilted-flat-and-rounded") {
+        scene.profile = make({"alpha", "t", "R"}, [&] {
+            return contact::Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
+        });
+    } else if (kind == "piecewise") {
+        scene.profile = read_piecewise(section);
+    } else {
+        section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, kinds));
+    }
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/curved/integrated_zones.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_slip.hpp"
+#include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/tilt/ball_tilt.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/scene/route/plan.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::scene {
+
+/// A scene's contact at one number of bits: what the route in balls goes up from level to level.
+class BallLevel {
+public:
+    /// `edges`: both, where they are known already.
+    BallLevel(const Scene& scene, const Plan& plan, const std::optional<contact::ExactEdges>& edges,
+              long bits)
+        : scene_(scene), plan_(plan), bits_(bits) {
+        if (scene.punch) {
+            tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
+                                 *scene.moment, bits);
+            if (tilt_->exactly_zero) {
+                closed_.emplace(tilt_->near, scene.contact_modulus, scene.load, bits);
+            } else {
+                closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
+            }
+        } else if (edges && contact::BallContact::has_closed_form(*scene.profile)) {
+            closed_.emplace(*scene.profile, scene.contact_modulus, *edges, bits);
+        } else if (contact::BallContact::has_closed_form(*scene.profile)) {
+            closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+        } else {
+            curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+        }
+    }
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
+    [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
+    [[nodiscard]] const contact::ProvedPressure& proved_pressure() const {
+        return closed_ ? static_cast<const contact::ProvedPressure&>(*closed_) : *curved_;
+    }
+    [[nodiscard]] bool edge_may_be_on_knot() const {
+        return closed_ ? closed_->edge_may_be_on_knot() : curved_->edge_may_be_on_knot();
+    }
+    /// Where it was solved for.
+    [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
+    [[nodiscard]] Ball length() const { return a() + b(); }
+    /// Where an edge is, if that is given or proved by exact algebra.
+    [[nodiscard]] std::optional<formula::Exact> known(contact::Edge edge) const {
+        return closed_ ? closed_->known(edge) : curved_->known(edge);
+    }
+    [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
+    [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
+    /// The last one asked for is kept where it has several uses.
+    [[nodiscard]] const Ball& p(contact::Edge edge, const formula::Exact& u) {
+        if (plan_.terms == 0 && !scene_.shear) {
+            used_once_ = closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u);
+            return used_once_;
+        }
+        if (!last_ || last_->edge != edge || !(last_->u == u)) {
+            last_ =
+                Last{edge, u, closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u)};
+        }
+        return last_->p;
+    }
+    [[nodiscard]] Ball q(contact::Edge edge, const formula::Exact& u) {
+        if (scene_.slips()) {
+            const contact::BallSlip* s = slip();
+            const Ball from = ball_of(u, bits_);
+            return s != nullptr ? s->traction(edge, from, p(edge, u)) : not_known();
+        }
+        return together() ? shear_ratio() * p(edge, u)
+                          : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
+    }
+    [[nodiscard]] const std::vector<Ball>& c(contact::Edge edge) {
+        auto& c = c_[edge];
+        if (c.empty()) {
+            c = closed_ ? closed_->expansion(edge, plan_.terms)
+                        : curved_->expansion(edge, plan_.terms);
+        }
+        return c;
+    }
+    [[nodiscard]] const std::vector<Ball>& s(contact::Edge edge) {
+        auto& s = s_[edge];
+        if (s.empty() && together()) {
+            for (const Ball& x : c(edge)) {
+                s.push_back(shear_ratio() * x);
+            }
+        } else if (s.empty()) {
+            s = full_stick_expansion(length(), load(), edge, plan_.terms);
+        }
+        return s;
+    }
+    /// Null where so few bits do not isolate the stick zone.
+    [[nodiscard]] const contact::BallSlip* slip() {
+        if (!std::exchange(slip_tried_, true)) {
+            make_slip({});
+            if (!slip_) {
+                if (const auto stick = exact_stick()) {
+                    make_slip(stick);
+                }
+            }
+        }
+        return slip_ ? &*slip_ : nullptr;
+    }
+    [[nodiscard]] Ball slip_size(contact::Edge edge) {
+        return slip() != nullptr ? slip()->size(edge) : not_known();
+    }
+    /// The distance of the stick zone's edge from the origin.
+    [[nodiscard]] Ball stick_edge(contact::Edge edge) {
+        return slip() != nullptr ? slip()->stick().at(edge) : not_known();
+    }
+    /// kappa_1, ..., at an edge; not finite ones where there is no slip.
+    [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {
+        if (!slip_series_) {
+            const contact::BallSlip* s = slip();
+            slip_series_ = s != nullptr
+                               ? s->series(terms)
+                               : contact::SlipSeries<Ball>{std::vector<Ball>(terms, not_known()),
+                                                           std::vector<Ball>(terms, not_known())};
+        }
+        return edge == contact::Edge::right ? slip_series_->right : slip_series_->left;
+    }
+    [[nodiscard]] Ball not_known() const {
+        Ball x(0, bits_);
+        arb_indeterminate(x.data());
+        return x;
+    }
+    /// The sum of n terms of p, or of q.
+    [[nodiscard]] Ball sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear) {
+        const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
+        const Ball at = ball_of(u, bits_);
+        Ball total = terms[n - 1];
+        for (std::size_t k = n - 1; k-- > 0;) {
+            total = total * at + terms[k];
+        }
+        return shear && !together() ? total / sqrt(at) : total * sqrt(at);
+    }
+
+private:
+    /// `stick`: the stick zone, where it is known.
+    void make_slip(const std::optional<contact::BallZone>& stick) {
+        const contact::ShearSpec& shear = *scene_.shear;
+        try {
+            if (!zones_ && closed_ &&
+                (closed_->piecewise_linear() || shear.bulk_tension.sign() == 0)) {
+                zones_ = closed_form_zones(*closed_);
+            } else if (!zones_ && closed_) {
+                zones_ = power_law_zones(*scene_.profile, scene_.contact_modulus, a(), b(), bits_);
+            } else if (!zones_) {
+                zones_ = integrated_zones(*curved_);
+            }
+            slip_.emplace(proved_pressure(), *zones_,
+                          scene_.load.kind == contact::Load::Kind::force
+                              ? ball_of(scene_.load.value, bits_)
+                              : force(),
+                          load(), ball_of(*shear.friction, bits_), stick);
+        } catch (const BudgetError&) {
+            slip_.reset();
+        } catch (const DomainError&) {
+            slip_.reset();
+        }
+    }
+    /// The contact under P - |Q|/f, where that is an exact number: its edges may be proved to lie
+    /// on corners, which no number of bits tells.
+    [[nodiscard]] std::optional<contact::BallZone> exact_stick() const {
+        const contact::ShearSpec& shear = *scene_.shear;
+        if (!closed_ || tilt_ || shear.bulk_tension.sign() != 0 ||
+            scene_.load.kind != contact::Load::Kind::force) {
+            return {};
+        }
+        try {
+            const formula::Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
+            const contact::BallContact inner(
+                *scene_.profile, scene_.contact_modulus,
+                contact::Load::force(
+                    formula::Exact(scene_.load.value.expr() - Q / shear.friction->expr())),
+                bits_);
+            return contact::BallZone{inner.a(), inner.b()};
+        } catch (const Error&) {
+            return {};
+        }
+    }
+    struct Last {
+        contact::Edge edge;
+        formula::Exact u;
+        Ball p;
+    };
+    [[nodiscard]] bool together() const {
+        return scene_.shear->path == contact::LoadingPath::together;
+    }
+    [[nodiscard]] contact::ShearLoad<Ball> load() const {
+        return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
+    }
+    [[nodiscard]] const Ball& shear_ratio() {
+        if (!ratio_) {
+            ratio_ = ball_of(scene_.shear->Q, bits_) / force();
+        }
+        return *ratio_;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    long bits_;
+    std::optional<contact::EnclosedTilt> tilt_;
+    std::optional<contact::BallContact> closed_;
+    std::optional<contact::IntegratedContact> curved_; ///< of g' that has no closed form
+    bool slip_tried_ = false;
+    std::unique_ptr<contact::ZoneSolver> zones_;
+    std::optional<contact::BallSlip> slip_;
+    std::optional<contact::SlipSeries<Ball>> slip_series_;
+    std::optional<Last> last_;
+    Ball used_once_;
+    std::optional<Ball> ratio_;
+    std::map<contact::Edge, std::vector<Ball>> c_;
+    std::map<contact::Edge, std::vector<Ball>> s_;
+};
+
+} // namespace edgeproof::scene

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/ball_refinement.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+/// A value within 1e-400 of zero beside the contact's own scale counts as zero.
+constexpr long zero_bits = 1330;
+/// A value that is still infinite at so many bits is left to the routes in Real to refuse.
+constexpr long least_last_bits = 1L << 14;
+
+} // namespace
+
+BallRefinement::BallRefinement(const Scene& scene, const Plan& plan, contact::Work& work)
+    : scene_(scene), plan_(plan), work_(work), last_bits_(std::max(least_last_bits, 8 * plan.bits)),
+      last_curved_bits_(8 * plan.bits) {}
+
+std::optional<BallRefinement::Found>
+BallRefinement::settle(const InBalls& f, const Exactly& exactly, const Digits& digits, long first) {
+    std::optional<Found> best;
+    bool looked = false;
+    for (long bits = first != 0 ? first : plan_.bits; bits <= last_bits(); bits = after(bits)) {
+        BallLevel* level = at_level(bits);
+        if (level == nullptr) {
+            continue;
+        }
+        Ball x = f(*level);
+        if (!x.is_finite()) {
+            if (level->edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
+                break; // no number of bits tells the two apart
+            }
+            continue;
+        }
+        best = Found{std::move(x)};
+        if (!looked && may_be_a_limit(best->value, digits)) {
+            looked = true;
+            best->exactly = exact_value(exactly, *level, best->value);
+        }
+        if (best->exactly || settles(best->value, digits) ||
+            (contains_zero(best->value) && bits >= plan_.bits + zero_bits)) {
+            break;
+        }
+    }
+    return best;
+}
+
+std::optional<Rational> BallRefinement::exact_value(const Exactly& exactly, const BallLevel& level,
+                                                    const Ball& near) {
+    ExactValues* exact = exact_values(level);
+    if (exact == nullptr) {
+        return {};
+    }
+    try {
+        auto q = exactly(*exact).rational();
+        return q && contains(near, *q) ? q : std::nullopt;
+    } catch (const DomainError&) { // a series that the exact form does not have
+        return {};
+    }
+}
+
+ExactValues* BallRefinement::exact_values(const BallLevel& level) {
+    if (!exact_) {
+        if (!scene_.punch) {
+            exact_.emplace(scene_, *scene_.profile, level.a(), level.b(), plan_.terms);
+        } else if (level.tilt().exactly_zero) {
+            exact_.emplace(scene_, level.tilt().near, level.a(), level.b(), plan_.terms);
+        }
+    }
+    return exact_ ? &*exact_ : nullptr;
+}
+
+BallLevel* BallRefinement::at_level(long bits) {
+    const auto known = levels_.find(bits);
+    if (known != levels_.end()) {
+        return known->second.get();
+    }
+    work_.raised += bits > plan_.bits ? 1 : 0;
+    auto& slot = levels_[bits];
+    try {
+        slot = std::make_unique<BallLevel>(scene_, plan_, edges_, bits);
+        const auto a = slot->known(contact::Edge::right);
+        const auto b = slot->known(contact::Edge::left);
+        if (a && b && !scene_.symmetric()) {
+            edges_ = contact::ExactEdges{*a, *b};
+        }
+    } catch (const BudgetError&) {
+    } catch (const DomainError&) {
+    }
+    return slot.get();
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/slope_monotonicity.hpp"
+#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/route/ball_extents.hpp"
+#include "edgeproof/scene/route/ball_refinement.hpp"
+#include "edgeproof/scene/route/ball_slips.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+class BallRoute : public ValueRoute {
+public:
+    BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
+        : scene_(scene), plan_(plan), work_(work), balls_(scene, plan, work),
+          slips_(balls_, scene, plan) {
+        work.counts.consistency += scene.symmetric() ? 0 : 1;
+        work.counts.tilts += scene.punch ? 1 : 0;
+        work.counts.load_inversions += scene.load.kind == contact::Load::Kind::force ? 1 : 0;
+        if (auto length =
+                balls_.settle([](BallLevel& level) { return level.length(); },
+                              [](ExactValues& exact) { return exact.length(); },
+                              {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
+            length_ = std::move(length->value);
+        }
+        if (scene.load.kind == contact::Load::Kind::right_edge) {
+            known_[contact::Edge::right] = rational_of(scene.load.value);
+            if (scene.symmetric()) {
+                known_[contact::Edge::left] = known_[contact::Edge::right];
+            }
+        } else if (length_) {
+            know(contact::Edge::right);
+        }
+        if (length_) {
+            know(contact::Edge::left);
+        }
+        // No contact at any precision: the routes in Real say why.
+        if (!length_) {
+            (void)others();
+        }
+    }
+
+    /// Whether g' is proved not to decrease in the contact, on which all that is proved of a curved
+    /// profile rests. Throws InputError where it is proved to decrease.
+    [[nodiscard]] bool slope_rises() {
+        if (balls_.closed() || !length_) {
+            return true; // decided exactly; or nothing is proved in any case
+        }
+        const BallLevel* level = balls_.at_level(length_->bits());
+        check_reach(*scene_.profile, level->a(), level->b());
+        const contact::SlopeMonotonicity course =
+            monotonicity_of_slope(*scene_.profile, level->a(), level->b());
+        if (course.kind == contact::SlopeMonotonicity::Kind::falls) {
+            throw InputError("g' decreases near x = " + course.where->midpoint().str(8),
+                             "give a convex profile: g' must not decrease")
+                .at(scene_.file, scene_.profile_line);
+        }
+        return course.kind == contact::SlopeMonotonicity::Kind::rises;
+    }
+
+    BoundedValue value(const AskedValue& asked) override {
+        const QuantityRow& row = evaluated_row(asked.quantity);
+        if (row.searched != nullptr) {
+            return extent(asked.edge, asked.k).*row.searched;
+        }
+        if (row.needs == QuantityRow::Needs::friction ||
+            (scene_.slips() && row.quantity == Quantity::q)) {
+            slips_.check();
+        }
+        BoundedValue value = bounded(
+            balls_.settle([&](BallLevel& level) { return row.ball(level, asked); },
+                          [&](ExactValues& exact) {
+                              return row.exact != nullptr ? row.exact(exact, asked)
+                                                          : formula::ExactNumber::unknown();
+                          },
+                          plan_.digits, row.cancels_little ? plan_.narrow_bits : plan_.bits),
+            row.route(scene_, plan_), [&](ValueRoute& other) { return other.value(asked); });
+        if (const auto known = known_exactly(row)) {
+            value.exactly = known;
+        }
+        return value;
+    }
+
+    BoundedValue place(contact::Edge edge, const formula::Exact& u) override {
+        return place_of(edge, u, checked(u));
+    }
+
+    ContactValues contact() override {
+        work_.counts.resultants += plan_.resultants ? 2 : 0;
+        return contact_values(*this, scene_, plan_);
+    }
+
+    PointValues at(contact::Edge edge, const formula::Exact& u, bool p, bool q) override {
+        const Ball from = checked(u);
+        const bool together = q && scene_.shear->path == contact::LoadingPath::together;
+        (balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures) +=
+            p || together ? 1 : 0;
+        work_.counts.shear_points += q ? 1 : 0;
+        count_ratio(together);
+        PointValues values;
+        values.x = place_of(edge, u, from);
+        AskedValue asked{.edge = edge, .u = u};
+        if (p) {
+            asked.quantity = Quantity::p;
+            values.p = value(asked);
+        }
+        if (q) {
+            asked.quantity = Quantity::q;
+            values.q = value(asked);
+        }
+        std::optional<PointValues> other;
+        const auto instead = [&]() -> const PointValues& {
+            if (!other) {
+                other = others().at(edge, u, p, q);
+            }
+            return *other;
+        };
+        if (q && scene_.slips()) {
+            values.state = slips_.state(edge, u);
+            if (!values.state) {
+                values.state = instead().state;
+            }
+        }
+        if (plan_.terms == 0) {
+            return values;
+        }
+        const bool q_terms = q && plan_.expand_shear;
+        count_expansions(edge, p, q_terms);
+        for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
+            if (p) {
+                values.p_local.push_back(
+                    approximation(edge, u, i, false, [&] { return instead().p_local.at(i); }));
+            }
+            if (q_terms) {
+                values.q_local.push_back(
+                    approximation(edge, u, i, true, [&] { return instead().q_local.at(i); }));
+            }
+        }
+        return values;
+    }
+
+    EdgeValues expansion(contact::Edge edge, bool p, bool q) override {
+        count_expansions(edge, p, q);
+        EdgeValues values;
+        values.edge = edge;
+        const bool together = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
+        values.s_half_powers = together ? 1 : -1;
+        for (std::size_t k = 0; k < plan_.terms; ++k) {
+            if (p) {
+                values.c.push_back(value({Quantity::c, k, edge}));
+            }
+            if (q) {
+                values.s.push_back(value({Quantity::s, k, edge}));
+            }
+        }
+        return values;
+    }
+
+    ExtentValues extent(contact::Edge edge, std::size_t n) override {
+        ++work_.counts.extents;
+        if (auto found = enclosed_extent(balls_, scene_, plan_, edge, n)) {
+            return std::move(*found);
+        }
+        ExtentValues sampled = others().extent(edge, n);
+        for (BoundedValue* v : {&sampled.first_exit, &sampled.measure, &sampled.first_exit_fraction,
+                                &sampled.measure_fraction}) {
+            v->route = "scan, undecided in balls";
+        }
+        return sampled;
+    }
+
+    StickValues stick() override {
+        ++work_.counts.stick_zones;
+        slips_.check();
+        StickValues values;
+        values.a = value({Quantity::stick_a});
+        values.b = value({Quantity::stick_b});
+        auto ratio = slips_.load_ratio();
+        values.load_ratio = ratio ? std::move(*ratio) : others().stick().load_ratio;
+        values.in_proportion = slips_.in_proportion();
+        if (plan_.slip && scene_.shear->bulk_tension.sign() != 0) {
+            const bool forwards = scene_.shear->Q.sign() > 0;
+            values.least_tension =
+                slips_.tension_limit(forwards ? contact::Edge::right : contact::Edge::left);
+            values.most_tension =
+                slips_.tension_limit(forwards ? contact::Edge::left : contact::Edge::right);
+        }
+        return values;
+    }
+
+    SlipValues slip(contact::Edge edge) override {
+        ++work_.counts.slip_sizes;
+        SlipValues values;
+        values.edge = edge;
+        values.size = value({.quantity = Quantity::slip, .edge = edge});
+        std::optional<SlipValues> other;
+        for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
+            auto terms = slips_.terms(edge, scene_.ask.terms[i]);
+            if (!terms) {
+                other = other ? std::move(other) : others().slip(edge);
+                terms = other->terms.at(i);
+            }
+            values.terms.push_back(std::move(*terms));
+        }
+        return values;
+    }
+
+private:
+    [[nodiscard]] static formula::ExactNumber exactly(const formula::Exact& x) {
+        return formula::ExactNumber::of(x.expr());
+    }
+    template <class Instead>
+    [[nodiscard]] BoundedValue bounded(std::optional<BallRefinement::Found> x, const char* route,
+                                       const Instead& instead) {
+        return x ? BoundedValue{std::move(x->value), true, route, std::move(x->exactly)}
+                 : instead(others());
+    }
+    /// What the scene states, and where an edge is known to be.
+    [[nodiscard]] std::optional<Rational> known_exactly(const QuantityRow& row) const {
+        if (row.distance_of) {
+            const auto known = known_.find(*row.distance_of);
+            return known == known_.end() ? std::nullopt : known->second;
+        }
+        const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
+        return given != nullptr ? rational_of(*given) : std::nullopt;
+    }
+    /// u in a ball. Throws DomainError beyond the contact.
+    [[nodiscard]] Ball checked(const formula::Exact& u) const {
+        Ball from = ball_of(u, length_ ? length_->bits() : plan_.bits);
+        if (length_ && !certainly_less(from, *length_)) {
+            throw DomainError("the point lies outside the contact");
+        }
+        return from;
+    }
+    template <class Instead>
+    [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
+                                              std::size_t i, bool shear, const Instead& instead) {
+        const std::size_t n = scene_.ask.terms[i];
+        const auto local =
+            balls_.settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
+                          [&](ExactValues& exact) { return exact.sum(edge, exactly(u), n, shear); },
+                          plan_.digits);
+        const auto error = balls_.settle(
+            [&](BallLevel& level) {
+                const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
+                return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
+            },
+            [&](ExactValues& exact) { return abs(exact.error(edge, exactly(u), n, shear)); },
+            plan_.error_digits());
+        if (!local || !error) {
+            return instead();
+        }
+        return {n,
+                {local->value, true, "series", local->exactly},
+                {error->value, true, "series", error->exactly}};
+    }
+    /// x of the point u, which is `from` in a ball.
+    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const formula::Exact& u,
+                                        const Ball& from) {
+        const auto& known = known_[edge];
+        const Rational* distance = u.expr().rational();
+        const bool right = edge == contact::Edge::right;
+        if (known && distance != nullptr) {
+            const Rational x = right ? Rational(*known - *distance) : Rational(*distance - *known);
+            // The text of what is known exactly is made of that: a ball of any width will do.
+            const long bits = plan_.digits.binary64 ? std::max(from.bits(), 128L) : from.bits();
+            return {Ball(x, bits), true, "given", x};
+        }
+        return bounded(balls_.settle(
+                           [&](BallLevel& level) {
+                               const Ball at = ball_of(u, level.bits());
+                               return right ? level.a() - at : at - level.b();
+                           },
+                           [&](ExactValues& exact) { return exact.x(edge, exactly(u)); },
+                           plan_.digits, plan_.narrow_bits),
+                       "given", [&](ValueRoute& other) { return other.place(edge, u); });
+    }
+    /// Keeps where an edge is, if that is a rational number, and known.
+    void know(contact::Edge edge) {
+        if (const auto exact = balls_.at_level(length_->bits())->known(edge)) {
+            known_[edge] = rational_of(*exact);
+        }
+    }
+    void count_expansions(contact::Edge edge, bool p, bool q) {
+        const bool together = q && scene_.shear->path == contact::LoadingPath::together;
+        count_ratio(together);
+        if ((p || together) && expanded_.insert({edge, false}).second) {
+            ++work_.counts.expansions;
+        }
+        if (q && expanded_.insert({edge, true}).second) {
+            ++work_.counts.shear_expansions;
+        }
+    }
+    void count_ratio(bool together) {
+        if (together && !std::exchange(ratio_counted_, true)) {
+            ++work_.counts.resultants;
+        }
+    }
+    /// The routes in Real; what they do stands in for what was counted here.
+    [[nodiscard]] ValueRoute& others() {
+        if (!others_) {
+            others_ = make_real_route(scene_, plan_, work_of_others_);
+        }
+        return *others_;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    contact::Work& work_;
+    BallRefinement balls_;
+    BallSlips slips_;
+    std::optional<Ball> length_;
+    std::map<contact::Edge, std::optional<Rational>>
+        known_; ///< distances of the edges from the origin
+    std::set<std::pair<contact::Edge, bool>> expanded_;
+    bool ratio_counted_ = false;
+    contact::Work work_of_others_;
+    std::unique_ptr<ValueRoute> others_;
+};
+
+} // namespace
+
+std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan,
+                                            contact::Work& work) {
+    try {
+        const contact::Work before = work;
+        auto route = std::make_unique<BallRoute>(scene, plan, work);
+        if (route->slope_rises()) {
+            return route;
+        }
+        work = before;
+        return make_real_route(scene, plan, work);
+    } catch (const InputError& error) {
+        if (error.file().empty()) {
+            throw error.at(scene.file, scene.load_line);
+        }
+        throw;
+    }
+}
+
+} // namespace edgeproof::scene

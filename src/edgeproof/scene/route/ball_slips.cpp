@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/ball_slips.hpp"
+
+#include "edgeproof/contact/enclosure/slip_reach.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/slip_checks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+/// As far as a place is told from an edge of the stick zone.
+constexpr long most_state_bits = 1330;
+
+formula::ExactNumber no_exact_form(ExactValues& /*values*/) {
+    return formula::ExactNumber::unknown();
+}
+
+} // namespace
+
+void BallSlips::check() {
+    if (std::exchange(checked_, true)) {
+        return;
+    }
+    const contact::ShearSpec& shear = *scene_.shear;
+    if (scene_.load.kind == contact::Load::Kind::force) {
+        // Exactly on the limit no ball tells.
+        const formula::Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
+        const auto sign =
+            formula::decided_sign(scene_.load.value.expr() * shear.friction->expr() - Q);
+        if (sign && *sign <= 0) {
+            refuse_sliding(scene_, scene_.load.value.to<Real>());
+        }
+    }
+    bool looked = false;
+    for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
+        BallLevel* level = balls_.at_level(bits);
+        const contact::BallSlip* slip = level != nullptr ? level->slip() : nullptr;
+        if (slip == nullptr) {
+            if (level != nullptr && !std::exchange(looked, true)) {
+                refuse_exactly_sliding(*level);
+            }
+            continue;
+        }
+        if (slip->sliding()) {
+            refuse_sliding(scene_, level->force().midpoint());
+        }
+        const Ball right = slip->size(contact::Edge::right);
+        const Ball left = slip->size(contact::Edge::left);
+        if (certainly_negative(right) || certainly_negative(left)) {
+            const Real one = slip->tension_limit(contact::Edge::right).midpoint();
+            const Real other = slip->tension_limit(contact::Edge::left).midpoint();
+            refuse_tension(scene_,
+                           certainly_negative(right) ? contact::Edge::right : contact::Edge::left,
+                           std::min(one, other), std::max(one, other));
+        }
+        level_ = level;
+        if (certainly_positive(right) && certainly_positive(left)) {
+            return;
+        }
+    }
+}
+
+/// |Q| = f P by the exact form of P.
+void BallSlips::refuse_exactly_sliding(const BallLevel& level) {
+    const contact::ShearSpec& shear = *scene_.shear;
+    const auto left = [&](ExactValues& exact) {
+        const formula::ExactNumber Q = formula::ExactNumber::of(shear.Q.expr());
+        return formula::ExactNumber::of(shear.friction->expr()) * exact.force() -
+               (shear.Q.sign() > 0 ? Q : -Q);
+    };
+    const Ball near = ball_of(*shear.friction, level.bits()) * level.force() -
+                      abs(ball_of(shear.Q, level.bits()));
+    const auto zero = balls_.exact_value(left, level, near);
+    if (zero && *zero == 0) {
+        refuse_sliding(scene_, level.force().midpoint());
+    }
+}
+
+std::optional<BoundedValue> BallSlips::bounded(const BallRefinement::InBalls& f,
+                                               const Digits& digits, const char* route) {
+    auto found = balls_.settle(f, no_exact_form, digits);
+    return found ? std::optional(BoundedValue{std::move(found->value), true, route, {}})
+                 : std::nullopt;
+}
+
+std::optional<contact::SlipState> BallSlips::state(contact::Edge edge, const formula::Exact& u) {
+    std::optional<contact::SlipState> found;
+    for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
+        BallLevel* level = balls_.at_level(bits);
+        if (level == nullptr || level->slip() == nullptr) {
+            continue;
+        }
+        found = level->slip()->state(edge, ball_of(u, bits));
+        if (*found != contact::SlipState::undecided || bits >= plan_.bits + most_state_bits) {
+            break;
+        }
+    }
+    return found;
+}
+
+std::optional<BoundedValue> BallSlips::load_ratio() {
+    return bounded(
+        [](BallLevel& level) {
+            return level.slip() != nullptr ? level.slip()->load_ratio() : level.not_known();
+        },
+        plan_.digits, "stick zone");
+}
+
+std::optional<BoundedValue> BallSlips::tension_limit(contact::Edge edge) {
+    return bounded(
+        [edge](BallLevel& level) {
+            try {
+                return level.slip() != nullptr ? level.slip()->tension_limit(edge)
+                                               : level.not_known();
+            } catch (const BudgetError&) {
+                return level.not_known();
+            }
+        },
+        plan_.digits, "stick zone");
+}
+
+bool BallSlips::in_proportion() {
+    return level_ == nullptr || (level_->slip()->slips_from_the_first(contact::Edge::right) &&
+                                 level_->slip()->slips_from_the_first(contact::Edge::left));
+}
+
+std::optional<SlipTerms> BallSlips::terms(contact::Edge edge, std::size_t n) {
+    const std::size_t most = scene_.ask.most_terms();
+    const auto of_series = [edge, n, most](BallLevel& level) {
+        const Ball& first = level.slip_series(edge, most).front();
+        return level.slip() == nullptr ? first
+                                       : contact::slip_sum(level.slip_series(edge, most), n,
+                                                           level.slip()->load_ratio());
+    };
+    auto size = bounded(of_series, plan_.digits, "series");
+    auto error = bounded(
+        [&](BallLevel& level) { return abs(Ball(1 - of_series(level) / level.slip_size(edge))); },
+        plan_.error_digits(), "series");
+    if (!size || !error) {
+        return {};
+    }
+    SlipTerms t{n, std::move(*size), std::move(*error), {}};
+    if (scene_.ask.tolerance && level_ != nullptr && in_proportion()) {
+        find_reach(edge, t);
+    }
+    return t;
+}
+
+void BallSlips::find_reach(contact::Edge edge, SlipTerms& t) {
+    contact::SlipReachSearch search(
+        [&](long bits) -> const contact::BallSlip& {
+            BallLevel* level = balls_.at_level(bits);
+            if (level == nullptr || level->slip() == nullptr) {
+                throw BudgetError("so few bits do not enclose the stick zone");
+            }
+            return *level->slip();
+        },
+        edge, t.n, *scene_.ask.tolerance);
+    for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
+        try {
+            const contact::EnclosedReach reach = search.at(bits);
+            t.leaves = reach.leaves;
+            t.reach = BoundedValue{reach.ratio, true, "sign changes",
+                                   reach.leaves ? std::nullopt : std::optional(Rational(1))};
+            if (!reach.leaves || settles(reach.ratio, plan_.digits)) {
+                return;
+            }
+        } catch (const BudgetError&) {
+            if (search.zones() > contact::SlipReachSearch::most_zones) {
+                return;
+            }
+        }
+    }
+}
+
+} // namespace edgeproof::scene

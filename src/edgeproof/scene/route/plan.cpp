@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/plan.hpp"
+
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr unsigned guard_digits = 20;
+constexpr std::size_t most_slip_terms = 60; ///< the work goes like their fourth power
+
+[[noreturn]] void reject(const Scene& scene, const std::string& problem,
+                         const std::string& instead) {
+    throw InputError(problem, instead)
+        .at(scene.file, scene.ask_line != 0 ? scene.ask_line : scene.profile_line);
+}
+
+std::string count_of(std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// What is asked must come with the means for it.
+void check(const Scene& scene) {
+    const Ask& ask = scene.ask;
+    const auto first = [&](const auto& lacks) {
+        const auto rows = group_rows();
+        const auto found = std::find_if(rows.begin(), rows.end(), [&](const GroupRow& row) {
+            return ask.wants(row.group) && lacks(row);
+        });
+        return found == rows.end() ? nullptr : &*found;
+    };
+    if (first([&](const GroupRow& row) { return row.points && ask.u.empty(); }) != nullptr) {
+        reject(scene, "the scene asks for no points",
+               "add u = [\"1e-3\", \"0.1\"] (distances from the edge) to [ask]");
+    }
+    if (const auto* row = first([&](const GroupRow& r) { return r.shear && !scene.shear; })) {
+        reject(scene, std::string(row->name) + " is asked for and there is no [shear]",
+               "add [shear] with Q or bulk_tension");
+    }
+    if (const auto* row = first([&](const GroupRow& r) { return r.friction && !scene.slips(); })) {
+        reject(scene, std::string(row->name) + " is asked for and there is no friction",
+               "add friction = \"0.6\" to [shear]");
+    }
+    if (ask.wants(QuantityGroup::slip) && ask.most_terms() > most_slip_terms) {
+        reject(scene, "slip zones of " + std::to_string(ask.most_terms()) + " terms are asked for",
+               "give " + std::to_string(most_slip_terms) + " terms at most");
+    }
+    if (const auto* row = first([&](const GroupRow& r) {
+            return (r.terms && ask.terms.empty()) || (r.tolerance && !ask.tolerance);
+        })) {
+        reject(scene, std::string(row->incomplete), std::string(row->instead));
+    }
+}
+
+/// No less than `bits`, and with the guard of the elementary functions whole words: a bit more
+/// costs a word more.
+long whole_words(long bits) {
+    constexpr long word = 64;
+    constexpr long guard = 24;
+    return (bits + guard + word - 1) / word * word - guard;
+}
+
+class Planner {
+public:
+    explicit Planner(const Scene& scene) : scene_(scene), ask_(scene.ask) {}
+
+    Plan make() {
+        plan_.digits = ask_.digits;
+        plan_.working_digits = ask_.digits.count + guard_digits;
+        plan_.edges = ask_.edges;
+        plan_.mirrored = scene_.symmetric() && ask_.edges.size() == 2;
+        plan_.print_pressure = ask_.wants(QuantityGroup::pressure);
+        plan_.shear = ask_.wants(QuantityGroup::shear);
+        plan_.extents = ask_.wants(QuantityGroup::extent);
+        plan_.resultants = ask_.wants(QuantityGroup::contact);
+        plan_.slip = ask_.wants(QuantityGroup::slip);
+        plan_.partial_slip = scene_.slips() && (plan_.shear || plan_.slip);
+        const bool similar = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
+        plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
+        plan_.points = plan_.pressure || plan_.shear ? ask_.u.size() : 0;
+        const bool coefficients = ask_.wants(QuantityGroup::coefficients);
+        const bool approximations = plan_.points > 0 && !ask_.terms.empty();
+        plan_.terms = coefficients || approximations ? ask_.most_terms() : 0;
+        // The expansions of q are of full stick.
+        plan_.expand_shear =
+            scene_.shear &&
+            (coefficients || (approximations && plan_.shear && !plan_.partial_slip));
+        plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
+                                (plan_.expand_shear && similar);
+        const bool closed =
+            !scene_.profile || contact::BallContact::has_closed_form(*scene_.profile);
+        plan_.route = ask_.route != contact::Route::automatic ? ask_.route
+                      : closed                                ? contact::Route::closed_form
+                                                              : contact::Route::singular_integral;
+        plan_.bits = formula::bits_for(ask_.digits.count) + 96;
+        plan_.narrow_bits = closed
+                                ? std::min(whole_words(formula::bits_for(ask_.digits.count) + 40),
+                                           plan_.bits)
+                                : plan_.bits; // an integral costs more than its bits save
+        proof();
+        contact();
+        pressure();
+        expansions(coefficients);
+        shear(similar);
+        slips();
+        extents();
+        resultants(similar);
+        return std::move(plan_);
+    }
+
+private:
+    void add(const char* name, bool on, std::string why,
+             std::size_t contact::Counts::*counter = nullptr, std::size_t count = 0) {
+        if (on && counter != nullptr) {
+            plan_.counts.*counter += count;
+        }
+        plan_.effects.push_back({name, on, std::move(why), counter});
+    }
+    /// Edges at which p is computed, or q.
+    [[nodiscard]] std::size_t edges_of_p() const { return plan_.mirrored ? 1 : ask_.edges.size(); }
+    [[nodiscard]] std::size_t edges_of_q(bool similar) const {
+        return similar ? edges_of_p() : ask_.edges.size();
+    }
+
+    void proof() {
+        const bool closed = plan_.route == contact::Route::closed_form;
+        const bool integrated = scene_.profile && ask_.route == contact::Route::automatic &&
+                                !closed && contact::IntegratedContact::handles(*scene_.profile);
+        plan_.proved = closed || integrated;
+        plan_.proved_why =
+            closed ? "closed forms in ball arithmetic: every value is enclosed"
+            : integrated
+                ? "rigorous integration in ball arithmetic: every value is enclosed, where "
+                  "g' is proved not to decrease in the contact"
+            : ask_.route != contact::Route::automatic
+                ? "the route " + route_name(plan_.route) + " is asked for"
+                : "a function in g' is beyond the rigorous integration";
+    }
+    void contact() {
+        const bool tilt = scene_.punch.has_value();
+        add("tilt", tilt,
+            tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
+            &contact::Counts::tilts, 1);
+        const bool force = scene_.load.kind == contact::Load::Kind::force;
+        add("size from force", force, force ? "P is given" : "a is given",
+            &contact::Counts::load_inversions, 1);
+        const bool consistency = !scene_.symmetric();
+        add("consistency", consistency,
+            consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",
+            &contact::Counts::consistency, 1);
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+            const bool asked =
+                std::find(ask_.edges.begin(), ask_.edges.end(), edge) != ask_.edges.end();
+            add(edge == contact::Edge::right ? "right edge" : "left edge", asked,
+                !asked                       ? "not asked"
+                : !plan_.mirrored            ? "asked"
+                : edge == ask_.edges.front() ? "asked; the other one is its mirror image"
+                                             : "asked; the mirror image of the other one");
+        }
+    }
+    void pressure() {
+        const bool closed = plan_.route == contact::Route::closed_form;
+        const std::size_t n = ask_.u.size() * edges_of_p();
+        const std::string points =
+            count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p(), "edge");
+        const std::string why = !plan_.pressure        ? "no pressure is asked for"
+                                : plan_.print_pressure ? points
+                                                       : points + ": q = (Q/P) p";
+        const bool power_law = scene_.profile && !scene_.profile->piecewise_linear();
+        const char* const form = power_law ? "; Gauss's 2F1" : "; logarithms";
+        add("pressure, closed form", plan_.pressure && closed,
+            plan_.pressure && !closed ? "the route is " + route_name(plan_.route)
+            : plan_.pressure          ? why + form
+                                      : why,
+            &contact::Counts::closed_forms, n);
+        add("pressure, quadrature", plan_.pressure && !closed,
+            plan_.pressure && closed ? "there is a closed form"
+            : plan_.pressure         ? why + ", " + route_name(plan_.route)
+                                     : why,
+            &contact::Counts::quadratures, n);
+    }
+    void expansions(bool coefficients) {
+        const std::string terms = count_of(plan_.terms, "term");
+        add("expansion of p", plan_.expand_pressure,
+            plan_.expand_pressure ? (coefficients ? terms : terms + " for the approximations")
+            : plan_.terms == 0    ? "no terms are asked for"
+                                  : "only shear is asked for",
+            &contact::Counts::expansions, edges_of_p());
+    }
+    void shear(bool similar) {
+        const std::string none = scene_.shear ? "not asked for" : "there is no [shear]";
+        const std::string how = similar              ? "similar to p: P and Q grow together"
+                                : plan_.partial_slip ? "partial slip, P held"
+                                                     : "full stick, P held";
+        add("shear", plan_.shear, plan_.shear ? how : none, &contact::Counts::shear_points,
+            ask_.u.size() * edges_of_q(similar));
+        add("expansion of q", plan_.expand_shear,
+            plan_.expand_shear ? count_of(plan_.terms, "term") : none,
+            &contact::Counts::shear_expansions, edges_of_q(similar));
+    }
+    void resultants(bool similar) {
+        // The tilt solver, and a load given as P, need P on the way; that is not counted here.
+        const bool for_shear = similar && (plan_.shear || plan_.expand_shear);
+        const bool on = plan_.resultants || for_shear;
+        add("force and moment", on,
+            plan_.resultants ? "P and M"
+            : for_shear      ? "P, since q = (Q/P) p"
+                             : "not asked for",
+            &contact::Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
+    }
+    void slips() {
+        const std::string none =
+            !scene_.slips() ? "there is no friction" : "neither q nor a slip zone is asked for";
+        add("partial slip", plan_.partial_slip,
+            plan_.partial_slip ? "f = " + scene_.shear->friction->text() + ", P held" : none,
+            &contact::Counts::stick_zones, 1);
+        add("slip zones", plan_.slip,
+            !plan_.slip          ? (scene_.slips() ? "not asked for" : none)
+            : ask_.terms.empty() ? "their sizes"
+                                 : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
+            &contact::Counts::slip_sizes, ask_.edges.size());
+    }
+    void extents() {
+        add("extent", plan_.extents,
+            plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
+            &contact::Counts::extents, ask_.terms.size() * edges_of_p());
+    }
+
+    const Scene& scene_;
+    const Ask& ask_;
+    Plan plan_;
+};
+
+} // namespace
+
+Plan make_plan(const Scene& scene) {
+    check(scene);
+    return Planner(scene).make();
+}
+
+} // namespace edgeproof::scene

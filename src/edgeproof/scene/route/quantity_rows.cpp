@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/quantity.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
+#include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/real_level.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace edgeproof::scene {
+namespace {
+
+using Row = QuantityRow;
+using formula::ExactNumber;
+
+bool is_together(const Scene& s) {
+    return s.shear && s.shear->path == contact::LoadingPath::together;
+}
+bool is_force_given(const Scene& s) { return s.load.kind == contact::Load::Kind::force; }
+const char* traction_route(const Scene& s, const Plan& /*plan*/) {
+    return s.slips() ? "superposition" : is_together(s) ? "similar" : "full-stick";
+}
+const char* stick_zone(const Scene& /*scene*/, const Plan& /*plan*/) { return "stick zone"; }
+ExactNumber no_exact_form_of(ExactValues& /*values*/, const AskedValue& /*asked*/) {
+    return ExactNumber::unknown();
+}
+const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
+    return is_together(s) ? "similar" : "full-stick";
+}
+const char* by_load(const Scene& s, const Plan& /*plan*/) {
+    return is_force_given(s) ? "from P" : "given";
+}
+
+/// In the order of Quantity.
+constexpr std::array quantity_table{
+    Row{.quantity = Quantity::p,
+        .symbol = "p",
+        .name = "pressure",
+        .group = QuantityGroup::pressure,
+        .place = Row::Place::point,
+        .force_power = 1,
+        .length_power = -1,
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.p(v.edge, *v.u); },
+        .exact = [](ExactValues& e,
+                    const AskedValue& v) { return e.p(v.edge, ExactNumber::of(v.u->expr())); },
+        .real = [](RealLevel& l, const AskedValue& v) { return l.p(v.edge, *v.u); },
+        .route =
+            [](const Scene& /*scene*/, const Plan& plan) {
+                return plan.route == contact::Route::closed_form ? "closed-form"
+                                                                 : "singular-integral";
+            },
+        .cancels_little = true},
+    Row{.quantity = Quantity::q,
+        .symbol = "q",
+        .name = "shear",
+        .group = QuantityGroup::shear,
+        .place = Row::Place::point,
+        .needs = Row::Needs::shear,
+        .force_power = 1,
+        .length_power = -1,
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.q(v.edge, *v.u); },
+        .exact = [](ExactValues& e,
+                    const AskedValue& v) { return e.q(v.edge, ExactNumber::of(v.u->expr())); },
+        .real = [](RealLevel& l, const AskedValue& v) { return l.q(v.edge, *v.u); },
+        .route = traction_route},
+    Row{.quantity = Quantity::c,
+        .symbol = "c",
+        .name = "coefficient",
+        .group = QuantityGroup::coefficients,
+        .place = Row::Place::edge,
+        .index = Row::Index::order,
+        .force_power = 1,
+        .length_power = -1.5,
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.c(v.edge).at(v.k); },
+        .exact = [](ExactValues& e, const AskedValue& v) { return e.c_k(v.edge, v.k); },
+        .real = [](RealLevel& l, const AskedValue& v) { return l.c(v.edge).at(v.k); },
+        .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "series"; }},
+    Row{.quantity = Quantity::s,
+        .symbol = "s",
+        .name = "shear-coefficient",
+        .group = QuantityGroup::coefficients,
+        .place = Row::Place::edge,
+        .index = Row::Index::order,
+        .needs = Row::Needs::shear,
+        .force_power = 1,
+        .length_power = -0.5,
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.s(v.edge).at(v.k); },
+        .exact = [](ExactValues& e, const AskedValue& v) { return e.s_k(v.edge, v.k); },
+        .real = [](RealLevel& l, const AskedValue& v) { return l.s(v.edge).at(v.k); },
+        .route = full_stick_or_similar},
+    Row{.quantity = Quantity::a,
+        .symbol = "a",
+        .name = "right-edge",
+        .length_power = 1,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.a(); },
+        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.a(); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.a(); },
+        .route = by_load,
+        .distance_of = contact::Edge::right,
+        .cancels_little = true},
+    Row{.quantity = Quantity::b,
+        .symbol = "b",
+        .name = "left-edge",
+        .length_power = 1,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.b(); },
+        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.b(); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.b(); },
+        .route = [](const Scene& s,
+                    const Plan& plan) { return s.symmetric() ? by_load(s, plan) : "consistency"; },
+        .distance_of = contact::Edge::left,
+        .cancels_little = true},
+    Row{.quantity = Quantity::P,
+        .symbol = "P",
+        .name = "load",
+        .force_power = 1,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.force(); },
+        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.force(); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.force(); },
+        .route = [](const Scene& s,
+                    const Plan& /*plan*/) { return is_force_given(s) ? "given" : "contact-law"; },
+        .given = [](const Scene& s) { return is_force_given(s) ? &s.load.value : nullptr; }},
+    Row{.quantity = Quantity::M,
+        .symbol = "M",
+        .name = "moment",
+        .force_power = 1,
+        .length_power = 1,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.moment(); },
+        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.moment(); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.moment(); },
+        .route = [](const Scene& s,
+                    const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; },
+        .given = [](const Scene& s) { return s.moment ? &*s.moment : nullptr; }},
+    Row{.quantity = Quantity::alpha,
+        .symbol = "alpha",
+        .name = "tilt",
+        .needs = Row::Needs::unknown_tilt,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.tilt().alpha; },
+        // Under a tilt that is solved for there are exact values only where it is known to be zero.
+        .exact = [](ExactValues& /*values*/,
+                    const AskedValue& /*asked*/) { return ExactNumber(0); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.alpha(); },
+        .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "tilt"; }},
+    Row{.quantity = Quantity::extent,
+        .symbol = "extent",
+        .name = "extent",
+        .group = QuantityGroup::extent,
+        .place = Row::Place::edge,
+        .index = Row::Index::terms,
+        .tolerance = true,
+        .length_power = 1,
+        .searched = &ExtentValues::first_exit},
+    Row{.quantity = Quantity::measure,
+        .symbol = "measure",
+        .name = "measure",
+        .group = QuantityGroup::extent,
+        .place = Row::Place::edge,
+        .index = Row::Index::terms,
+        .tolerance = true,
+        .length_power = 1,
+        .searched = &ExtentValues::measure},
+    Row{.quantity = Quantity::slip,
+        .symbol = "slip",
+        .name = "slip-zone",
+        .group = QuantityGroup::slip,
+        .place = Row::Place::edge,
+        .needs = Row::Needs::friction,
+        .length_power = 1,
+        .meaning = "size of the slip zone",
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.slip_size(v.edge); },
+        .exact = no_exact_form_of,
+        .real = [](RealLevel& l, const AskedValue& v) { return l.slip_size(v.edge); },
+        .route = stick_zone},
+    Row{.quantity = Quantity::stick_a,
+        .symbol = "stick_a",
+        .name = "stick-right-edge",
+        .group = QuantityGroup::slip,
+        .needs = Row::Needs::friction,
+        .length_power = 1,
+        .meaning = "right edge of the stick zone",
+        .ball = [](BallLevel& l,
+                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::right); },
+        .exact = no_exact_form_of,
+        .real = [](RealLevel& l,
+                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::right); },
+        .route = stick_zone},
+    Row{.quantity = Quantity::stick_b,
+        .symbol = "stick_b",
+        .name = "stick-left-edge",
+        .group = QuantityGroup::slip,
+        .needs = Row::Needs::friction,
+        .length_power = 1,
+        .meaning = "left edge of the stick zone",
+        .ball = [](BallLevel& l,
+                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::left); },
+        .exact = no_exact_form_of,
+        .real = [](RealLevel& l,
+                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::left); },
+        .route = stick_zone},
+    Row{.quantity = Quantity::residual,
+        .symbol = "",
+        .name = "residual",
+        .group = QuantityGroup::pressure,
+        .place = Row::Place::point,
+        .index = Row::Index::terms},
+    Row{.quantity = Quantity::tilt_difference,
+        .symbol = "",
+        .name = "tilt-difference",
+        .group = QuantityGroup::pressure,
+        .place = Row::Place::point,
+        .force_power = 1,
+        .length_power = -1,
+        .label = "p less that without tilt"},
+};
+
+/// In the order of QuantityGroup.
+constexpr std::array group_table{
+    GroupRow{.group = QuantityGroup::pressure, .name = "pressure", .points = true},
+    GroupRow{.group = QuantityGroup::coefficients,
+             .name = "coefficients",
+             .terms = true,
+             .incomplete = "coefficients are asked for and no number of terms",
+             .instead = "add terms = 3 to [ask]"},
+    GroupRow{.group = QuantityGroup::shear, .name = "shear", .points = true, .shear = true},
+    GroupRow{.group = QuantityGroup::extent,
+             .name = "extent",
+             .terms = true,
+             .tolerance = true,
+             .incomplete = "an extent needs a number of terms and a tolerance",
+             .instead = "add terms = 1 and tolerance = \"1%\" to [ask]"},
+    GroupRow{.group = QuantityGroup::slip, .name = "slip", .friction = true},
+    GroupRow{.group = QuantityGroup::contact, .name = "contact"},
+};
+
+template <class Table> consteval bool is_in_order(const Table& table, auto key) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (static_cast<std::size_t>(table[i].*key) != i) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(is_in_order(quantity_table, &QuantityRow::quantity));
+static_assert(is_in_order(group_table, &GroupRow::group));
+
+} // namespace
+
+std::span<const QuantityRow> quantity_rows() { return quantity_table; }
+const QuantityRow& row_of(Quantity quantity) {
+    return quantity_table.at(static_cast<std::size_t>(quantity));
+}
+const QuantityRow& evaluated_row(Quantity quantity) {
+    const QuantityRow& row = row_of(quantity);
+    if (row.searched == nullptr && row.real == nullptr) {
+        throw Error("a " + std::string(row.name) + " is made of other quantities");
+    }
+    return row;
+}
+std::span<const GroupRow> group_rows() { return group_table; }
+
+double scale_of(const AskedValue& asked, double force, double length) {
+    const QuantityRow& row = row_of(asked.quantity);
+    const double power =
+        row.length_power -
+        (row.index == QuantityRow::Index::order ? static_cast<double>(asked.k) : 0.0);
+    const double unit = row.force_power == 0 ? 1 : force;
+    return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
+}
+
+std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
+    const std::string symbol = symbol_of(asked);
+    switch (row_of(asked.quantity).needs) {
+    case QuantityRow::Needs::nothing:
+        break;
+    case QuantityRow::Needs::shear:
+        if (!scene.shear) {
+            return Lack{symbol + " is asked for and there is no shear",
+                        "add Q or bulk_tension, or leave " + symbol + " out"};
+        }
+        break;
+    case QuantityRow::Needs::friction:
+        if (!scene.slips()) {
+            return Lack{symbol + " is asked for and there is no friction",
+                        "add friction, or leave " + symbol + " out"};
+        }
+        break;
+    case QuantityRow::Needs::unknown_tilt:
+        if (!scene.punch) {
+            return Lack{symbol + " is asked for and is not unknown",
+                        "give P and M and no " + symbol + ", or leave " + symbol +
+                            " out of the quantities"};
+        }
+        break;
+    }
+    return {};
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/real_level.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr const char* slip_route = "pressures in the slip zones";
+
+} // namespace
+
+RealLevel::RealLevel(const contact::Profile& profile, const std::optional<formula::Exact>& alpha,
+                     const Scene& scene, const Plan& plan, unsigned digits, contact::Work* work)
+    : scene_(scene), plan_(plan), digits_(digits), alpha_(alpha),
+      contact_(profile, scene.contact_modulus, scene.load, digits, work) {
+    if (scene.shear) {
+        shear_.emplace(contact_, *scene.shear, work);
+    }
+}
+
+Real RealLevel::unit() const { return pow(Real(10), -static_cast<int>(digits_ + kept_digits)); }
+
+BoundedValue RealLevel::sound(const Real& x, const char* route) const {
+    const PrecisionScope scope(x.precision());
+    return estimated(x, Real(abs(x) * unit()), route);
+}
+
+BoundedValue RealLevel::given(const formula::Exact& x) const {
+    return {ball_of(x, bits()), true, "given", rational_of(x)};
+}
+
+BoundedValue RealLevel::a() const {
+    return scene_.load.kind == contact::Load::Kind::force ? sound(contact_.a(), "from P")
+                                                          : given(scene_.load.value);
+}
+
+BoundedValue RealLevel::b() const {
+    return scene_.symmetric() ? a() : sound(contact_.b(), "consistency");
+}
+
+BoundedValue RealLevel::distance(contact::Edge edge) const {
+    return sound(edge == contact::Edge::right ? contact_.a() : contact_.b(), "");
+}
+
+BoundedValue RealLevel::force() const {
+    const Real P = contact_.force(); // counted, given or not
+    return scene_.load.kind == contact::Load::Kind::force ? given(scene_.load.value)
+                                                          : sound(P, "contact-law");
+}
+
+BoundedValue RealLevel::moment() const {
+    const Real M = contact_.moment();
+    return scene_.moment ? given(*scene_.moment) : sound(M, "contact-law");
+}
+
+BoundedValue RealLevel::alpha() const {
+    const PrecisionScope scope(digits_ + tilt_digits);
+    return sound(alpha_->to<Real>(), "tilt");
+}
+
+RealLevel::Last& RealLevel::at(contact::Edge edge, const formula::Exact& u) {
+    if (!last_ || last_->edge != edge || !(last_->u == u)) {
+        last_ = Last{edge, u};
+    }
+    return *last_;
+}
+
+/// Where balls give a power law's closed form no value, they give the one in Real none either.
+contact::Route RealLevel::route() const {
+    return plan_.proved && !contact_.profile().piecewise_linear()
+               ? contact::Route::singular_integral
+               : plan_.route;
+}
+
+const contact::Estimated& RealLevel::pressure(contact::Edge edge, const formula::Exact& u) {
+    Last& last = at(edge, u);
+    if (!last.p) {
+        last.p = contact_.pressure(edge, u, route());
+    }
+    return *last.p;
+}
+
+BoundedValue RealLevel::p(contact::Edge edge, const formula::Exact& u) {
+    const contact::Estimated& p = pressure(edge, u);
+    const PrecisionScope scope(p.working_digits);
+    return estimated(p.value, Real(abs(p.value) * p.estimate), route_name(p.route));
+}
+
+BoundedValue RealLevel::q(contact::Edge edge, const formula::Exact& u) {
+    if (scene_.slips()) {
+        const Real q = slip().traction(edge, u);
+        const PrecisionScope scope(q.precision());
+        return estimated(q, Real(abs(q) * slip().estimate()), slip_route);
+    }
+    Last& last = at(edge, u);
+    if (!last.q) {
+        last.q = together() ? shear_->similar_to(pressure(edge, u)) : shear_->traction(edge, u);
+    }
+    return estimated(last.q->value, last.q->error, together() ? "similar" : "full-stick");
+}
+
+const contact::PartialSlip& RealLevel::slip() {
+    if (!slip_) {
+        try {
+            uncounted_.emplace(contact::Profile(contact_.profile()), contact_.contact_modulus(),
+                               contact_.load(), digits_);
+            slip_.emplace(*uncounted_, *scene_.shear);
+        } catch (const InputError& error) {
+            throw error.at(scene_.file, scene_.friction_line);
+        } catch (const BudgetError& error) {
+            throw InputError(error.what(),
+                             "give a smaller Q or bulk_tension, or leave friction out")
+                .at(scene_.file, scene_.friction_line);
+        }
+    }
+    return *slip_;
+}
+
+BoundedValue RealLevel::slip_size(contact::Edge edge) {
+    const PrecisionScope scope(contact_.a().precision());
+    const Real d = slip().size(edge);
+    return estimated(d, Real(d * slip().estimate()), slip_route);
+}
+
+BoundedValue RealLevel::stick_edge(contact::Edge edge) {
+    const PrecisionScope scope(contact_.a().precision());
+    const Real d = slip().size(edge);
+    const Real from = edge == contact::Edge::right ? contact_.a() : contact_.b();
+    return estimated(Real(from - d), Real(d * slip().estimate()), slip_route);
+}
+
+const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {
+    auto& c = c_[edge];
+    if (c.empty()) {
+        raw_c_[edge] = contact_.expansion(edge, plan_.terms);
+        const auto& raw = raw_c_[edge];
+        const PrecisionScope scope(raw.front().precision());
+        // A coefficient that cancels is good on the scale of its neighbours.
+        const Real radius = contact_.convergence_radius(edge);
+        Real scale = abs(raw.front());
+        for (const Real& x : raw) {
+            c.push_back(estimated(x, Real(std::max(Real(abs(x)), scale) * unit()), series_name()));
+            scale /= radius;
+        }
+    }
+    return c;
+}
+
+const std::vector<BoundedValue>& RealLevel::s(contact::Edge edge) {
+    auto& s = s_[edge];
+    if (s.empty()) {
+        if (together()) {
+            (void)c(edge);
+        }
+        for (const auto& x :
+             together() ? shear_->similar_to(raw_c_[edge]) : shear_->expansion(edge, plan_.terms)) {
+            s.push_back(estimated(x.value, x.error, together() ? "similar" : "series"));
+        }
+    }
+    return s;
+}
+
+Ball RealLevel::sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear) {
+    const std::vector<BoundedValue>& terms = shear ? s(edge) : c(edge);
+    const Ball at = ball_of(u, bits());
+    Ball total = terms[n - 1].value;
+    for (std::size_t k = n - 1; k-- > 0;) {
+        total = total * at + terms[k].value;
+    }
+    return shear && shear_half_powers() < 0 ? Ball(total / sqrt(at)) : Ball(total * sqrt(at));
+}
+
+std::string RealLevel::series_name() const {
+    return contact_.edge_taken_on_knot() ? "series, an edge taken to be on a knot" : "series";
+}
+
+} // namespace edgeproof::scene

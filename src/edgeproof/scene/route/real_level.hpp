@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/routes/partial_slip.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/scene/route/plan.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof::scene {
+
+/// Digits of a tilt beyond those asked for.
+inline constexpr unsigned tilt_digits = 20;
+/// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
+inline constexpr unsigned kept_digits = 8;
+
+/// A scene's contact in Real at one number of digits: the scene's own, or more where a difference
+/// is small. Every value comes with its estimated error and the name of its route.
+class RealLevel {
+public:
+    /// Keeps references to the scene and the plan. `alpha`: the tilt, where it was solved for.
+    RealLevel(const contact::Profile& profile, const std::optional<formula::Exact>& alpha,
+              const Scene& scene, const Plan& plan, unsigned digits, contact::Work* work);
+    RealLevel(const RealLevel&) = delete; // shear_ refers to contact_
+    RealLevel& operator=(const RealLevel&) = delete;
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const contact::NormalContact& contact() const { return contact_; }
+    [[nodiscard]] long bits() const { return formula::bits_for(contact_.a().precision()); }
+
+    /// A value that has lost nothing beyond the guard.
+    [[nodiscard]] BoundedValue sound(const Real& x, const char* route) const;
+    [[nodiscard]] BoundedValue a() const;
+    [[nodiscard]] BoundedValue b() const;
+    /// Of an edge from the origin, as it was solved for.
+    [[nodiscard]] BoundedValue distance(contact::Edge edge) const;
+    [[nodiscard]] BoundedValue force() const;
+    [[nodiscard]] BoundedValue moment() const;
+    [[nodiscard]] BoundedValue alpha() const;
+    [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);
+    [[nodiscard]] BoundedValue q(contact::Edge edge, const formula::Exact& u);
+    /// Throws InputError, told with its line, where the contact slides or slips against Q.
+    [[nodiscard]] const contact::PartialSlip& slip();
+    [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
+    [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
+    [[nodiscard]] const std::vector<BoundedValue>& c(contact::Edge edge);
+    [[nodiscard]] const std::vector<BoundedValue>& s(contact::Edge edge);
+    /// The sum of n terms of p, or of q.
+    [[nodiscard]] Ball sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear);
+    [[nodiscard]] int shear_half_powers() const {
+        return shear_ ? shear_->leading_half_powers() : -1;
+    }
+    [[nodiscard]] std::string series_name() const;
+
+private:
+    /// What was computed at the last point, for the other quantities and approximations there.
+    struct Last {
+        contact::Edge edge;
+        formula::Exact u;
+        std::optional<contact::Estimated> p = {};
+        std::optional<contact::EstimatedTraction> q = {};
+    };
+    [[nodiscard]] Last& at(contact::Edge edge, const formula::Exact& u);
+    [[nodiscard]] const contact::Estimated& pressure(contact::Edge edge, const formula::Exact& u);
+    /// What the scene states itself.
+    [[nodiscard]] BoundedValue given(const formula::Exact& x) const;
+    [[nodiscard]] contact::Route route() const;
+    [[nodiscard]] Real unit() const;
+    [[nodiscard]] bool together() const {
+        return scene_.shear->path == contact::LoadingPath::together;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    unsigned digits_;
+    std::optional<formula::Exact> alpha_;
+    contact::NormalContact contact_;
+    std::optional<contact::ShearTraction> shear_;
+    std::optional<contact::NormalContact> uncounted_; ///< what the slip takes of it is its own
+    std::optional<contact::PartialSlip> slip_;
+    std::optional<Last> last_;
+    std::map<contact::Edge, std::vector<Real>> raw_c_;
+    std::map<contact::Edge, std::vector<BoundedValue>> c_;
+    std::map<contact::Edge, std::vector<BoundedValue>> s_;
+};
+
+} // namespace edgeproof::scene

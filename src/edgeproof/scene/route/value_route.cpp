@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/value_route.hpp"
+
+namespace edgeproof::scene {
+
+ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan) {
+    ContactValues values;
+    for (const QuantityRow& row : quantity_rows()) {
+        const AskedValue asked{row.quantity};
+        if (row.group != QuantityGroup::contact || row.at_edge() || lack_of(scene, asked)) {
+            continue;
+        }
+        switch (row.quantity) {
+        case Quantity::a:
+            values.a = route.value(asked);
+            break;
+        case Quantity::b:
+            values.b = route.value(asked);
+            break;
+        case Quantity::alpha:
+            values.alpha = route.value(asked);
+            break;
+        default:
+            if (!plan.resultants) {
+                break;
+            }
+            if (row.quantity == Quantity::P) {
+                values.force = route.value(asked);
+            } else if (row.quantity == Quantity::M) {
+                values.moment = route.value(asked);
+            } else {
+                values.others.emplace_back(row.quantity, route.value(asked));
+            }
+        }
+    }
+    return values;
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/coq_text.hpp"
+
+#include "edgeproof/certificate/certificate.hpp"
+#include "edgeproof/formula/parse.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace {
+
+std::string in_coq(const std::string& text) {
+    const certificate::CoqNames names{{"a", "a"}, {"b", "(b a)"}, {"x", "x"}, {"P1", "(P1 a)"}};
+    formula::Symbols symbols;
+    for (const char* name : {"a", "b", "x", "P1", "m"}) {
+        symbols.add(name);
+    }
+    return certificate::coq_text(formula::parse(text, symbols), names);
+}
+
+} // namespace
+
+// What Coq reads is the tree of what is printed: its operators bind as those of the ledger do, but
+// for the minus in front, which Coq binds more strongly than a product.
+TEST_CASE("formulas as terms of Coq") {
+    CHECK(in_coq("a - (b - x)") == "a - ((b a) - x)");
+    CHECK(in_coq("a - b - x") == "a - (b a) - x");
+    CHECK(in_coq("a/(b*x)") == "a / ((b a) * x)");
+    CHECK(in_coq("a/b*x") == "a / (b a) * x");
+    CHECK(in_coq("-a^2") == "- a ^ 2");
+    CHECK(in_coq("(-a)^2") == "(- a) ^ 2");
+    CHECK(in_coq("-(a*b)") == "- (a * (b a))");
+    CHECK(in_coq("a*(-b)") == "a * (- (b a))");
+    CHECK(in_coq("2*P1/Pi") == "2 * (P1 a) / PI");
+    CHECK(in_coq("0.25*x") == "(1 / 4) * x");
+    CHECK(in_coq("sqrt(a+b)") == "sqrt (a + (b a))");
+    CHECK(in_coq("abs(log(x))") == "Rabs (ln x)");
+    CHECK(in_coq("max(x, a)") == "Rmax x a");
+}
+
+TEST_CASE("powers with whole and other exponents") {
+    CHECK(in_coq("(a+b)^2") == "(a + (b a)) ^ 2");
+    CHECK(in_coq("sqrt(a)^2") == "sqrt a ^ 2");
+    CHECK(in_coq("a^(-2)") == "(/ a ^ 2)");
+    CHECK(in_coq("(a+b)^(3/2)") == "Rpower (a + (b a)) (3 / 2)");
+    CHECK(in_coq("a^(-1/2)") == "Rpower a (- (1 / 2))");
+    CHECK(in_coq("x*a^(5/2)") == "x * Rpower a (5 / 2)");
+}
+
+TEST_CASE("what Coq's real numbers do not have is not stated") {
+    CHECK_THROWS_AS(in_coq("gamma(a)"), certificate::NotStated);
+    CHECK_THROWS_AS(in_coq("m*a"), certificate::NotStated);
+    CHECK_THROWS_AS(in_coq("a^x"), certificate::NotStated);
+    CHECK_THROWS_AS(in_coq("integral(x, x, 0, 1)"), certificate::NotStated);
+}
+
+TEST_CASE("ids of claims as names in Coq: no file of the theory, no word of the language") {
+    CHECK(certificate::coq_name("EQ30.L") == "EQ30_L");
+    CHECK(certificate::coq_name("7-b") == "claim_7_b");
+    CHECK(certificate::coq_name("Contact") == "claim_Contact");
+    CHECK(certificate::coq_name("fun") == "claim_fun");
+}

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/comparison.hpp"
+
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// Hertz under P: a^2 = 4PR/(pi E*), p_0 = 2P/(pi a) (Johnson, eqs. 4.43 and 4.45).
+struct HertzInputs {
+    double E = 0; ///< E*
+    double R = 10;
+    double P = 300;
+    double factor = 1;
+    double x_scale = 1;
+    double shift = 0;
+    int rows = 0;
+    [[nodiscard]] double a() const { return std::sqrt(4 * P * R / (std::numbers::pi * E)); }
+    [[nodiscard]] double p(double x) const {
+        const double t = (x - shift) / x_scale / a();
+        return std::abs(t) < 1 ? factor * 2 * P / (std::numbers::pi * a()) * std::sqrt(1 - t * t)
+                               : 0;
+    }
+};
+
+struct BodyConstants {
+    double E1, nu1, E2, nu2;
+    [[nodiscard]] double star() const { return 1 / ((1 - nu1 * nu1) / E1 + (1 - nu2 * nu2) / E2); }
+    [[nodiscard]] std::string scene_text() const {
+        char text[400];
+        std::snprintf(
+            text, sizeof text,
+            "[profile]\nkind = \"hertz\"\nR = \"10\"\n[load]\nP = \"300\"\nE1 = \"%g\"\nnu1 "
+            "= \"%g\"\nE2 = \"%g\"\nnu2 = \"%g\"\n",
+            E1, nu1, E2, nu2);
+        return text;
+    }
+};
+
+const BodyConstants like{200e3, 0.3, 200e3, 0.3};
+const BodyConstants unlike{200e3, 0.3, 70e3, 0.35};
+
+struct Injected {
+    const char* name;
+    std::function<void(HertzInputs&, const BodyConstants&)> change;
+};
+
+const std::vector<Injected> injected{
+    {"factor-2", [](HertzInputs& h, const BodyConstants&) { h.factor = 2; }},
+    {"factor-pi", [](HertzInputs& h, const BodyConstants&) { h.factor = 1 / std::numbers::pi; }},
+    {"factor-sqrt-pi",
+     [](HertzInputs& h, const BodyConstants&) { h.factor = std::sqrt(std::numbers::pi); }},
+    {"power-of-ten", [](HertzInputs& h, const BodyConstants&) { h.factor = 1e-3; }},
+    {"unit-g", [](HertzInputs& h, const BodyConstants&) { h.factor = 9.80665; }},
+    {"unit-psi", [](HertzInputs& h, const BodyConstants&) { h.factor = 1 / 6.894757293168; }},
+    {"e-for-e-star", [](HertzInputs& h, const BodyConstants& b) { h.E = b.E1; }},
+    {"one-body-modulus",
+     [](HertzInputs& h, const BodyConstants& b) { h.E = b.E1 / (1 - b.nu1 * b.nu1); }},
+    {"nu-not-squared",
+     [](HertzInputs& h, const BodyConstants& b) {
+         h.E = 1 / ((1 - b.nu1) / b.E1 + (1 - b.nu2) / b.E2);
+     }},
+    {"plane-stress",
+     [](HertzInputs& h, const BodyConstants& b) { h.E = 1 / (1 / b.E1 + 1 / b.E2); }},
+    {"shear-modulus",
+     [](HertzInputs& h, const BodyConstants& b) {
+         h.E = 1 / ((1 + b.nu1) / b.E1 + (1 + b.nu2) / b.E2);
+     }},
+    {"radius-as-diameter", [](HertzInputs& h, const BodyConstants&) { h.R = 20; }},
+    {"half-force", [](HertzInputs& h, const BodyConstants&) { h.P = 150; }},
+    {"unit-inch", [](HertzInputs& h, const BodyConstants&) { h.x_scale = 1 / 25.4; }},
+    {"full-width-for-half", [](HertzInputs& h, const BodyConstants&) { h.x_scale = 2; }},
+    {"shifted-origin", [](HertzInputs& h, const BodyConstants&) { h.shift = 0.03 * h.a(); }},
+};
+
+struct Told {
+    bool named = false; ///< it is among those that the data do not tell apart
+    bool wrong = false; ///< others are, and it is not
+    bool nothing = false;
+    std::size_t alike = 0;
+};
+
+Told told(const Injected& cause, const BodyConstants& bodies, double noise, std::uint64_t seed) {
+    const Scene scene = parse_scene(bodies.scene_text(), "s.toml");
+    static const ExactContact like_exact(parse_scene(like.scene_text(), "s.toml"));
+    static const ExactContact unlike_exact(parse_scene(unlike.scene_text(), "s.toml"));
+    const ExactContact& exact = &bodies == &like ? like_exact : unlike_exact;
+    HertzInputs h{bodies.star()};
+    cause.change(h, bodies);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0, 1);
+    const double reach = 1.4 * std::max(h.a() * h.x_scale, exact.a().value);
+    std::string text = "x,p\n";
+    constexpr int nodes = 120;
+    for (int i = 0; i <= nodes; ++i) {
+        // A mesh of the program's own: an inch's is finer.
+        const double width = h.x_scale < 0.5 ? 1.4 * h.a() * h.x_scale : reach;
+        const double x = -width + 2 * width * i / nodes;
+        char row[80];
+        std::snprintf(row, sizeof row, "%.17g,%.17g\n", x, h.p(x) * (1 + noise * normal(random)));
+        text += row;
+    }
+    Tolerances strict;
+    strict.pressure = 1e-9;
+    const FileComparison file =
+        compare_file(parse_result(text, "r"), exact, strict, Rational(0), &scene);
+    Told result;
+    if (!file.diagnosis || file.diagnosis->causes.empty()) {
+        result.nothing = true;
+        return result;
+    }
+    result.alike = file.diagnosis->causes.size();
+    for (const Cause& c : file.diagnosis->causes) {
+        result.named = result.named || c.name == cause.name;
+    }
+    result.wrong = !result.named;
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("causes: each is named under noise, or nothing is; never another one flatly") {
+    std::size_t named = 0;
+    std::size_t all = 0;
+    for (const BodyConstants* bodies : {&like, &unlike}) {
+        for (const Injected& cause : injected) {
+            for (const double noise : {0.0, 1e-6, 1e-4, 1e-2}) {
+                const Told result = told(cause, *bodies, noise, 11);
+                CAPTURE(cause.name);
+                CAPTURE(noise);
+                CAPTURE(bodies == &like);
+                CHECK_FALSE(result.wrong);
+                named += result.named ? 1 : 0;
+                ++all;
+                if (result.nothing) {
+                    MESSAGE("not told from the noise: ", cause.name, " at ", noise);
+                }
+            }
+        }
+    }
+    CHECK(named >= all * 95 / 100);
+}
+
+TEST_CASE("causes: what data cannot tell apart is said to be so") {
+    // With like materials and P given, E/(1 - nu^2) of one body is twice E*, and p depends on E*/R.
+    const Told modulus = told(injected[7], like, 0, 3);
+    CHECK(modulus.named);
+    CHECK(modulus.alike >= 2);
+    const Scene scene = parse_scene(like.scene_text(), "s.toml");
+    const ExactContact exact(scene);
+    HertzInputs h{2 * like.star()};
+    std::string text = "x,p\n";
+    for (int i = -40; i <= 40; ++i) {
+        char row[80];
+        std::snprintf(row, sizeof row, "%.17g,%.17g\n", i * 0.01, h.p(i * 0.01));
+        text += row;
+    }
+    const FileComparison file =
+        compare_file(parse_result(text, "r"), exact, {}, Rational(0), &scene);
+    REQUIRE(file.diagnosis);
+    REQUIRE(file.diagnosis->causes.size() >= 2);
+    const Cause& first = file.diagnosis->causes.front();
+    std::vector<std::string> names = first.equally_likely;
+    names.push_back(first.name);
+    CHECK(std::ranges::find(names, "one-body-modulus") != names.end());
+    CHECK(std::ranges::find(names, "radius-as-diameter") != names.end());
+}
+
+TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake") {
+    const Scene scene = parse_scene(unlike.scene_text(), "s.toml");
+    const ExactContact exact(scene);
+    const auto diagnosed = [&](const std::function<double(double)>& p) {
+        std::string text = "x,p\n";
+        const double a = exact.a().value;
+        for (int i = -80; i <= 80; ++i) {
+            const double x = i * a / 60;
+            char row[80];
+            std::snprintf(row, sizeof row, "%.17g,%.17g\n", x, p(x));
+            text += row;
+        }
+        Tolerances strict;
+        strict.pressure = 0.001;
+        return compare_file(parse_result(text, "r"), exact, strict, Rational(0), &scene);
+    };
+    const HertzInputs right{unlike.star()};
+    for (const double factor : {1.1, 1.7, 0.8, 2.1, 40.0}) {
+        CAPTURE(factor);
+        const FileComparison file = diagnosed([&](double x) { return factor * right.p(x); });
+        REQUIRE(file.diagnosis);
+        CHECK(file.diagnosis->causes.empty());
+        CHECK_FALSE(file.diagnosis->at_edges_only);
+    }
+    // A smooth error of 5 % that no mistake makes.
+    CHECK(diagnosed([&](double x) {
+              return right.p(x) * (1 + 0.05 * std::sin(40 * x));
+          }).diagnosis->causes.empty());
+    // The node at the edge is off by a tenth of the peak: the mesh.
+    const double a = exact.a().value;
+    const FileComparison mesh = diagnosed([&](double x) {
+        return right.p(x) + (std::abs(std::abs(x) - a) < a / 100 ? 0.1 * right.p(0) : 0);
+    });
+    REQUIRE(mesh.diagnosis);
+    CHECK(mesh.diagnosis->at_edges_only);
+    // Right data are not diagnosed.
+    CHECK_FALSE(diagnosed([&](double x) { return right.p(x); }).diagnosis);
+}
+
+TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for the pressure") {
+    const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"\n"
+                             "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
+    const Scene scene = parse_scene(text, "s.toml");
+    const ExactContact exact(scene);
+    // Its own values, misplaced: the mistake is in the places.
+    const auto diagnosed = [&](const std::function<double(double)>& p) {
+        std::string rows = "x,p\n";
+        for (int i = -120; i <= 120; ++i) {
+            const double x = (i + 0.5) * 0.01;
+            char row[80];
+            std::snprintf(row, sizeof row, "%.17g,%.17g\n", x, p(x));
+            rows += row;
+        }
+        return compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &scene);
+    };
+    const auto first_name = [](const FileComparison& file) {
+        return file.diagnosis && !file.diagnosis->causes.empty() ? file.diagnosis->causes[0].name
+                                                                 : std::string();
+    };
+    CHECK(first_name(diagnosed([&](double x) { return exact.pressure(-x); })) == "mirrored");
+    CHECK(first_name(diagnosed([&](double x) { return exact.pressure(x + 0.01); })) != "factor-2");
+    const double b = exact.b().value;
+    CHECK(first_name(diagnosed([&](double x) {
+              if (x <= -b || x >= 1) {
+                  return 0.0;
+              }
+              const bool right = 1 - x < x + b;
+              return exact.c(right ? Edge::right : Edge::left, 0).value *
+                     std::sqrt(right ? 1 - x : x + b);
+          })) == "one-term");
+}

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/comparison.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "tests/comparison/hertz_data.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::hertz_data;
+
+namespace {
+
+const std::vector<double> mesh = even_places(-2, 2, 64); // an element is 1/16 wide
+
+Tolerances within(double tolerance) {
+    Tolerances t;
+    t.pressure = tolerance;
+    return t;
+}
+
+} // namespace
+
+TEST_CASE("the exact contact: Hertz by the textbook") {
+    CHECK(exact().a().value == doctest::Approx(a).epsilon(1e-15));
+    CHECK(exact().force().value == doctest::Approx(P).epsilon(1e-14));
+    // sqrt(a^2 - x^2) = sqrt(2a) u^(1/2) (1 - u/(4a) - ...)
+    const double c0 = p0 * std::sqrt(2 / a);
+    CHECK(exact().c(Edge::left, 0).value == doctest::Approx(c0).epsilon(1e-14));
+    CHECK(exact().c(Edge::right, 1).value == doctest::Approx(-c0 / (4 * a)).epsilon(1e-14));
+    CHECK(exact().scale().value == doctest::Approx(p0).epsilon(1e-14));
+    CHECK_FALSE(exact().scale().mean);
+    for (const double x : {-1.49, -0.3, 0.0, 0.7, 1.4999}) {
+        CHECK(exact().pressure(x) == doctest::Approx(p(x)).epsilon(1e-12));
+    }
+    CHECK(exact().pressure(1.6) == 0);
+}
+
+TEST_CASE("exact data pass at any tolerance") {
+    const FileComparison file = compared(table(mesh, p), within(1e-12));
+    CHECK(file.passes());
+    CHECK(file.errors.local < 1e-12);
+    CHECK(file.inside == 47);
+    CHECK(file.outside == 18);
+    CHECK(*file.contact.a == doctest::Approx(a).epsilon(1e-9));
+    CHECK(*file.contact.b == doctest::Approx(a).epsilon(1e-9));
+    REQUIRE(file.fits[0]);
+    CHECK(file.fits[0]->c0.value == doctest::Approx(p0 * std::sqrt(2 / a)).epsilon(1e-4));
+    CHECK(std::abs(file.fits[0]->c0.value - p0 * std::sqrt(2 / a)) < 3 * file.fits[0]->c0.spread);
+    CHECK(file.contact.element[0] == doctest::Approx(1.0 / 16));
+    CHECK(file.distances.size() >= 4);
+    for (const DistanceErrors& d : file.distances) {
+        CHECK(d.errors.digits() > 12);
+    }
+}
+
+TEST_CASE("an error of known size is found at its size, in each norm") {
+    for (const double e : {1e-6, 1e-3, 0.1}) {
+        const auto text = table(mesh, [e](double x) { return p(x) * (1 + e); });
+        const FileComparison file = compared(text, within(0.99 * e));
+        CHECK(file.errors.peak == doctest::Approx(e).epsilon(1e-6)); // a node is at the peak
+        CHECK(file.errors.local == doctest::Approx(e).epsilon(1e-6));
+        CHECK(file.errors.l2 == doctest::Approx(e).epsilon(1e-6));
+        CHECK_FALSE(file.passes());
+        CHECK(compared(text, within(1.01 * e)).passes());
+    }
+    // One node alone, near the edge: small beside the peak, large beside p.
+    const auto one = table(mesh, [](double x) { return p(x) + (x == 1.4375 ? 0.01 * p0 : 0); });
+    const FileComparison file = compared(one, within(0.02));
+    CHECK(file.errors.peak == doctest::Approx(0.01).epsilon(1e-9));
+    CHECK(file.errors.local == doctest::Approx(0.01 * p0 / p(1.4375)).epsilon(1e-9));
+    CHECK(file.data.nodes[*file.errors.worst].x == doctest::Approx(1.4375));
+    CHECK(file.passes());
+    Tolerances local = within(0.02);
+    local.of = Norm::local;
+    CHECK_FALSE(compared(one, local).passes());
+    local.zone = parse_edge_zone("2e");
+    CHECK(compared(one, local).passes()); // u = 1/16, one element from the edge
+    local.zone = parse_edge_zone("0.05");
+    CHECK_FALSE(compared(one, local).passes());
+}
+
+TEST_CASE("pressure outside the contact is an error") {
+    const auto text = table(mesh, [](double x) { return x == 1.75 ? 0.1 * p0 : p(x); });
+    const FileComparison file = compared(text);
+    CHECK_FALSE(file.passes());
+    CHECK(file.pressing_outside == 1);
+    CHECK(file.errors.peak == doctest::Approx(0.1).epsilon(1e-9));
+}
+
+TEST_CASE("digits that are written explain errors of their size, and no others") {
+    const auto rounded = [](double value, int digits) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+        return std::string(text);
+    };
+    std::string right = "x,p\n";
+    std::string wrong = "x,p\n";
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> place(-1.6, 1.6);
+    for (int i = 0; i < 60; ++i) {
+        const double x = place(random);
+        right += rounded(x, 6) + "," + rounded(p(x), 4) + "\n";
+        wrong += rounded(x, 6) + "," + rounded(p(x) * 1.01, 4) + "\n";
+    }
+    const FileComparison four = compared(right, within(1e-9));
+    CHECK(four.passes());
+    CHECK(four.errors.peak < 1e-9);
+    CHECK(four.errors.digits() > 1);
+    CHECK(four.errors.digits() < 6); // no more than are written
+    CHECK_FALSE(compared(wrong, within(0.009)).passes());
+}
+
+TEST_CASE("x from any origin, mirrored order, compression negative: the same result") {
+    for (const double shift : {1.5, -1.5, 2.0, 100.0, -7.25}) {
+        CAPTURE(shift);
+        const auto text = table(mesh, p, [=](double x) { return x + shift; });
+        const FileComparison file = compared(text, within(1e-6));
+        CHECK(file.passes());
+        CHECK(file.data.origin == doctest::Approx(shift).epsilon(1e-7));
+        CHECK(file.data.origin_found);
+        CHECK(has_finding(file, "found from the data"));
+        // Given, it is exact.
+        const auto given =
+            compare_file(parse_result(text, "r"), exact(), within(1e-11), Rational(shift));
+        CHECK(given.passes());
+        CHECK_FALSE(given.data.origin_found);
+    }
+    auto reversed = mesh;
+    std::ranges::reverse(reversed);
+    const FileComparison negative =
+        compared(table(reversed, [](double x) { return -p(x); }), within(1e-12));
+    CHECK(negative.passes());
+    CHECK(negative.data.sign == -1);
+    CHECK(has_finding(negative, "compression is negative"));
+    // A shift of a hundredth of the contact is an error, and none that is taken out.
+    const FileComparison slight = compared(table(mesh, p, [](double x) { return x + 0.03; }));
+    CHECK_FALSE(slight.data.origin_found);
+    CHECK(slight.errors.peak > 0.03);
+    // An origin that is given is taken, however wrong.
+    CHECK_FALSE(compare_file(parse_result(table(mesh, p), "r"), exact(), {}, Rational(1)).passes());
+}
+
+TEST_CASE("half of a symmetric contact") {
+    const FileComparison right = compared(table(even_places(0, 2, 32), p), within(1e-12));
+    CHECK(right.passes());
+    CHECK(right.data.half == Edge::right);
+    CHECK(*right.contact.force == doctest::Approx(P).epsilon(0.01));
+    CHECK_FALSE(right.contact.b);
+    const FileComparison left = compared(table(even_places(-2, 0, 32), p), within(1e-12));
+    CHECK(left.data.half == Edge::left);
+    CHECK(left.passes());
+}
+
+TEST_CASE("tolerances of a, P and c_0: a contact of another size fails in each") {
+    Tolerances each = within(1);
+    each.edges = 0.01;
+    each.force = 0.01;
+    each.c0 = 0.02;
+    CHECK(compared(table(mesh, p), each).passes());
+    const double s = 1.05; // the contact of a load that is s^2 times as large
+    const FileComparison larger =
+        compared(table(mesh, [s](double x) { return s * p(x / s); }), each);
+    CHECK(larger.failures.size() == 5); // a, b, P and two c_0
+    CHECK(*larger.contact.a == doctest::Approx(s * a).epsilon(1e-4));
+    REQUIRE(larger.fits[0]); // half an element further: still from the exact edge
+    CHECK_FALSE(larger.fits[0]->own_edge);
+    const double twice = 2; // twice as large: c_0 is that of its own edge
+    const FileComparison other =
+        compared(table(even_places(-4, 4, 128), [=](double x) { return twice * p(x / twice); }));
+    REQUIRE(other.fits[0]);
+    CHECK(other.fits[0]->own_edge);
+    CHECK(other.fits[0]->c0.value ==
+          doctest::Approx(twice * p0 * std::sqrt(2 / (twice * a))).epsilon(1e-3));
+    CHECK(*larger.contact.force == doctest::Approx(s * s * P).epsilon(0.005));
+}
+
+TEST_CASE("noise: c_0 within its spread, a and b within an element") {
+    std::mt19937_64 random(20);
+    std::normal_distribution<double> noise(0, 0.01);
+    std::size_t near = 0;
+    for (int run = 0; run < 20; ++run) {
+        const FileComparison file = compared(
+            table(even_places(-2, 2, 200), [&](double x) { return p(x) * (1 + noise(random)); }));
+        CHECK(std::abs(*file.contact.a - a) < file.contact.element[0]);
+        REQUIRE(file.fits[0]);
+        const double off = std::abs(file.fits[0]->c0.value - p0 * std::sqrt(2 / a));
+        near += off < 3 * file.fits[0]->c0.spread ? 1 : 0;
+        CHECK(off < 0.05 * p0);
+    }
+    CHECK(near >= 16);
+}
+
+TEST_CASE("no data to speak of: failures, not crashes") {
+    CHECK_FALSE(compared(table(mesh, [](double) { return 0.0; })).passes());
+    CHECK(has_finding(compared(table(mesh, [](double) { return 0.0; })),
+                      "every pressure of the data is zero"));
+    CHECK_FALSE(compared("x,p\n0,1\n1,1\n").passes());
+    CHECK_FALSE(compared("x,p\n-1e300,1\n1e300,1e300\n").passes());
+    CHECK_FALSE(compared("x,p\n5,1\n5,2\n5,3\n").passes());
+    // Two contacts beside each other.
+    const auto two =
+        table(even_places(-4, 4, 128), [](double x) { return p(2 * (std::abs(x) - 2)); });
+    const FileComparison file = compared(two);
+    CHECK_FALSE(file.passes());
+    CHECK(has_finding(file, "falls to nothing at 1 place inside"));
+    // In other units, and not said.
+    CHECK_FALSE(compared(table(mesh, p, [](double x) { return x / 1000; })).passes());
+    CHECK_FALSE(compared(table(mesh, p, [](double x) { return x * 1000; })).passes());
+}
+
+TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
+    // g' = phi sgn(x), half-width 1, E* = 1: p = (phi/pi) arcosh(a/|x|) (Johnson, eq. 5.7 with
+    // cot alpha = phi), P = phi a E*, so the mean is phi/2.
+    const Scene scene =
+        parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\na "
+                    "= \"1\"\ncontact_modulus = \"1\"\n",
+                    "wedge.toml");
+    const ExactContact wedge(scene);
+    CHECK(wedge.scale().mean);
+    CHECK(wedge.scale().value == doctest::Approx(0.05).epsilon(1e-12));
+    const auto pressure = [](double x) {
+        return x == 0            ? 9.0
+               : std::abs(x) < 1 ? 0.1 / std::numbers::pi * std::acosh(1 / std::abs(x))
+                                 : 0;
+    };
+    const FileComparison file = compare_file(
+        parse_result(table(even_places(-1.25, 1.25, 50), pressure), "w"), wedge, within(1e-10), {});
+    CHECK(file.passes());
+    CHECK(has_finding(file, "infinite at a corner"));
+    CHECK(file.errors.nodes == 50); // all but the one on the apex
+}
+
+TEST_CASE("the peak of a flat-and-rounded punch lies inside, beside the ends of the flat") {
+    const Scene scene =
+        parse_scene("[profile]\nkind = \"flat-and-rounded\"\nt = \"0.8\"\nR = \"1\"\n"
+                    "[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                    "pad.toml");
+    const ExactContact pad(scene);
+    CHECK_FALSE(pad.scale().mean);
+    CHECK(std::abs(pad.scale().x) > 0.8);
+    double most = 0;
+    for (int i = 1; i < 4000; ++i) {
+        most = std::max(most, pad.pressure(i / 4000.0));
+    }
+    CHECK(pad.scale().value >= most);
+    CHECK(pad.scale().value < most * (1 + 1e-5));
+    CHECK(pad.knots().size() == 2); // the ends of the flat; at the origin nothing changes
+    CHECK(exact().knots().empty());
+}
+
+TEST_CASE("meshes that smear the edge: orders, limits, and their agreement") {
+    std::vector<FileComparison> files;
+    for (const int n : {32, 64, 128, 256}) {
+        const double h = 4.0 / n;
+        Tolerances t;
+        t.zone = parse_edge_zone("2e");
+        files.push_back(
+            compared(table(even_places(-2, 2, n), [h](double x) { return smeared(x, h); }), t));
+        CHECK(files.back().passes());
+    }
+    const auto list = convergence_of(files, exact());
+    const auto of = [&](const std::string& name) {
+        for (const Convergence& c : list) {
+            if (c.quantity == name) {
+                return c;
+            }
+        }
+        return Convergence{};
+    };
+    // In the middle a mean over h is off by h^2 p''/24.
+    REQUIRE(of("p_max").own_order);
+    CHECK(*of("p_max").own_order == doctest::Approx(2).epsilon(0.01));
+    CHECK(*of("p_max").order == doctest::Approx(2).epsilon(0.01));
+    CHECK(of("p_max").trusted);
+    CHECK(*of("p_max").agrees);
+    CHECK(*of("p_max").extrapolated == doctest::Approx(p0).epsilon(1e-5));
+    REQUIRE(of("l2").order);
+    CHECK(*of("l2").order > 0.5);
+}
+
+TEST_CASE("convergence of sequences that are known") {
+    const auto sequence = [](double limit, double C, double order) {
+        std::vector<MeshValue> values;
+        for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, and no fixed ratio
+            values.push_back({h, limit + C * std::pow(h, order)});
+        }
+        return values;
+    };
+    for (const double order : {0.5, 1.0, 1.5, 2.0, 4.0}) {
+        const Convergence c = converge("a", sequence(3, -0.7, order), 3);
+        REQUIRE(c.own_order);
+        CHECK(*c.own_order == doctest::Approx(order).epsilon(1e-6));
+        CHECK(*c.order == doctest::Approx(order).epsilon(1e-6));
+        CHECK(*c.extrapolated == doctest::Approx(3).epsilon(1e-9));
+        CHECK(c.trusted);
+        CHECK(*c.agrees);
+        // It goes to another limit than the exact value.
+        const Convergence other = converge("a", sequence(3, -0.7, order), 3.5);
+        CHECK(other.trusted);
+        CHECK_FALSE(*other.agrees);
+    }
+    const Convergence up_and_down = converge("a", {{1, 1}, {0.5, 2}, {0.25, 1}}, 1);
+    CHECK_FALSE(up_and_down.own_order);
+    CHECK_FALSE(up_and_down.agrees);
+    const Convergence two = converge("a", {{1, 2}, {0.5, 1.5}}, 1);
+    CHECK(*two.order == doctest::Approx(1));
+    CHECK_FALSE(two.extrapolated);
+    CHECK_FALSE(converge("a", {{1, 1}, {0.5, 1}}, 1).order); // exactly right at once
+}
+
+TEST_CASE("least squares: a known line, its standard errors, dependent columns") {
+    // y = 1, 2, 2, 3 at x = 0, 1, 2, 3: slope 0.6, intercept 1.1, residual sum of squares 0.2, so
+    // s^2 = 0.1, and the standard errors are sqrt(0.1/5) and sqrt(0.1 * 14/20).
+    const std::vector<std::vector<double>> columns{{1, 1, 1, 1}, {0, 1, 2, 3}};
+    const std::vector<double> y{1, 2, 2, 3};
+    const auto fit = least_squares(columns, y);
+    REQUIRE(fit);
+    CHECK(fit->coefficients[0] == doctest::Approx(1.1).epsilon(1e-13));
+    CHECK(fit->coefficients[1] == doctest::Approx(0.6).epsilon(1e-13));
+    CHECK(fit->standard_errors[0] == doctest::Approx(std::sqrt(0.07)).epsilon(1e-12));
+    CHECK(fit->standard_errors[1] == doctest::Approx(std::sqrt(0.02)).epsilon(1e-12));
+    CHECK_FALSE(least_squares({{1, 1, 1, 1}, {2, 2, 2, 2}}, y));
+    CHECK_FALSE(least_squares({{1, 2}, {0, 1}}, std::vector<double>{1, 2}));
+}

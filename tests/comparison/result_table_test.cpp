@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/result_table.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+ResultTable parsed_result(const std::string& text, const ResultReading& reading = {}) {
+    return parse_result(text, "r.csv", reading);
+}
+
+/// x = -1/2, 0, 1/2 and p = 1, 3/2, 1: what each of the texts below says.
+void check_three(const ResultTable& table) {
+    REQUIRE(table.rows.size() == 3);
+    CHECK(table.rows[0].x == Rational(-1, 2));
+    CHECK(table.rows[1].x == 0);
+    CHECK(table.rows[2].x == Rational(1, 2));
+    CHECK(table.rows[0].p == 1);
+    CHECK(table.rows[1].p == Rational(3, 2));
+    CHECK(table.rows[2].p == 1);
+}
+
+/// The one line that a text is refused with.
+std::string refusal(const std::string& text, const ResultReading& reading = {}) {
+    try {
+        (void)parsed_result(text, reading);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool begins(const std::string& text, const std::string& start) { return text.starts_with(start); }
+bool contains_text(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+bool found(const ResultTable& table, const std::string& part) {
+    for (const std::string& finding : table.findings) {
+        if (contains_text(finding, part)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+ResultReading with_columns(const std::string& text) {
+    ResultReading reading;
+    reading.columns = parse_columns(text);
+    return reading;
+}
+
+ResultReading in_mm_and_MPa() {
+    ResultReading reading;
+    reading.units = Units{unit_named("mm"), unit_named("N"), unit_named("MPa")};
+    return reading;
+}
+
+} // namespace
+
+TEST_CASE("results: separators, decimal commas, exponents, line ends") {
+    for (const std::string text : {
+             "x,p\n-0.5,1\n0,1.5\n0.5,1\n",
+             "x, p\r\n-0.5, 1.0\r\n0, 1.5\r\n0.5, 1\r\n",
+             "x;p\n-0,5;1\n0;1,5\n0,5;1\n",
+             "x\tp\r-0.5\t1\r0\t1.5\r0.5\t1",
+             "  x    p\n  -5.0D-01  0.1D+01\n 0.0D+00 1.5d0\n  5.0E-1   1.\n",
+             "x | p |\n-0.5 | 1 |\n0 | 1.5 |\n0.5 | 1 |\n",
+             "x p\n-0,5 1,0\n0,0 1,5\n0,5 1,0\n",
+             "x, p\n-0,5, 1,0\n0,0, 1,5\n0,5, 1,0\n",
+             "\"x\",\"p\"\n\"-0,5\",\"1\"\n\"0\",\"1,5\"\n\"0,5\",\"1\"\n",
+             "\xEF\xBB\xBFx,p\n-0.5,1\n0,1.5\n0.5,1\n",
+             "x,p,\n-0x1p-1,1,\n0,0x1.8p0,\n0x1p-1,1,\n",
+         }) {
+        CAPTURE(text);
+        check_three(parsed_result(text));
+    }
+    // Fortran drops the letter where the exponent has three digits.
+    const ResultTable tiny = parsed_result("x p\n1.0-103 2.5+100\n1 1\n");
+    CHECK(tiny.rows[0].x.convert_to<double>() == 1e-103);
+    CHECK(tiny.rows[0].p.convert_to<double>() == 2.5e100);
+}
+
+TEST_CASE("results: names, other columns, banners, comments, order") {
+    for (const std::string text : {
+             "# made by a program\n# x p\n-0.5 1\n0 1.5\n0.5 1\n",
+             "% x, p\n-0.5, 1\n0, 1.5\n0.5, 1\n",
+             "STEP 1, INCREMENT 4\n\n Node  COORD1  CPRESS\n 7 -0.5 1\n 3 0 1.5\n 9 0.5 1\nTotal "
+             "3\n",
+             "p,x\n1,-0.5\n1.5,0\n1,0.5\n",
+             "x,p\n0.5,1\n0,1.5\n-0.5,1\n",
+             "x,p\n0,1.5\n0.5,1\n-0.5,1\n",
+             "set,Points:0,Contact Pressure\nA,-0.5,1\nA,0,1.5\nA,0.5,1\n",
+             "x,p\n-0.5,1\nx,p\n0,1.5\n\n0.5,1\n# end\n",
+             "-0.5,1\n0,1.5\n0.5,1\n",
+             "x [mm]  p [MPa]\n-0.5 1\n0 1.5\n0.5 1\n",
+         }) {
+        CAPTURE(text);
+        check_three(parsed_result(text));
+    }
+    check_three(parsed_result("1 -0.5 9 1\n2 0 9 1.5\n3 0.5 9 1\n", with_columns("x=2,p=4")));
+    check_three(parsed_result("n,place,load\n1,-0.5,1\n2,0,1.5\n3,0.5,1\n",
+                              with_columns("x=place,p=load")));
+    CHECK(found(parsed_result("x,p\n0.5,1\n0,1.5\n-0.5,1\n"), "from right to left"));
+    CHECK(found(parsed_result("x,p\n0,1\n2,1.5\n1,1\n"), "not in the order of x"));
+    CHECK(found(parsed_result("0,1\n1,1\n"), "taken to be column 1"));
+    CHECK(found(parsed_result("x,p\n0,1\n1,1\nTotal\n"), "1 line of text"));
+    CHECK(found(parsed_result("x,p\n0,1\n0,2\n1,1\n"), "repeat the x"));
+    const ResultTable shear = parsed_result("x,cpress,cshear1\n0,1,0.25\n1,2,0.5\n");
+    CHECK(*shear.rows[1].q == Rational(1, 2));
+}
+
+TEST_CASE("results: units that a file says are converted, exactly") {
+    for (const std::string text : {
+             "x [m],p [kPa]\n-0.0005,1000\n0,1500\n0.0005,1000\n",
+             "x_um;p_Pa\n-500;1e6\n0;1,5e6\n500;1e6\n",
+             "x,p\nm,GPa\n-0.0005,0.001\n0,0.0015\n0.0005,0.001\n",
+             "# units: m, Pa\nx p\n-5e-4 1e6\n0 15e5\n5e-4 1e6\n",
+             "x,p\n-0.5,1\n0,1.5\n0.5,1\n",
+         }) {
+        CAPTURE(text);
+        check_three(parsed_result(text, in_mm_and_MPa()));
+    }
+    CHECK(found(parsed_result("x [m],p [Pa]\n0,1\n1,2\n", in_mm_and_MPa()),
+                "converted from m to mm"));
+    CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene says no units"));
+    CHECK(found(parsed_result("x [furlong],p\n0,1\n1,2\n", in_mm_and_MPa()), "'furlong'"));
+    CHECK(begins(refusal("x [MPa],p\n0,1\n1,2\n", in_mm_and_MPa()), "r.csv:1: x is in MPa"));
+}
+
+TEST_CASE("results: scale") {
+    ResultReading scaled;
+    parse_scale("x=0.001,p=1e6", scaled);
+    check_three(parsed_result("x,p\n-500,1e-6\n0,1.5e-6\n500,1e-6\n", scaled));
+    // What the user says goes before what the file says.
+    ResultReading both = in_mm_and_MPa();
+    parse_scale("x=1", both);
+    check_three(parsed_result("x [m],p\n-0.5,1\n0,1.5\n0.5,1\n", both));
+    for (const char* bad : {"x", "x=", "x=0", "x=-1", "y=2", "x=a", "", "x=1,"}) {
+        CAPTURE(bad);
+        ResultReading none;
+        CHECK_THROWS_AS(parse_scale(bad, none), InputError);
+    }
+    for (const char* bad : {"x", "x=1,y=2", "x=1,x=2", "", "1,2"}) {
+        CAPTURE(bad);
+        CHECK_THROWS_AS((void)parse_columns(bad), InputError);
+    }
+}
+
+TEST_CASE("results that cannot be read: one line, with the place") {
+    CHECK(begins(refusal(""), "r.csv: the file is empty"));
+    CHECK(begins(refusal("\n \n"), "r.csv: the file is empty"));
+    CHECK(begins(refusal("just some words\nand more\n"), "r.csv: there is no row of two numbers"));
+    CHECK(begins(refusal("x,p\n"), "r.csv: there is no row"));
+    CHECK(begins(refusal("x,p\n1,2\n"), "r.csv:2: there is one row"));
+    CHECK(begins(refusal("x,p\n1,2\n2,NaN\n3,1\n"), "r.csv:3: the row holds 'NaN'"));
+    CHECK(begins(refusal("x,p\n1,2\ninf,1\n3,1\n"), "r.csv:3: the row holds 'inf'"));
+    CHECK(begins(refusal("x,p\n1,2\n2,abc\n3,1\n"), "r.csv:3: 'abc' of p is no number"));
+    CHECK(begins(refusal("x,p\n1,2\nabc,2\n3,1\n"), "r.csv:3: 'abc' of x is no number"));
+    CHECK(begins(refusal("x,p\n1,2\n2\n3,1\n"), "r.csv:3: the row is cut off"));
+    CHECK(begins(refusal("x,p\n1,2\n2,3,4\n3,1\n"), "r.csv:3: the row has 3 cells"));
+    CHECK(begins(refusal("x,p\n1,2\n2,1e999\n3,1\n"), "r.csv:3: '1e999' is beyond"));
+    CHECK(begins(refusal("1 2 3\n4 5 6\n"), "r.csv: the rows have 3 columns and no header"));
+    CHECK(begins(refusal("n,u,v\n1,2,3\n4,5,6\n"), "r.csv:1: no column is called x"));
+    CHECK(
+        begins(refusal("x,p,pressure\n1,2,3\n4,5,6\n"), "r.csv:1: columns 2 and 3 may both be p"));
+    CHECK(begins(refusal("x,p\n0,5,1,5\n1,5,1,0\n"), "r.csv:1: the header names 2 columns"));
+    CHECK(begins(refusal("0,5, 1,5\n1,5, 1,0\n"), "r.csv:1: commas may be decimal"));
+    CHECK(begins(refusal("\xFF\xFEx"), "r.csv:1: the file is in UTF-16"));
+    CHECK(contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=3")), "no such column"));
+    CHECK(
+        contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=1")), "one column is taken"));
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+namespace {
+
+using RationalSeries = Series<Rational>;
+
+/// A mark as an edge moves, in rational numbers: `w` is its root at the start. The angle h is
+/// transcendental, but the kernels are linear in it and its derivative is algebraic: any rational
+/// number stands for it at the start.
+Mark<RationalSeries> moving_mark(const Extent<RationalSeries>& e, const Rational& v,
+                                 const Rational& w, const Rational& h) {
+    const RationalSeries right = e.a - v;
+    const RationalSeries left = e.b + v;
+    const RationalSeries root = pow_with_constant(RationalSeries(right * left), Rational(1, 2), w);
+    // dh = d(right/left) left/root times left/(left + right), from 2 atan sqrt(right/left).
+    const RationalSeries quotient = right / left;
+    const RationalSeries rate = left * left / (root * (left + right));
+    return {right, left, RationalSeries((left - right) / Rational(2)), root,
+            antiderivative(RationalSeries(derivative(quotient) * rate.truncated(right.order() - 1)),
+                           h)};
+}
+
+} // namespace
+
+// Each is the derivative of an integrand under the integral sign: w = sqrt((a - v)(v + b)) has
+// dw/da = sqrt((v + b)/(a - v))/2, and h has dh/da = sqrt((v + b)/(a - v))/(a + b).
+TEST_CASE("the kernels over series of rationals: the rates are the derivatives, exactly") {
+    const std::size_t order = 6;
+    for (const bool right_moves : {true, false}) {
+        const RationalSeries a(Rational(5), order);
+        const RationalSeries b(Rational(5), order);
+        const Extent<RationalSeries> e{
+            right_moves ? RationalSeries::variable(Rational(5), order) : a,
+            right_moves ? b : RationalSeries::variable(Rational(5), order)};
+        // (5 - v)(5 + v) is a square at v = -3 and 4.
+        const auto m = moving_mark(e, Rational(-3), Rational(4), Rational(9, 4));
+        const auto n = moving_mark(e, Rational(4), Rational(3), Rational(5, 7));
+        const auto rate =
+            right_moves ? RightRateKernel::between(e, m, n) : LeftRateKernel::between(e, m, n);
+        const auto force = derivative(RationalSeries(ForceKernel::between(e, m, n)));
+        const auto balance = derivative(RationalSeries(RightBalanceKernel::between(e, m, n)));
+        const auto over_length = rate / e.length();
+        for (std::size_t k = 0; k + 1 < order; ++k) {
+            CAPTURE(k);
+            CHECK(force[k] == rate[k] / 2);
+            CHECK(balance[k] == (right_moves ? over_length[k] : Rational(-over_length[k])));
+        }
+        // At a knot likewise.
+        const Rational weight(3, 11);
+        const auto at = derivative(RationalSeries(ForceKernel::at(e, n, weight)));
+        const auto rate_at =
+            right_moves ? RightRateKernel::at(e, n, weight) : LeftRateKernel::at(e, n, weight);
+        for (std::size_t k = 0; k + 1 < order; ++k) {
+            CHECK(at[k] == rate_at[k] / 2);
+        }
+    }
+}
+
+// Hertz, E* C = 1: P' = pi a/2; p = sqrt(u (2a - u))/2, so that the brackets have the ratios of
+// sqrt(1 - u/2a).
+TEST_CASE("the brackets of Hertz over the rationals, exactly") {
+    const Rational a(3, 7);
+    const std::size_t terms = 12;
+    const RationalSeries edge = RationalSeries::variable(a, terms);
+    const std::vector<Rational> r = right_edge_brackets(LawSeries<Rational>{edge, edge}, a);
+    REQUIRE(r.size() == terms);
+    Rational ratio = 1;
+    for (std::size_t k = 0; k < terms; ++k) {
+        CAPTURE(k);
+        CHECK(r[k] == r[0] * ratio);
+        const int n = static_cast<int>(k);
+        ratio *= Rational(1 - 2 * n, 2 * (n + 1)) / (-2 * a);
+    }
+    CHECK(r[0] == 2 * a);
+}
+
+// dP = P'(a) da = P'(a) a'(b) db: seen in a mirror, the law of the left edge is that of a right
+// one. The left edge's own derivation shares no step with the brackets of the right edge.
+TEST_CASE("the left edge by its own derivation is the right edge of the mirror, exactly") {
+    const Rational a(7, 5);
+    const RationalSeries rate(std::vector<Rational>{Rational(2), Rational(3, 5), Rational(-1, 7),
+                                                    Rational(4, 9), Rational(2, 3), Rational(5),
+                                                    Rational(-3, 2)});
+    const RationalSeries b(std::vector<Rational>{Rational(1, 3), Rational(5, 2), Rational(-2, 3),
+                                                 Rational(1, 4), Rational(6, 11), Rational(1),
+                                                 Rational(9)});
+    const std::vector<Rational> own =
+        left_edge_derivation(LawSeries<Rational>{rate, b}, a).brackets;
+
+    RationalSeries shift = b;
+    shift[0] = 0;
+    const RationalSeries moved = revert(shift); // a(b + z) - a
+    const RationalSeries rate_by_b =
+        compose(rate, moved).truncated(rate.order() - 1) * derivative(moved);
+    RationalSeries other = moved;
+    other[0] = a;
+    const std::vector<Rational> mirrored =
+        right_edge_brackets(LawSeries<Rational>{rate_by_b, other}, b[0]);
+    REQUIRE(own.size() == 6);
+    REQUIRE(mirrored.size() == 6);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        CAPTURE(k);
+        CHECK(own[k] == mirrored[k]);
+    }
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/bounded_cache.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+namespace {
+
+/// Keeps the squares of numbers, and counts how many it has made.
+struct Squares {
+    BoundedCache<int, const int> cache{3};
+    int made = 0;
+    std::shared_ptr<const int> of(int k) {
+        return cache.get(k, [&] {
+            ++made;
+            return std::make_shared<const int>(k * k);
+        });
+    }
+};
+
+} // namespace
+
+TEST_CASE("a cache keeps no more than it may, and lets go what was not used for the longest") {
+    Squares squares;
+    for (const int k : {1, 2, 3}) {
+        CHECK(*squares.of(k) == k * k);
+    }
+    CHECK(*squares.of(1) == 1);
+    CHECK(squares.made == 3);
+    CHECK(*squares.of(4) == 16); // 2 goes
+    CHECK(squares.cache.size() == 3);
+    (void)squares.of(1);
+    (void)squares.of(3);
+    (void)squares.of(4);
+    CHECK(squares.made == 4);
+    (void)squares.of(2);
+    CHECK(squares.made == 5);
+    for (int k = 0; k < 1000; ++k) {
+        (void)squares.of(k);
+        CHECK(squares.cache.size() <= squares.cache.capacity());
+    }
+}
+
+TEST_CASE("a value that is held outlives its place in the cache") {
+    Squares squares;
+    const std::shared_ptr<const int> held = squares.of(7);
+    for (int k = 10; k < 20; ++k) {
+        (void)squares.of(k);
+    }
+    CHECK(*held == 49);
+    CHECK(squares.of(7) != held);
+}
+
+TEST_CASE("what cannot be made is not kept, and what is made may ask for another value") {
+    BoundedCache<int, const int> cache(2);
+    const auto failing = []() -> std::shared_ptr<const int> { throw DomainError("no"); };
+    CHECK_THROWS_AS((void)cache.get(1, failing), DomainError);
+    CHECK(cache.size() == 0);
+    const auto outer = cache.get(1, [&] {
+        const auto inner = cache.get(2, [] { return std::make_shared<const int>(20); });
+        return std::make_shared<const int>(*inner + 1);
+    });
+    CHECK(*outer == 21);
+    CHECK(cache.size() == 2);
+}

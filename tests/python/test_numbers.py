@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+from edgeproof._numbers import exact_text
+
+import edgeproof
+
+np = pytest.importorskip("numpy")
+mpmath = pytest.importorskip("mpmath")
+
+
+@pytest.mark.parametrize("given, exact", [
+    (3, Fraction(3)),
+    (-(10**40), Fraction(-(10**40))),
+    (0.1, Fraction(0.1)),
+    (-0.5, Fraction(-1, 2)),
+    (5e-324, Fraction(5e-324)),
+    (1.7976931348623157e308, Fraction(1.7976931348623157e308)),
+    (Fraction(1, 3), Fraction(1, 3)),
+    (Decimal("1E-30"), Fraction(1, 10**30)),
+    (Decimal("-2.50"), Fraction(-5, 2)),
+    (np.float64(0.1), Fraction(0.1)),
+    (np.float32(0.1), Fraction(float(np.float32(0.1)))),
+    (np.longdouble(1) / 3, Fraction(*(np.longdouble(1) / 3).as_integer_ratio())),
+    (np.int64(-7), Fraction(-7)),
+    (np.uint8(7), Fraction(7)),
+    (np.array(0.25), Fraction(1, 4)),
+    (mpmath.mpf("0.5"), Fraction(1, 2)),
+    (mpmath.mpf(-3), Fraction(-3)),
+    (mpmath.mpf(0), Fraction(0)),
+])
+def test_numbers_are_exact(given, exact):
+    text = exact_text(given, "x")
+    assert Fraction(text) == exact
+    # and so the library reads it
+    value = edgeproof.Scene(edgeproof.hertz(R=1), a=abs(exact) + 1, contact_modulus=1).a
+    assert value.exact == abs(exact) + 1
+
+
+def test_a_long_mpf_keeps_every_digit():
+    with mpmath.workdps(60):
+        third = mpmath.mpf(1) / 3
+    assert Fraction(exact_text(third, "x")) == Fraction(int(third.man)) * Fraction(2)**third.exp
+
+
+@pytest.mark.parametrize("given", [float("nan"), float("inf"), Decimal("NaN"), np.float64("nan"),
+                                   np.float32("inf"), np.longdouble("nan"), mpmath.mpf("nan"),
+                                   mpmath.mpf("-inf")])
+def test_what_is_not_finite_is_refused(given):
+    with pytest.raises(edgeproof.InputError, match="R = .*not a finite number"):
+        edgeproof.hertz(R=given)
+
+
+@pytest.mark.parametrize("given", [None, True, np.bool_(False), 1j, [1], object(), b"1"])
+def test_what_is_no_number_is_a_type_error(given):
+    with pytest.raises(TypeError, match="m "):
+        edgeproof.power_law(m=given, C=1)
+
+
+def test_a_float_is_the_binary64_that_it_is():
+    tenth = edgeproof.Scene(edgeproof.hertz(R=1), a="0.1", contact_modulus=1)
+    float_tenth = edgeproof.Scene(edgeproof.hertz(R=1), a=0.1, contact_modulus=1)
+    assert tenth.a.exact == Fraction(1, 10)
+    assert float_tenth.a.exact == Fraction(0.1)
+    assert float_tenth.a > tenth.a
+
+
+def test_expressions_are_exact():
+    scene = edgeproof.Scene(edgeproof.wedge("pi/16"), a="sqrt(2)", contact_modulus=1)
+    with mpmath.workdps(45):
+        assert mpmath.almosteq(scene.a.mpmath(), mpmath.sqrt(2), 1e-44)
+        # P = E* phi a (Johnson, 5.1)
+        assert mpmath.almosteq(scene.P.mpmath(), mpmath.pi / 16 * mpmath.sqrt(2), 1e-44)

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import copy
+import csv
+import pickle
+from fractions import Fraction
+
+import pytest
+
+import edgeproof
+
+mpmath = pytest.importorskip("mpmath")
+
+
+def flat_and_rounded_pressure(t, R, modulus, a, u):
+    """moore-hills.tex eqn:MossakovskiiPressure: p = (1/pi) integral of P'(s)/sqrt(s^2 - x^2) over
+    max(x, t) < s < a, with P'(s) = E* (s/R) acos(t/s) since g'' = 1/R beyond t. s^2 = x^2 + w^2."""
+    x = a - u
+    rate = lambda s: modulus * s / R * mpmath.acos(min(t / s, 1))  # noqa: E731
+    start = mpmath.sqrt(t * t - x * x) if x < t else mpmath.mpf(0)
+    end = mpmath.sqrt(u * (2 * a - u))
+    integrand = lambda w: rate(mpmath.sqrt(x * x + w * w)) / mpmath.sqrt(x * x + w * w)  # noqa: E731
+    # acos(t/s) is a square root at s = t
+    return mpmath.quad(lambda v: 2 * v * integrand(start + v * v),
+                       [0, mpmath.sqrt(end - start)]) / mpmath.pi
+
+
+@pytest.mark.parametrize("u", ["1e-20", "1/10", "0.55", "0.7", "0.95"])
+def test_flat_and_rounded_by_quadrature(u):
+    scene = edgeproof.Scene(edgeproof.flat_and_rounded(t="0.4", R="2"), a="1",
+                            contact_modulus="3")
+    p = scene.pressure(u, digits=30)
+    with mpmath.workdps(50):
+        exact = flat_and_rounded_pressure(mpmath.mpf(2) / 5, 2, 3, mpmath.mpf(1),
+                                          mpmath.mpf(Fraction(u).numerator) /
+                                          Fraction(u).denominator)
+        assert p.text == mpmath.nstr(exact, 30, strip_zeros=False, min_fixed=-4, max_fixed=30)
+
+
+@pytest.mark.parametrize("name", ["power-law", "tilted-wedge", "flat-and-rounded"])
+def test_reference_tables(source, name):
+    """Rows of the reference tables, digit by digit."""
+    with open(source / "reference" / f"{name}.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows = [r for r in rows if r["quantity"] == "p"]
+    made = {}
+    for row in rows[::7]:
+        profile = {
+            "power-law": lambda r: edgeproof.power_law(r["m"], r["C"]),
+            "tilted-wedge": lambda r: edgeproof.tilted_wedge(r["phi"], r["alpha"] or None),
+            "flat-and-rounded": lambda r: edgeproof.flat_and_rounded(r["t"], r["R"]),
+        }[row["kind"]](row)
+        load = {k: row.get(k) or None for k in ("a", "P", "M", "contact_modulus")}
+        scene = made.setdefault((profile, str(load)), edgeproof.Scene(profile, **load))
+        value = scene.pressure(row["u"], edge=row["edge"])
+        assert (value.text, value.bound) == (row["value"], row["bound"]), row["id"]
+        assert float(value) == float(row["binary64"]), row["id"]
+    assert len(made) > 3
+
+
+def test_every_load():
+    E = dict(contact_modulus=1)
+    by_force = edgeproof.Scene(edgeproof.hertz(R=2), P="pi/8", **E)
+    assert by_force.a.text == "1." + "0" * 49  # P = pi E* a^2/(4 R)
+    bodies = edgeproof.Scene(edgeproof.hertz(R=2), a=1, E1=4, nu1="1/2", E2=4, nu2="1/2")
+    # 1/E* = 2 (1 - 1/4)/4, E* = 8/3; p = E*/(2R) sqrt(1 - x^2) at x = 4/5
+    assert bodies.pressure("1/5").text == "0.4" + "0" * 49
+    upright = edgeproof.Scene(edgeproof.tilted_wedge(phi="0.1"), P=1, M=0, **E)
+    assert upright.alpha is not None and upright.alpha == 0
+    tilted = edgeproof.Scene(edgeproof.tilted_wedge(phi="0.1"), P=1, M="0.5", **E)
+    given = edgeproof.Scene(edgeproof.tilted_wedge(phi="0.1", alpha=tilted.alpha.text), a=tilted.a.text,
+                            **E)
+    with mpmath.workdps(50):
+        assert mpmath.almosteq(given.M.mpmath(), 0.5, 1e-45)
+        assert mpmath.almosteq(given.P.mpmath(), 1, 1e-45)
+    assert given.alpha is None
+
+
+def test_shear(hertz):
+    # moore-hills: full stick, q = Q/(pi sqrt(a^2 - x^2)) for Q alone with P held
+    scene = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, Q="1/10")
+    q = scene.shear("1/5")
+    with mpmath.workdps(60):
+        assert mpmath.almosteq(q.mpmath(), mpmath.mpf(1) / 10 / (mpmath.pi * mpmath.mpf(3) / 5),
+                               1e-48)
+        s = scene.shear_coefficients(2)
+        assert s.s_half_powers == -1
+        assert mpmath.almosteq(s.s[0].mpmath(), 1 / (10 * mpmath.pi * mpmath.sqrt(2)), 1e-48)
+    together = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, Q="1/10",
+                               path="together")
+    with mpmath.workdps(60):  # q = (Q/P) p, P = pi/4
+        assert mpmath.almosteq(together.shear("1/5").mpmath(),
+                               mpmath.mpf(3) / 10 / (10 * mpmath.pi / 4), 1e-48)
+    with pytest.raises(edgeproof.InputError, match="no .shear"):
+        hertz.shear("0.1")
+    with pytest.raises(edgeproof.InputError, match="no shear"):
+        hertz.shear_coefficients()
+
+
+def test_coefficients(hertz):
+    """sqrt(1 - x^2)/2 with x = 1 - u: sqrt(u (2 - u))/2."""
+    c = hertz.coefficients(6, edge="left")
+    with mpmath.workdps(60):
+        series = mpmath.taylor(lambda u: mpmath.sqrt(2 - u) / 2, 0, 5)
+        for mine, theirs in zip(c, series):
+            assert mpmath.almosteq(mine.mpmath(), theirs, 1e-40)
+
+
+def test_extent(hertz):
+    """One term of Hertz: p/local = sqrt(1 - u/2), whose error is 1 % where 1/sqrt(1 - u/2) = 1.01."""
+    e = hertz.extent(terms=1, tolerance="1%")
+    exact = 2 * (1 - 1 / Fraction(101, 100)**2)
+    low, high = e.first_exit.interval()
+    assert low <= exact <= high and high - low < Fraction(1, 10**50)
+    assert e.first_exit.proved
+    assert e.leaves and e.terms == 1 and e.edge == "right" and e.covers_zone is None
+    low, high = e.first_exit_fraction.interval()
+    assert low <= exact / 2 <= high
+    assert hertz.extent(tolerance=Fraction(1, 100), process_zone="0.01").covers_zone is True
+    assert hertz.extent(tolerance="0.01", part=(0, "1/1000")).leaves is False
+
+
+def test_approximation(hertz):
+    point = hertz.approximation("1/5", terms=[1, 2])
+    assert point.p.text == "0.3" + "0" * 49 and [a.terms for a in point.p_local] == [1, 2]
+    with mpmath.workdps(60):
+        one = mpmath.sqrt(mpmath.mpf(2) / 5) / 2
+        assert mpmath.almosteq(point.p_local[0].value.mpmath(), one, 1e-48)
+        assert mpmath.almosteq(point.p_local[0].relative_error.mpmath(),
+                               abs(1 - one / (mpmath.mpf(3) / 10)), 1e-18)
+
+
+def test_many_places_at_once(hertz):
+    us = ["0.1", Fraction(1, 5), 0.25]
+    many = hertz.pressure(us)
+    assert [v.text for v in many] == [hertz.pressure(u).text for u in us]
+    assert hertz.pressure([]) == []
+
+
+def test_scene_files(source):
+    scene = edgeproof.read_scene(source / "examples/scenes/fretting-pad.toml")
+    assert scene.title.startswith("Fretting pad") and scene.digits == 20 and scene.has_shear
+    assert scene.file and scene.file.endswith("fretting-pad.toml") and scene.symmetric
+    result = scene.run()
+    assert [p.u for p in result.points] == ["0.001", "0.01", "0.1", "0.5"] * 2
+    assert result.points[0].p == result.points[0].p
+    assert result.points[0].p.text == scene.pressure("0.001").text
+    assert len(result.points[0].p_local) == 2 and len(result.extents) == 4
+    told = result.to_dict()
+    assert told["points"][1]["p"]["text"] == result.points[1].p.text
+    assert told["contact"]["P"]["text"] == "500.00000000000000000"
+    import json
+
+    assert json.loads(json.dumps(told)) == told
+    # The scene that it stands for is one again.
+    assert edgeproof.Scene.from_text(scene.text).pressure("0.01").text == scene.pressure("0.01").text
+
+
+def test_made_and_read_scenes_agree(source):
+    made = edgeproof.Scene(edgeproof.flat_and_rounded("0.4", "1"), a="1", contact_modulus="1")
+    again = edgeproof.Scene.from_text(made.text)
+    assert again == made and hash(again) == hash(made)
+    for other in (pickle.loads(pickle.dumps(made)), copy.copy(made), copy.deepcopy(made)):
+        assert other == made and other.pressure("0.1").text == made.pressure("0.1").text
+    assert pickle.loads(pickle.dumps(edgeproof.hertz("pi"))) == edgeproof.hertz("pi")
+
+
+def test_profiles_do_not_change():
+    profile = edgeproof.hertz(R=2)
+    assert profile.kind == "power-law" and profile.parameters == {"m": "1", "C": "1/2"}
+    with pytest.raises(AttributeError):
+        profile.kind = "wedge"
+
+
+def test_curved_slopes_are_proved(curved):
+    p = curved.pressure("1/3", digits=25)
+    assert p.proved and p.route == "singular-integral"
+    # the singular integral equation's solution for g' = sinh(x), by Mossakovskii:
+    # p = (1/pi) int_x^a P'(s)/sqrt(s^2 - x^2) ds, P'(s) = 2 s int_0^s g''(v)/sqrt(s^2 - v^2) dv
+    with mpmath.workdps(30):
+        x = mpmath.mpf(2) / 3
+        rate = lambda s: s * mpmath.pi / 2 * mpmath.besseli(0, s)  # noqa: E731
+        end = mpmath.sqrt(1 - x * x)
+        f = lambda w: rate(mpmath.sqrt(x * x + w * w)) / mpmath.sqrt(x * x + w * w)  # noqa: E731
+        assert mpmath.almosteq(mpmath.quad(f, [0, end]) / mpmath.pi, p.mpmath(), 1e-22)

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/binary64_pressures.hpp"
+#include "tests/scene/scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace edgeproof::scenes;
+using edgeproof::contact::Edge;
+
+namespace {
+
+std::string contact_of(const std::string& keys, const std::string& load = "a = \"1\"") {
+    return "[profile]\n" + keys + "\n[load]\n" + load + "\ncontact_modulus = \"7/3\"\n";
+}
+
+const std::vector<std::string> contacts{
+    contact_of("kind = \"power-law\"\nm = \"0\"\nC = \"0.3\""),
+    contact_of("kind = \"power-law\"\nm = \"5/8\"\nC = \"2\"", "P = \"1/7\""),
+    contact_of("kind = \"flat-and-rounded\"\nt = \"0.5\"\nR = \"3\""),
+    contact_of("kind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.02\""),
+    contact_of("kind = \"tilted-flat-and-rounded\"\nt = \"1\"\nR = \"1\"\nalpha = \"0.01\"",
+               "P = \"1/5\""),
+    contact_of("kind = \"piecewise\"\nsymmetric = true\nslopes = [\"sinh(x)\"]"),
+    contact_of("kind = \"piecewise\"\nknots = [\"0\"]\nslopes = [\"-1/10 + x\", \"tanh(x)\"]",
+               "P = \"1/9\""),
+};
+
+/// Places of all sorts in a contact of that length.
+std::vector<double> places(double length) {
+    std::vector<double> u{5e-324, 1e-300, 1e-30, 1e-12};
+    for (int k = 1; k < 13; ++k) {
+        u.push_back(length * k / 13);
+    }
+    u.push_back(length * (1 - 1e-9));
+    u.push_back(std::nextafter(length, 0.0) - length * 1e-15);
+    return u;
+}
+
+} // namespace
+
+TEST_CASE("each is the binary64 nearest to what another route gives with 40 digits") {
+    for (const std::string& text : contacts) {
+        CAPTURE(text);
+        const Scene scene = parsed(text);
+        const Binary64Pressures pressures(scene);
+        const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 40);
+        const double length = contact.a().convert_to<double>() + contact.b().convert_to<double>();
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            for (const double u : places(length)) {
+                CAPTURE(u);
+                // Another formula than those of Binary64Pressures.
+                const contact::Estimated p = contact.pressure(edge, formula::Exact::of(Rational(u)),
+                                                              contact::Route::singular_integral);
+                CHECK(pressures(edge, u) == p.value.convert_to<double>());
+            }
+        }
+    }
+}
+
+TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
+    const Binary64Pressures wedge(parsed(contacts[0]));
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double u : {0.0, -0.0, -1.0, 2.0, 3.0, infinity, -infinity}) {
+        CAPTURE(u);
+        CHECK(wedge(Edge::right, u) == 0);
+        CHECK(wedge(Edge::left, u) == 0);
+    }
+    CHECK(wedge(Edge::right, 1.0) == infinity);
+    CHECK(std::isfinite(wedge(Edge::right, std::nextafter(1.0, 0.0))));
+    CHECK(std::isfinite(wedge(Edge::right, std::nextafter(1.0, 2.0))));
+    CHECK(wedge(Edge::right, std::nextafter(2.0, 0.0)) > 0);
+    CHECK_THROWS_AS((void)wedge(Edge::right, std::numeric_limits<double>::quiet_NaN()),
+                    DomainError);
+}
+
+TEST_CASE("closed forms are proved, a knot is no corner") {
+    CHECK(Binary64Pressures(parsed(contacts[1])).proved());
+    CHECK_FALSE(Binary64Pressures(parsed(contacts[5])).proved());
+    // x = t, where the flat ends: g' bends there and p is finite.
+    CHECK(std::isfinite(Binary64Pressures(parsed(contacts[2]))(Edge::right, 0.5)));
+}
+
+TEST_CASE("a tilt that is solved for") {
+    const Scene scene = parsed(contact_of(
+        "kind = \"tilted-flat-and-rounded\"\nt = \"1\"\nR = \"1\"", "P = \"1/5\"\nM = \"-1/50\""));
+    const Binary64Pressures pressures(scene);
+    CHECK(pressures.proved());
+    Scene one = scene;
+    one.ask.quantities = {QuantityGroup::pressure};
+    one.ask.route = contact::Route::singular_integral; // not the closed form
+    one.ask.u = {{formula::Exact::of(Rational(0.125)), 0}};
+    const SceneResult result = run_scene(one);
+    CHECK(pressures(Edge::right, 0.125) ==
+          result.points.at(0).values.p->value.midpoint().convert_to<double>());
+}
+
+TEST_CASE("a load that no contact carries is refused") {
+    CHECK_THROWS_AS(
+        Binary64Pressures(parsed(contact_of("kind = \"flat-and-rounded\"\nt = \"2\"\nR = \"1\""))),
+        InputError);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
+#include "edgeproof/scene/design/design_text.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+std::string pad_design(const std::string& profile, const std::string& design) {
+    return "[profile]\n" + profile + "[load]\na = \"1\"\ncontact_modulus = \"1\"\n[design]\n" +
+           "maximise = \"first_exit\"\ntolerance = \"5%\"\n" + design;
+}
+
+const char* const flat_of_range =
+    "kind = \"flat-and-rounded\"\nt = { from = \"0\", to = \"1/2\" }\n"
+    "R = \"10\"\n";
+
+std::string problem_of(const std::string& text) {
+    try {
+        (void)edgeproof::scene::parse_design(text, "pad.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("a design scene: its ranges, and the scene for a value of them") {
+    const auto design = edgeproof::scene::parse_design(
+        pad_design(flat_of_range, "printed = { t = \"1/4\" }\n"), "pad.toml");
+    REQUIRE(design.parameters.size() == 1);
+    CHECK(design.parameters[0].name == "t");
+    CHECK(design.parameters[0].range.to == Rational(1, 2));
+    CHECK(design.parameters[0].printed == Rational(1, 4));
+    CHECK(design.tolerance.rational() == Rational(1, 20));
+    const auto scene = design.at({Rational(1, 3)});
+    CHECK(scene.profile->parameters().at("t").rational() == Rational(1, 3));
+    std::string why;
+    CHECK(design.errors(why).size() == 1);
+    // A name of one's own, in knots and slopes; only whole names are replaced, and not in comments.
+    CHECK(edgeproof::scene::with_names_replaced("r + 2*(rr - r1) - r^2", {{"r", "1/3"}}) ==
+          "(1/3) + 2*(rr - r1) - (1/3)^2");
+    const auto own = edgeproof::scene::parse_design(
+        pad_design("kind = \"piecewise\"\nsymmetric = true\nknots = [\"r\"] # r\nslopes = [\"x\", "
+                   "\"r + 2*(x - r)\"]\n",
+                   "[parameters]\nr = { from = \"1/10\", to = \"9/10\" }\n"),
+        "own.toml");
+    CHECK(own.at({Rational(1, 2)}).profile->knots().back().rational() == Rational(1, 2));
+    CHECK(own.errors(why).size() == 1);
+    // No enclosure over a range is known of a curved slope: it says so.
+    const auto curved = edgeproof::scene::parse_design(
+        pad_design("kind = \"piecewise\"\nsymmetric = true\nknots = [\"r\"]\nslopes = [\"x^3\", "
+                   "\"r^3 + 3*(x - r)\"]\n",
+                   "[parameters]\nr = { from = \"1/10\", to = \"9/10\" }\n"),
+        "curved.toml");
+    CHECK(curved.errors(why).empty());
+    CHECK(why.find("curved") != std::string::npos);
+}
+
+TEST_CASE("a design scene: what is wrong, with its line") {
+    CHECK(problem_of(pad_design("kind = \"flat-and-rounded\"\nt = \"0\"\nR = \"10\"\n", ""))
+              .find("0 numbers of the scene are ranges") != std::string::npos);
+    CHECK(
+        problem_of(pad_design("kind = \"flat-and-rounded\"\nt = { from = \"1\", to = \"1/2\" }\nR "
+                              "= \"10\"\n",
+                              ""))
+            .find("pad.toml:3: the range of t is empty") == 0);
+    // The far end makes no contact: a does not reach beyond the flat.
+    CHECK(
+        problem_of(pad_design("kind = \"flat-and-rounded\"\nt = { from = \"0\", to = \"2\" }\nR = "
+                              "\"10\"\n",
+                              ""))
+            .find("does not reach beyond the flat") != std::string::npos);
+    CHECK(problem_of(pad_design(flat_of_range, "edge = \"top\"\n"))
+              .find("write right, left or both") != std::string::npos);
+    CHECK(problem_of(pad_design(flat_of_range, "of = \"shear\"\n")).find("there is no [shear]") !=
+          std::string::npos);
+    CHECK(problem_of(pad_design(flat_of_range, "printed = { R = \"1\" }\n"))
+              .find("there is no parameter R") != std::string::npos);
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/scene/scene_text.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+using Index = QuantityRow::Index;
+
+const Digits thirty{30, Rounding::nearest, false};
+
+/// g' = x, a = 1, E* = 1, Q = 3/10, with lengths and moduli times these.
+Scene sheared_hertz(const std::string& length = "1", const std::string& modulus = "1",
+                    const std::string& more = "") {
+    const std::string force = modulus + "*" + length;
+    return parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1/" + length +
+                  "\"\n[load]\na = \"" + length + "\"\ncontact_modulus = \"" + modulus +
+                  "\"\n[shear]\nQ = \"3/10*" + force + "\"\n" + more);
+}
+
+/// With friction: Q/(f P) = 3/4, so that half of each half slips.
+Scene slipping_hertz_scene(const std::string& length = "1", const std::string& modulus = "1") {
+    return sheared_hertz(length, modulus, "friction = \"8/(5*pi)\"\n");
+}
+
+/// A wedge under P and M, its tilt to be found; M = 0: upright.
+Scene loaded_wedge(const std::string& M, const std::string& length = "1",
+                   const std::string& modulus = "1") {
+    const std::string force = modulus + "*" + length;
+    return parsed("[profile]\nkind = \"tilted-wedge\"\nphi = \"1/10\"\n[load]\nP = \"1/10*" +
+                  force + "\"\nM = \"" + M + "*" + force + "*" + length +
+                  "\"\ncontact_modulus = \"" + modulus + "\"\n");
+}
+
+bool is_made_of_others(const QuantityRow& row) {
+    return row.searched == nullptr && row.real == nullptr;
+}
+
+/// The value of a row at the right edge, u = 1/5 and a tolerance of 1%; k = 1 where it counts.
+AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
+    AskedValue asked{row.quantity};
+    asked.k = row.index == Index::none ? 0 : 1;
+    if (row.at_point()) {
+        asked.u = Exact::parse("1/5*" + length);
+    }
+    if (row.tolerance) {
+        asked.tolerance = parse_tolerance("1%");
+    }
+    return asked;
+}
+
+BoundedValue in_balls(const Scene& scene, const AskedValue& asked) {
+    return SceneValues(scene, {asked}, thirty).value(asked);
+}
+
+BoundedValue in_real(const Scene& scene, const AskedValue& asked) {
+    const Scene alone = asking(scene, {asked}, thirty);
+    const Plan plan = make_plan(alone);
+    Work work;
+    return make_real_route(alone, plan, work)->value(asked);
+}
+
+} // namespace
+
+TEST_CASE("each quantity that has a symbol is read by it and written with it") {
+    std::size_t symbols = 0;
+    for (const QuantityRow& row : quantity_rows()) {
+        CAPTURE(row.name);
+        CHECK(row_of(row.quantity).name == row.name);
+        if (row.symbol.empty()) {
+            continue;
+        }
+        ++symbols;
+        const std::string symbol(row.symbol);
+        const std::size_t least = row.index == Index::terms ? 1 : 0;
+        for (const std::size_t k : {least, std::size_t{7}, std::size_t{399}}) {
+            const std::string text =
+                row.index == Index::none ? symbol : symbol + "_" + std::to_string(k);
+            const auto read = quantity_named(text);
+            REQUIRE(read);
+            CHECK(read->quantity == row.quantity);
+            CHECK(read->k == (row.index == Index::none ? 0 : k));
+            CHECK(symbol_of({read->quantity, read->k}) == text);
+        }
+        if (row.index != Index::none) {
+            CHECK(family_of({row.quantity, 3}) == symbol + "_k");
+            for (const char* bad : {"", "_", "_400", "_-1", "_1x", "_ 1", "1"}) {
+                CHECK_FALSE(quantity_named(symbol + bad));
+            }
+            CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
+        }
+    }
+    CHECK(symbols == 14);
+    CHECK_FALSE(quantity_named(""));
+    CHECK_FALSE(quantity_named("heat"));
+    CHECK_FALSE(quantity_named("p_1"));
+}
+
+TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by hand") {
+    // p = sqrt(u (2 - u))/2, q = Q/(pi sqrt(u (2 - u))): at u = 1/5, 3/10 and 1/(2 pi).
+    // One term is sqrt(2/(2 - u)) of p: 1.01 of it at u = 2 - 2/1.0201 = 402/10201, and more
+    // behind.
+    constexpr long bits = 200;
+    const Ball pi = acos(Ball(-1, bits));
+    const Ball root = sqrt(Ball(2, bits));
+    const std::map<Quantity, Ball> by_hand{
+        {Quantity::p, Ball(Rational(3, 10), bits)},
+        {Quantity::q, 1 / (2 * pi)},
+        {Quantity::c, -root / 8},                // sqrt(2 - u)/2 = sqrt(2)/2 (1 - u/4 - ...)
+        {Quantity::s, 3 / (10 * pi * root * 4)}, // 1/sqrt(2 - u) = (1 + u/4 + ...)/sqrt(2)
+        {Quantity::a, Ball(1, bits)},
+        {Quantity::b, Ball(1, bits)},
+        {Quantity::P, pi / 4},
+        {Quantity::M, Ball(0, bits)},
+        {Quantity::alpha, Ball(0, bits)},
+        {Quantity::extent, Ball(Rational(402, 10201), bits)},
+        {Quantity::measure, Ball(Rational(402, 10201), bits)},
+        {Quantity::slip, Ball(Rational(1, 2), bits)}, // 1 - sqrt(1 - 3/4)
+        {Quantity::stick_a, Ball(Rational(1, 2), bits)},
+        {Quantity::stick_b, Ball(Rational(1, 2), bits)},
+    };
+    for (const QuantityRow& row : quantity_rows()) {
+        CAPTURE(row.name);
+        const Scene scene = row.needs == QuantityRow::Needs::unknown_tilt ? loaded_wedge("0")
+                            : row.needs == QuantityRow::Needs::friction   ? slipping_hertz_scene()
+                                                                          : sheared_hertz();
+        const AskedValue asked = asked_of(row);
+        if (is_made_of_others(row)) {
+            CHECK_THROWS_AS((void)in_balls(scene, asked), Error);
+            continue;
+        }
+        const Ball& exact = by_hand.at(row.quantity);
+        const BoundedValue enclosed = in_balls(scene, asked);
+        CHECK(enclosed.proved);
+        CHECK(overlaps(enclosed.value, exact));
+        CHECK(enclosed.value.radius() < Real("1e-30"));
+        const BoundedValue estimate = in_real(scene, asked);
+        CHECK(abs(Ball(estimate.value - exact)).upper() < Real("1e-29"));
+    }
+}
+
+TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times as large") {
+    for (const QuantityRow& row : quantity_rows()) {
+        if (is_made_of_others(row)) {
+            continue;
+        }
+        CAPTURE(row.name);
+        const bool tilt = row.needs == QuantityRow::Needs::unknown_tilt;
+        const AskedValue asked = asked_of(row);
+        const bool slips = row.needs == QuantityRow::Needs::friction;
+        const Ball one = in_balls(tilt    ? loaded_wedge("1/100")
+                                  : slips ? slipping_hertz_scene()
+                                          : sheared_hertz(),
+                                  asked)
+                             .value;
+        const Ball other = in_balls(tilt    ? loaded_wedge("1/100", "2", "3")
+                                    : slips ? slipping_hertz_scene("2", "3")
+                                            : sheared_hertz("2", "3"),
+                                    asked_of(row, "2"))
+                               .value;
+        // A force per length is a modulus times a length.
+        const double factor = scale_of(asked, 3 * 2, 2) / scale_of(asked, 1, 1);
+        CHECK(other.midpoint().convert_to<double>() ==
+              doctest::Approx(factor * one.midpoint().convert_to<double>()).epsilon(1e-12));
+    }
+    CHECK(scale_of({Quantity::c, 2}, 6, 4) == 6.0 / 128); // 6/4^(7/2)
+    CHECK(scale_of({Quantity::alpha}, 6, 4) == 1);
+}
+
+TEST_CASE("a name that is no quantity: how to write one, and which one was likely meant") {
+    const std::string all = "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
+                            "extent_1, measure_1, slip, stick_a or stick_b";
+    CHECK(quantity_advice("temperature") == all);
+    CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
+    CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);
+    CHECK(quantity_advice("extend_2") == "did you mean extent_2? " + all);
+    CHECK(quantity_advice("pressure") == "did you mean p? " + all);
+    CHECK(quantity_advice("moment") == "did you mean M? " + all);
+    try {
+        (void)parsed(hertz("1", "quantities = [\"presure\"]\n"));
+        FAIL("accepted");
+    } catch (const InputError& error) {
+        CHECK(error.instead() == "did you mean pressure? write one of pressure, coefficients, "
+                                 "shear, extent, slip, contact");
+    }
+    for (const GroupRow& row : group_rows()) {
+        const std::string asked = "u = \"1/2\"\nterms = 1\ntolerance = \"1%\"\nquantities = [\"" +
+                                  std::string(row.name) + "\"]\n";
+        // Friction of which the shear of a small load is a small part.
+        const std::string shear = row.friction ? "[shear]\nQ = \"1/1000\"\nfriction = \"1/2\"\n"
+                                  : row.shear  ? "[shear]\nQ = \"1\"\n"
+                                               : "";
+        const Scene scene = parsed(tilted_wedge(shear, asked));
+        CHECK(scene.ask.quantities == std::set{row.group});
+        CHECK(group_name(row.group) == row.name);
+        CHECK_NOTHROW((void)make_plan(scene));
+    }
+}
+
+TEST_CASE("a value in words") {
+    const Exact u = Exact::parse("1e-40");
+    CHECK(text_of({.quantity = Quantity::p, .u = u}) == "p at u = 1e-40 from the right edge");
+    CHECK(text_of({Quantity::c, 1, Edge::left}) == "c_1 at the left edge");
+    CHECK(text_of({Quantity::extent, 2}) == "extent of 2 terms at the right edge");
+    CHECK(text_of({Quantity::residual, 20, Edge::left, u}) ==
+          "residual of 20 terms at u = 1e-40 from the left edge");
+    CHECK(text_of({.quantity = Quantity::tilt_difference, .u = u}) ==
+          "p less that without tilt at u = 1e-40 from the right edge");
+    CHECK(text_of({Quantity::b}) == "b");
+    CHECK(edge_named("left") == Edge::left);
+    CHECK_FALSE(edge_named("top"));
+}
+
+TEST_CASE("what a scene lacks for a quantity") {
+    const Scene plain = parsed(hertz("1", "terms = 1\n"));
+    CHECK_FALSE(lack_of(plain, {Quantity::p}));
+    CHECK_FALSE(lack_of(sheared_hertz(), {Quantity::s, 2}));
+    CHECK(lack_of(plain, {Quantity::s, 2})->problem == "s_2 is asked for and there is no shear");
+    CHECK(lack_of(plain, {Quantity::s, 2})->instead == "add Q or bulk_tension, or leave s_2 out");
+    CHECK(lack_of(plain, {Quantity::alpha})->problem == "alpha is asked for and is not unknown");
+    CHECK_FALSE(lack_of(loaded_wedge("0"), {Quantity::alpha}));
+    CHECK(lack_of(sheared_hertz(), {Quantity::slip})->problem ==
+          "slip is asked for and there is no friction");
+    CHECK_FALSE(lack_of(slipping_hertz_scene(), {Quantity::stick_a}));
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "tests/scene/scene_text.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::string slip_scene(const std::string& profile_and_load, const std::string& shear,
+                       const std::string& ask = "") {
+    return profile_and_load + "contact_modulus = \"1\"\n[shear]\n" + shear +
+           "\n[ask]\nedges = [\"right\", \"left\"]\nquantities = [\"slip\"]\n" + ask;
+}
+
+std::string hertz_under(const std::string& load) {
+    return "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n" + load + "\n";
+}
+
+const char* const slip_half =
+    "[profile]\nkind = \"power-law\"\nm = \"1/2\"\nC = \"1\"\n[load]\na = "
+    "\"1\"\n";
+const char* const slip_curved =
+    "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
+    "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n[load]\na = \"3/4\"\n";
+
+std::string text_of(const BoundedValue& v, unsigned digits) { return printed(v, {digits}).text; }
+
+void slip_refused(const std::string& text, const std::string& line) {
+    try {
+        (void)run_scene(parsed(text));
+        CHECK_MESSAGE(false, "not refused");
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find(line) != std::string::npos);
+    }
+}
+
+} // namespace
+
+TEST_CASE("friction is off unless the scene has it, and is read exactly") {
+    const Scene none =
+        parsed(hertz_under("P = \"1\"") +
+               "contact_modulus = \"1\"\n[shear]\nQ = \"0.3\"\n[ask]\nu = \"0.1\"\n");
+    CHECK_FALSE(none.slips());
+    CHECK(make_plan(none).counts.stick_zones == 0);
+    CHECK_FALSE(make_plan(none).partial_slip);
+    const Scene scene = parsed(slip_scene(hertz_under("P = \"1\""),
+                                          "Q = \"0.3\"\nfriction = \"0.6000000000000000000001\""));
+    REQUIRE(scene.slips());
+    CHECK(scene.shear->friction->rational() == parse_decimal("0.6000000000000000000001"));
+    const Plan plan = make_plan(scene);
+    CHECK(plan.partial_slip);
+    CHECK(plan.counts.stick_zones == 1);
+    CHECK(plan.counts.slip_sizes == 2);
+}
+
+TEST_CASE("slip scenes that are refused, with the line") {
+    const std::string by_P = hertz_under("P = \"1\"");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\""), "slip is asked for and there is no friction");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\"\nfriction = \"0\""),
+                 "scene.toml:10: friction = 0 is not positive");
+    slip_refused(slip_scene(by_P, "bulk_tension = \"0.3\"\nfriction = \"0.6\""),
+                 "scene.toml:10: without a shear force Q");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\"\npath = \"together\"\nfriction = \"0.6\""),
+                 "scene.toml:11: P and Q grow together");
+    // Exactly on the limit, P given, and P = pi/4 by its exact form; and beyond it.
+    slip_refused(slip_scene(by_P, "Q = \"-0.6\"\nfriction = \"0.6\""),
+                 "scene.toml:10: the contact slides: Q = -0.6 against f P = 0.6;");
+    slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"3*pi/20\"\nfriction = \"0.6\""),
+                 "scene.toml:10: the contact slides");
+    slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"0.5\"\nfriction = \"0.6\""),
+                 "scene.toml:10: the contact slides: Q = 0.5 against f P = 0.4712389");
+    // Hertz, P = 1: a = 2/sqrt(pi); the bound is 2 f a (1 - sqrt(1 - 1/2)) = 0.396593527551...
+    slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"0.4\"\nfriction = \"0.6\""),
+                 "scene.toml:10: bulk_tension = 0.4 draws the stick zone beyond the left edge");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"-0.4\"\nfriction = \"0.6\""),
+                 "beyond the right edge");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"0.4\"\nfriction = \"0.6\""),
+                 "between -0.39659353 and 0.39659353");
+}
+
+TEST_CASE("a tension within the bound but not in proportion is told") {
+    const auto result = run_scene(parsed(slip_scene(
+        hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.39\"\nfriction = \"0.6\"")));
+    CHECK_FALSE(result.stick->in_proportion);
+    CHECK(text_of(*result.stick->most_tension, 8) == "0.39659353");
+    const auto mild = run_scene(parsed(slip_scene(
+        hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.3\"\nfriction = \"0.6\"")));
+    CHECK(mild.stick->in_proportion);
+}
+
+// Hertz: a = 2/sqrt(pi), d = a (1 - sqrt(1 - tau)).
+TEST_CASE("slip zones of a scene next to no load and next to full sliding") {
+    const auto tiny = run_scene(
+        parsed(slip_scene(hertz_under("P = \"1\""), "Q = \"6e-31\"\nfriction = \"0.6\"")));
+    CHECK(tiny.slips.at(0).size.proved);
+    // 1/sqrt(pi) 1e-30 (1 + 2.5e-31)
+    CHECK(text_of(tiny.slips.at(0).size, 30) == "5.64189583547756286948079451561e-31");
+    const auto full = run_scene(parsed(
+        slip_scene(hertz_under("P = \"1\""), "Q = \"3/5*(1 - 1e-30)\"\nfriction = \"0.6\"")));
+    // 2e-15/sqrt(pi)
+    CHECK(text_of(full.stick->a, 30) == "1.12837916709551257389615890312e-15");
+    CHECK(full.stick->a.proved);
+}
+
+// mpmath 1.3 at 55 digits, as in tests/contact/slip_scenes.hpp; q = f (p - p*) with both pressures
+// by the regularised integral over theta.
+TEST_CASE("q and slip zones of a scene hold values from elsewhere") {
+    const std::string shear = "Q = \"0.1\"\nbulk_tension = \"0.05\"\nfriction = \"0.6\"";
+    Scene scene = parsed(slip_scene(slip_half, shear, "digits = 40\nu = [\"0.1\", \"0.5\"]\n"));
+    scene.ask.quantities.insert(QuantityGroup::shear);
+    const auto result = run_scene(scene);
+    CHECK(text_of(result.slips.at(0).size, 40) == "0.1774640036086275636295696189473192871183");
+    CHECK(text_of(result.slips.at(1).size, 40) == "0.08439567788566152535576902454336858524903");
+    CHECK(text_of(*result.points.at(0).values.q, 35) == "0.11297266969727152254342025535819661");
+    CHECK(text_of(*result.points.at(1).values.q, 35) == "0.049880797916348512913389779294125959");
+    CHECK(result.points.at(0).values.state == SlipState::slip);
+    CHECK(result.points.at(1).values.state == SlipState::stick);
+    CHECK(result.points.at(1).values.q->proved);
+}
+
+TEST_CASE("a curved slope slips, proved") {
+    Scene scene = parsed(slip_scene(slip_curved, "Q = \"0.005\"\nfriction = \"0.6\"",
+                                    "digits = 40\nterms = [1, 2]\nu = [\"0.01\", \"0.2\"]\n"));
+    scene.ask.quantities.insert(QuantityGroup::shear);
+    const auto result = run_scene(scene);
+    CHECK(result.slips.at(0).size.proved);
+    CHECK(text_of(result.slips.at(0).size, 40) == "0.05193147625005722571264112503692018502348");
+    CHECK(text_of(*result.points.at(0).values.q, 35) == "0.0054714134986996225492807142915063385");
+    CHECK(text_of(*result.points.at(1).values.q, 35) == "0.0033794945997665433411066931976509986");
+}
+
+// P(1) = pi/4 within the inner parabola: there the stick zone ends on the bend, or on the corner.
+TEST_CASE("a stick zone that ends on a knot exactly") {
+    for (const char* outer : {"2*x - 1", "x + 1"}) {
+        CAPTURE(outer);
+        const std::string profile = "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = "
+                                    "[\"1\"]\nslopes = [\"x\", \"" +
+                                    std::string(outer) + "\"]\n[load]\nP = \"2\"\n";
+        const auto result =
+            run_scene(parsed(slip_scene(profile, "Q = \"3/5*(2 - pi/4)\"\nfriction = \"0.6\"")));
+        CHECK(result.stick->a.proved);
+        CHECK(text_of(result.stick->a, 30) == "1.00000000000000000000000000000");
+        CHECK(text_of(result.stick->b, 30) == "1.00000000000000000000000000000");
+    }
+}
+
+TEST_CASE("the route in Real gives the same slip, and calls it an estimate") {
+    const std::string shear = "Q = \"0.3\"\nbulk_tension = \"-0.1\"\nfriction = \"0.6\"";
+    const std::string ask = "digits = 25\nterms = 2\nu = [\"0.05\", \"0.5\"]\n";
+    Scene proved = parsed(slip_scene(hertz_under("P = \"1\""), shear, ask));
+    Scene other = parsed(
+        slip_scene(hertz_under("P = \"1\""), shear, ask + "route = \"singular-integral\"\n"));
+    proved.ask.quantities.insert(QuantityGroup::shear);
+    other.ask.quantities.insert(QuantityGroup::shear);
+    const auto x = run_scene(proved);
+    const auto y = run_scene(other);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(x.slips.at(i).size.proved);
+        CHECK_FALSE(y.slips.at(i).size.proved);
+        CHECK(text_of(x.slips.at(i).size, 20) == text_of(y.slips.at(i).size, 20));
+        CHECK(text_of(x.slips.at(i).terms.at(0).size, 18) ==
+              text_of(y.slips.at(i).terms.at(0).size, 18));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(text_of(*x.points.at(i).values.q, 20) == text_of(*y.points.at(i).values.q, 20));
+        CHECK(x.points.at(i).values.state == y.points.at(i).values.state);
+    }
+    CHECK(y.work.counts == y.plan.counts);
+}
+
+// The scene mirrored: Q and sigma_0 keep their signs in a mirror only with the edges exchanged and
+// both turned round, -Q with the same tension.
+TEST_CASE("a mirror exchanges the slip zones") {
+    const auto one = run_scene(parsed(slip_scene(
+        hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.1\"\nfriction = \"0.6\"")));
+    const auto other = run_scene(parsed(slip_scene(
+        hertz_under("P = \"1\""), "Q = \"-0.3\"\nbulk_tension = \"0.1\"\nfriction = \"0.6\"")));
+    CHECK(text_of(one.slips.at(0).size, 40) == text_of(other.slips.at(1).size, 40));
+    CHECK(text_of(one.slips.at(1).size, 40) == text_of(other.slips.at(0).size, 40));
+    CHECK(text_of(one.slips.at(0).size, 40) != text_of(one.slips.at(1).size, 40));
+}

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty> -P packages.cmake
+# Makes the Debian packages of a build, looks at them by lintian where that is installed, unpacks them
+# side by side, and runs what they hold.
+function(run)
+    execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output
+        RESULT_VARIABLE status WORKING_DIRECTORY ${WORK})
+    if(status)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}: ${status}\n${output}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+function(expect text)
+    string(FIND "${output}" "${text}" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "no '${text}' in\n${output}")
+    endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK}/root)
+run(${CMAKE_CPACK_COMMAND} -G DEB --config ${BUILD}/CPackConfig.cmake -B ${WORK}/packages)
+file(GLOB packages ${WORK}/packages/*.deb)
+set(expected edgeproof_ libedgeproof-dev_ edgeproof-doc_)
+if(PYTHON)
+    list(APPEND expected python3-edgeproof_)
+endif()
+list(LENGTH packages count)
+list(LENGTH expected wanted)
+if(NOT count EQUAL wanted)
+    message(FATAL_ERROR "${count} packages: ${packages}")
+endif()
+foreach(name IN LISTS expected)
+    if(NOT "${packages}" MATCHES "/${name}[0-9.]+_(all|[a-z0-9]+)\\.deb")
+        message(FATAL_ERROR "no package ${name}: ${packages}")
+    endif()
+endforeach()
+foreach(package IN LISTS packages)
+    run(dpkg-deb -x ${package} root)
+endforeach()
+
+# From their own folders alone, with nothing set.
+set(ENV{PYTHONPATH} "")
+run(root/usr/bin/edgeproof verify moore-hills --only "EQ18*" --digits 20)
+expect("as recorded in moore-hills.expected.csv")
+run(root/usr/bin/edgeproof table power-law --check --every 100)
+foreach(file share/doc/edgeproof/README.md share/doc/edgeproof/docs/python.md
+        share/man/man1/edgeproof-verify.1.gz share/bash-completion/completions/edgeproof
+        share/zsh/vendor-completions/_edgeproof share/fish/vendor_completions.d/edgeproof.fish
+        share/edgeproof/examples/python.ipynb share/edgeproof/reference/power-law.csv
+        include/edgeproof/scene/scene.hpp lib/cmake/edgeproof/edgeproofConfig.cmake
+        share/doc/edgeproof/copyright share/doc/libedgeproof-dev/copyright)
+    if(NOT EXISTS ${WORK}/root/usr/${file})
+        message(FATAL_ERROR "no package has /usr/${file}")
+    endif()
+endforeach()
+if(PYTHON)
+    set(ENV{PYTHONPATH} ${WORK}/root/usr/lib/python3/dist-packages)
+    run(${PYTHON} -c "import edgeproof
+print(edgeproof.__file__)
+print(edgeproof.verify('moore-hills', only='EQ18', digits=20).summary)")
+    expect("${WORK}/root/usr/lib/python3/dist-packages/edgeproof/__init__.py")
+    expect("1 refuted")
+endif()
+foreach(package IN LISTS packages)
+    run(dpkg-deb -I ${package})
+endforeach()
+
+find_program(LINTIAN lintian)
+if(LINTIAN)
+    run(${LINTIAN} --fail-on error --allow-root ${packages})
+    message(STATUS "lintian:\n${output}")
+else()
+    message(STATUS "lintian is not installed: not asked")
+endif()

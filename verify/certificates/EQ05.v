@@ -1,0 +1,22 @@
+(* Claim EQ05 of the ledger moore-hills, lines 101 to 104 of its source.
+   Printed: L_{I} = \frac{1}{\pi}\sqrt{\frac{2}{a}}\frac{\mbox{d}P}{\mbox{d}a}
+   Says: 1/Pi*sqrt(2/a)*P1 *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem EQ05 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  1 / PI * sqrt (2 / a) * (P1 a) =
+  r0.
+Proof.
+  intros contact.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  identity_symmetric contact a P1 P2 P3.
+Qed.
+Print Assumptions EQ05.

@@ -1,0 +1,22 @@
+(* Claim EQ08.N of the ledger moore-hills, lines 120 to 124 of its source.
+   Printed: \frac{\sqrt{2}}{480a^{5/2}\pi}\left(129P'(a) - 144aP''(a)+128a^{2}P'''(a)\right)(a-x)^{5/2}
+   Says: sqrt(2)/(480*a^(5/2)*Pi)*(129*P1 - 144*a*P2 + 128*a^2*P3) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem EQ08_N (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  sqrt 2 / (480 * Rpower a (5 / 2) * PI) * (129 * (P1 a) - 144 * a * (P2 a) + 128 * a ^ 2 * (P3 a)) =
+  r2.
+Proof.
+  intros contact.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  identity_symmetric contact a P1 P2 P3.
+Qed.
+Print Assumptions EQ08_N.

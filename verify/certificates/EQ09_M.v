@@ -1,0 +1,22 @@
+(* Claim EQ09.M of the ledger moore-hills, lines 126 to 129 of its source.
+   Printed: M_{I} = \frac{2\sqrt{2}}{3a^{3/2}\pi}\left(\frac{5P'(a)}{8} - aP''(a)\right)
+   Says: 2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*P2) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem EQ09_M (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  2 * sqrt 2 / (3 * Rpower a (3 / 2) * PI) * (5 * (P1 a) / 8 - a * (P2 a)) =
+  r1.
+Proof.
+  intros contact.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  identity_symmetric contact a P1 P2 P3.
+Qed.
+Print Assumptions EQ09_M.

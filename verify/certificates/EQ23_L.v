@@ -1,0 +1,23 @@
+(* Claim EQ23.L of the ledger moore-hills, lines 259 to 264 of its source.
+   Printed: \frac{2P'(a)}{\pi\sqrt{a+b(a)}}\sqrt{a-x}
+   Says: 2*P1/(Pi*sqrt(a+b)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem EQ23_L (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
+  is_left_edge a b b1 b2 b3 alpha ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  2 * (P1 a) / (PI * sqrt (a + (b a))) =
+  r0.
+Proof.
+  intros contact left.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  identity contact left a b b1.
+Qed.
+Print Assumptions EQ23_L.

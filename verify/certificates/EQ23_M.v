@@ -1,0 +1,23 @@
+(* Claim EQ23.M of the ledger moore-hills, lines 259 to 264 of its source.
+   Printed: \frac{1}{\pi\sqrt{a+b(a)}}\left[\frac{P'(a)}{(a+b(a))}+\frac{4}{3}\left(\frac{b'(a)P'(a)}{2(a+b(a))} - P''(a)\right)\right](a-x)^{3/2}
+   Says: 1/(Pi*sqrt(a+b))*(P1/(a+b) + 4/3*(b1*P1/(2*(a+b)) - P2)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem EQ23_M (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
+  is_left_edge a b b1 b2 b3 alpha ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  1 / (PI * sqrt (a + (b a))) * ((P1 a) / (a + (b a)) + 4 / 3 * ((b1 a) * (P1 a) / (2 * (a + (b a))) - (P2 a))) =
+  r1.
+Proof.
+  intros contact left.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  identity contact left a b b1.
+Qed.
+Print Assumptions EQ23_M.

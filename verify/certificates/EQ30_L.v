@@ -1,0 +1,37 @@
+(* Claim EQ30.L of the ledger moore-hills, lines 310 to 312 of its source.
+   Printed: L_{I,a} = \frac{2\mathcal{P}}{\pi\sqrt{1+\gamma}\sqrt{a}}
+   Says: 2*calP/(Pi*sqrt(1+gam)*sqrt(a)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ30_L_refuted : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  134 / 10 ^ 3 <= Rabs ((2 * (Es * phi) / (PI * sqrt (1 + gam) * sqrt a)) - (r0)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_L_refuted.
+
+Theorem EQ30_L_corrected : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  Rabs ((sqrt gam * (2 * (Es * phi) / (PI * sqrt (1 + gam) * sqrt a))) - (r0)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_L_corrected.
+

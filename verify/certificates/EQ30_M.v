@@ -1,0 +1,37 @@
+(* Claim EQ30.M of the ledger moore-hills, lines 310 to 312 of its source.
+   Printed: M_{I,a} =  \frac{(3+2\gamma)\mathcal{P}}{3\pi(1+\gamma)^{3/2}a^{3/2}}
+   Says: (3+2*gam)*calP/(3*Pi*(1+gam)^(3/2)*a^(3/2)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ30_M_refuted : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  720 / 10 ^ 5 <= Rabs (((3 + 2 * gam) * (Es * phi) / (3 * PI * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2))) - (r1)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_M_refuted.
+
+Theorem EQ30_M_corrected : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  Rabs ((sqrt gam * ((3 + 2 * gam) * (Es * phi) / (3 * PI * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2)))) - (r1)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_M_corrected.
+

@@ -1,0 +1,37 @@
+(* Claim EQ30.N of the ledger moore-hills, lines 310 to 312 of its source.
+   Printed: N_{I,a} = \frac{(15+20\gamma+8\gamma^{2})\mathcal{P}}{20\pi(1+\gamma)^{5/2}a^{5/2}}
+   Says: (15+20*gam+8*gam^2)*calP/(20*Pi*(1+gam)^(5/2)*a^(5/2)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ30_N_refuted : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  581 / 10 ^ 6 <= Rabs (((15 + 20 * gam + 8 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (r2)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_N_refuted.
+
+Theorem EQ30_N_corrected : exists r0 r1 r2,
+  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  Rabs ((sqrt gam * ((15 + 20 * gam + 8 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2)))) - (r2)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { eapply right_edge, smooth_contact; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ30_N_corrected.
+

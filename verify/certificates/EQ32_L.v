@@ -1,0 +1,37 @@
+(* Claim EQ32.L of the ledger moore-hills, lines 318 to 320 of its source.
+   Printed: L_{I,b} = \frac{2\mathcal{P}}{\pi\gamma\sqrt{1+\gamma}\sqrt{a}}
+   Says: 2*calP/(Pi*gam*sqrt(1+gam)*sqrt(a)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ32_L_refuted : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  120 / 10 ^ 2 <= Rabs ((2 * (Es * phi) / (PI * gam * sqrt (1 + gam) * sqrt a)) - (l0)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_L_refuted.
+
+Theorem EQ32_L_corrected : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  Rabs ((2 * (Es * phi) / (PI * sqrt gam * sqrt (1 + gam) * sqrt a)) - (l0)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_L_corrected.
+

@@ -1,0 +1,37 @@
+(* Claim EQ32.M of the ledger moore-hills, lines 318 to 320 of its source.
+   Printed: M_{I,b} =  \frac{(2+3\gamma)\mathcal{P}}{3\pi\gamma^{2}(1+\gamma)^{3/2}a^{3/2}}
+   Says: (2+3*gam)*calP/(3*Pi*gam^2*(1+gam)^(3/2)*a^(3/2)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ32_M_refuted : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  422 / 10 ^ 3 <= Rabs (((2 + 3 * gam) * (Es * phi) / (3 * PI * gam ^ 2 * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2))) - (l1)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_M_refuted.
+
+Theorem EQ32_M_corrected : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  Rabs (((2 + 3 * gam) * (Es * phi) / (3 * PI * Rpower gam (3 / 2) * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2))) - (l1)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_M_corrected.
+

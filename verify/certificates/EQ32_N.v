@@ -1,0 +1,37 @@
+(* Claim EQ32.N of the ledger moore-hills, lines 318 to 320 of its source.
+   Printed: N_{I,b} = \frac{(8+20\gamma+15\gamma^{2})\mathcal{P}}{20\pi\gamma^{3}(1+\gamma)^{5/2}a^{5/2}}
+   Says: (8+20*gam+15*gam^2)*calP/(20*Pi*gam^3*(1+gam)^(5/2)*a^(5/2)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition phi : R := 1.
+Definition gam : R := (1 / 9).
+Definition a : R := 9.
+Definition x : R := 4.
+Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ32_N_refuted : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  254 / 10 ^ 3 <= Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * gam ^ 3 * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)).
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_N_refuted.
+
+Theorem EQ32_N_corrected : exists l0 l1 l2,
+  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower gam (5 / 2) * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+Qed.
+Print Assumptions EQ32_N_corrected.
+

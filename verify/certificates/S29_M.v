@@ -1,0 +1,18 @@
+(* Claim S29.M of the ledger moore-hills, lines 284 to 284 of its source.
+   Printed: Again, if $b = a$, these collapse to the symmetric results.
+   Says: 1/(3*Pi*b1^3*(a+b)^(3/2))*((3*b1^2+2*b1+4*b2*(a+b))*P1 - 4*(a+b)*b1*P2) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem S29_M (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
+    1 / (3 * PI * 1 ^ 3 * Rpower (a + a) (3 / 2)) * ((3 * 1 ^ 2 + 2 * 1 + 4 * 0 * (a + a)) * (P1 a) - 4 * (a + a) * 1 * (P2 a)) =
+  2 * sqrt 2 / (3 * Rpower a (3 / 2) * PI) * (5 * (P1 a) / 8 - a * (P2 a)).
+Proof.
+  intros contact.
+  identity_symmetric contact a P1 P2 P3.
+Qed.
+Print Assumptions S29_M.

@@ -7,7 +7,6 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -20,7 +19,7 @@ std::string shown(std::string_view message) {
 }
 /// What concerns no file.
 void say(std::string_view message) {
-    std::fprintf(stderr, "edgeproof: %s\n", shown(message).c_str());
+    edgeproof::cli::say_at_the_end("edgeproof: " + shown(message));
 }
 } // namespace
 
@@ -72,17 +71,17 @@ int main(int argc, char** argv) {
         if (e.file().empty()) {
             say(e.what());
         } else {
-            std::fprintf(stderr, "%s\n", e.what());
+            cli::say_at_the_end(e.what());
         }
         return 2;
     } catch (const Interrupted& e) {
-        std::fprintf(stderr, "%s\n", e.what().c_str());
+        cli::say_at_the_end(e.what());
         return cli::interrupted_status();
     } catch (const Error& e) {
-        std::fprintf(stderr, "%s\n", shown(e.what()).c_str());
+        cli::say_at_the_end(shown(e.what()));
         return 2;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "edgeproof: out of memory; ask for fewer digits\n");
+        say("out of memory; ask for fewer digits");
         return 2;
     } catch (const std::exception& e) {
         say(e.what());

@@ -33,6 +33,9 @@ constexpr std::chrono::seconds grace{1};
 constexpr suseconds_t longest_cleanup_us = 500'000;
 
 std::atomic<int> last_status{bad_input};
+/// The main thread, which notices an interruption, and the one that waits for a second signal may
+/// both come to the end of the program: the first of them says why.
+std::atomic<bool> reason_said{false};
 
 extern "C" void end_now(int) { ::_exit(last_status); }
 
@@ -49,6 +52,9 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
     sigaddset(&alarm, SIGALRM);
     pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
     const std::string kept = io::clean_up();
+    if (reason_said.exchange(true)) {
+        ::_exit(status);
+    }
     if (::isatty(STDERR_FILENO) == 1) {
         write_error("\r\033[K"); // what Progress showed
     }
@@ -157,6 +163,15 @@ void release(void* memory, std::size_t) { std::free(memory); }
 int interrupted_status() {
     const int signal = interruption_requested();
     return signalled + (signal != 0 ? signal : SIGTERM);
+}
+
+void say_at_the_end(const std::string& line) {
+    if (reason_said.exchange(true)) {
+        for (;;) {
+            ::pause();
+        }
+    }
+    std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 void take_signals() {

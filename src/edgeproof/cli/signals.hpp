@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 namespace edgeproof::cli {
 
 /// From here on SIGINT, SIGTERM and SIGHUP (unless it is ignored, as by nohup) end the program in
@@ -14,6 +16,10 @@ void take_signals();
 /// From here on an abort in a library (GMP without memory, MPFR, FLINT) and an exception that
 /// nobody caught end the program with one line and exit status 2.
 void take_aborts();
+
+/// Writes the one line that says why the program ends, to standard error. Does not return where a
+/// second signal has had its line written already and ends the process.
+void say_at_the_end(const std::string& line);
 
 /// The exit status of an interrupted program: 130 for SIGINT, 143 for SIGTERM.
 [[nodiscard]] int interrupted_status();

@@ -64,6 +64,14 @@ std::string knots(int count) {
                  "u = [\"1/10\"]\n");
 }
 
+const std::string slipping =
+    scene("kind = \"power-law\"\nm = \"1\"\nC = \"1/100\"\n", "u = [\"1/9\"]\n", "P = \"240\"") +
+    "[shear]\nQ = \"70\"\nfriction = \"0.6\"\n";
+
+const std::string optimum =
+    scene("kind = \"power-law\"\nm = { from = \"0\", to = \"2\" }\nC = \"1\"\n",
+          "[design]\nmaximise = \"first_exit\"\nterms = 1\ntolerance = \"1%\"\n");
+
 std::string recipe_of_answers(int contacts) { return tilted_recipe(contacts, 20); }
 
 std::vector<LongRun> long_runs() {
@@ -81,7 +89,7 @@ std::vector<LongRun> long_runs() {
         {"20,000 digits", "pressure in --digits 20000", tilted("terms = 3\n" + many_u)},
         {"100,000 digits", "pressure in --digits 100000", tilted("terms = 3\n" + many_u)},
         {"coefficients", "expand in --terms 400 --digits 3000", tilted("u = [\"1/9\"]\n")},
-        {"extent", "extent in --digits 5000",
+        {"extent", "extent in --digits 50000",
          tilted("terms = [2, 3, 4]\ntolerance = \"0.01\"\nu = [\"1/9\"]\n")},
         {"a run explained", "explain in --run --digits 20000", tilted(many_u)},
         {"table", "table in", tilted_recipe(3000, 1000)},
@@ -108,6 +116,12 @@ std::vector<LongRun> long_runs() {
          {"child"}},
         {"self-test", "check --self-test in --files 100000", recipe_of_answers(3)},
         {"input that does not come", "check -", ""},
+        {"partial slip", "slip in --digits 20000 --tolerance 1%", slipping},
+        {"a table of slip", "slip-table --digits 1000 --terms 1,2,3,4,5,6", ""},
+        {"an optimum", "design in --digits 1000 --gap 1e-300 --out d.csv", optimum},
+        {"theorems", "certify in --out new/folder",
+         hertz_head + hertz_claim("nested", nested) + hertz_wrong},
+        {"results that do not come", "compare in /dev/stdin", tilted("u = [\"1/9\"]\n")},
     };
     return all;
 }
@@ -275,6 +289,25 @@ TEST_CASE("a second signal ends at once, and the first one's number is told") {
     run.send(SIGTERM);
     const auto last = Clock::now() + longest_end;
     CHECK(run.end(last) == 130);
+}
+
+TEST_CASE("two signals close to each other: one line, whichever thread comes first") {
+    // The work looks for an interruption some ten thousand times a second.
+    const LongRun run{"pressure", "pressure in --digits 1000",
+                      tilted("edges = [\"right\"]\nu = { from = \"1e-12\", to = \"0.9\", "
+                             "per_decade = 20 }\n")};
+    for (int us = 0; us < 600; us += 3) {
+        CAPTURE(us);
+        Running running(run);
+        running.wait_for_begin();
+        std::this_thread::sleep_for(std::chrono::milliseconds(us % 20));
+        running.send(SIGINT);
+        for (const auto last = Clock::now() + std::chrono::microseconds(us); Clock::now() < last;) {
+        }
+        running.send(SIGINT);
+        CHECK(running.end(Clock::now() + longest_end) == 130);
+        CHECK(lines(running.err()).size() == 1);
+    }
 }
 
 TEST_SUITE("slow") {

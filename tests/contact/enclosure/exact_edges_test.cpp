@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
@@ -111,4 +112,22 @@ TEST_CASE(
     const NormalContact beside(punch("0.1", "0.5", "2"), Exact::parse("1"),
                                Load::force(Exact::parse("pi*0.005 + 1e-60")), 30);
     CHECK_FALSE(beside.edge_taken_on_knot());
+}
+
+TEST_CASE("the simplest fraction in a ball, also where its continued fraction is long") {
+    CHECK(simplest_rational(Ball(Rational(22, 7), 200)) == Rational(22, 7));
+    CHECK(simplest_rational(Ball::hull(Ball(-3, 64), Ball(2, 64))) == Rational(0));
+    CHECK(simplest_rational(Ball::hull(Ball(Rational(-7, 20), 64), Ball(Rational(-13, 50), 64))) ==
+          Rational(-1, 3));
+    // Pell: the convergents p/q of sqrt(2), some 150,000 of them, have p^2 - 2 q^2 = +-1, and all
+    // that lies between two of them has +-2 at most.
+    const auto q = simplest_rational(sqrt(Ball(2, 400'000)));
+    REQUIRE(q);
+    const Integer p = boost::multiprecision::numerator(*q);
+    const Integer d = boost::multiprecision::denominator(*q);
+    const Integer pell = p * p - 2 * d * d;
+    CHECK(abs(pell) <= 2);
+    CHECK(pell != 0);
+    CHECK(msb(d) > 190'000);
+    CHECK(msb(d) < 210'000);
 }

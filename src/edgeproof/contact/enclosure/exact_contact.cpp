@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/series/functions.hpp"
 
 #include <algorithm>
@@ -12,23 +13,8 @@
 namespace edgeproof::contact {
 namespace {
 
-using boost::multiprecision::denominator;
-using boost::multiprecision::numerator;
-
 constexpr long most_whole_exponent = 1000;
 constexpr std::size_t most_exact_coefficients = 40;
-
-/// The fraction of the smallest denominator in 0 < lo <= x <= hi, by continued fractions.
-Rational simplest_between(const Rational& lo, const Rational& hi) {
-    const Integer whole = numerator(lo) / denominator(lo);
-    if (Rational(whole) == lo) {
-        return lo;
-    }
-    if (Rational(whole + 1) <= hi) {
-        return Rational(whole + 1);
-    }
-    return whole + 1 / simplest_between(1 / Rational(hi - whole), 1 / Rational(lo - whole));
-}
 
 } // namespace
 
@@ -36,12 +22,13 @@ std::optional<Rational> simplest_rational(const Ball& x) {
     if (!x.is_finite()) {
         return {};
     }
-    const Rational lo = exact_value(x.lower());
-    const Rational hi = exact_value(x.upper());
-    if (lo <= 0 && hi >= 0) {
+    if (contains_zero(x)) { // FLINT gives any whole number there
         return Rational(0);
     }
-    return lo > 0 ? simplest_between(lo, hi) : Rational(-simplest_between(-hi, -lo));
+    FmpqValue simplest;
+    fmpq_simplest_between(simplest, to_fmpq(exact_value(x.lower())),
+                          to_fmpq(exact_value(x.upper())));
+    return from_fmpq(simplest);
 }
 
 ExactContact::ExactContact(const Profile& profile, const formula::Exact& contact_modulus,

@@ -80,5 +80,10 @@ using FmpqValue = FlintValue<fmpq>;
     fmpq_set_mpq(f, q.backend().data());
     return f;
 }
+[[nodiscard]] inline Rational from_fmpq(const FmpqValue& f) {
+    Rational q;
+    fmpq_get_mpq(q.backend().data(), f);
+    return q;
+}
 
 } // namespace edgeproof

@@ -2,6 +2,7 @@
 #include "edgeproof/scene/binary64_pressures.hpp"
 
 #include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/batch/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -73,6 +74,9 @@ struct Binary64Pressures::Contact {
             profile = scene.profile;
             balls.emplace(*scene.profile, scene.contact_modulus, scene.load, first_bits);
         }
+        if (balls->piecewise_linear()) {
+            words.emplace(*balls);
+        }
     }
     void make_batch() {
         profile = scene.profile;
@@ -106,6 +110,11 @@ struct Binary64Pressures::Contact {
     }
 
     [[nodiscard]] double at(contact::Edge edge, double u) const {
+        if (words) {
+            if (const auto nearest = words->nearest(edge, u)) {
+                return *nearest;
+            }
+        }
         if (outside(u)) {
             return 0;
         }
@@ -156,6 +165,7 @@ struct Binary64Pressures::Contact {
     std::optional<Rational> exact_length;
     std::optional<contact::Profile> profile;
     std::optional<contact::BallContact> balls;
+    std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
     std::optional<contact::BatchPressure> batch;
 };
 

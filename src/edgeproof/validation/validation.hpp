@@ -2,6 +2,7 @@
 #pragma once
 /// How far the program's own numbers are to be trusted, and what others would have got instead.
 
+#include "edgeproof/validation/binary64_count.hpp" // pressures in double words, held to balls, and counted
 #include "edgeproof/validation/count.hpp" // the values drawn, held to second routes, and counted
 #include "edgeproof/validation/count_state.hpp"    // a count saved as text, and read again
 #include "edgeproof/validation/enclosed_value.hpp" // one number of a scene, by ball

@@ -152,6 +152,28 @@ int count(const CountingOptions& o) {
     return result.total.failures() == 0 ? 0 : 1;
 }
 
+struct Binary64Choice {
+    std::string values = "1000000";
+    std::string seed = "1";
+    Output output;
+};
+
+int binary64(const Binary64Choice& o) {
+    validation::Binary64Count count;
+    {
+        Progress progress("values");
+        count = validation::count_binary64(
+            whole_number("--seed", o.seed, 0, most_values),
+            whole_number("--values", o.values, 1, most_values),
+            [&](std::size_t done, std::size_t total) { progress(done, total); });
+    }
+    std::printf("%s", written(binary64_table(count), o.output).c_str());
+    for (const std::string& finding : count.findings) {
+        std::fprintf(stderr, "%s\n", finding.c_str());
+    }
+    return count.total().wrong == 0 ? 0 : 1;
+}
+
 struct HonestyChoice {
     std::string digits = "50";
     std::string scripts = "bench/honesty";
@@ -252,6 +274,16 @@ void add_bounds(CLI::App& app, int& code) {
                          "keep what is done in this file, and go on from it where it is there");
     add_output(*counting, n->output);
     counting->callback([n, &code] { code = count(*n); });
+
+    CLI::App* words = sub->add_subcommand(
+        "binary64",
+        "pressures in double words, held against balls of 320 bits; exit 1 where one is "
+        "not correctly rounded");
+    auto b = std::make_shared<Binary64Choice>();
+    words->add_option("--values", b->values, "how many")->capture_default_str();
+    words->add_option("--seed", b->seed, "what they are drawn from")->capture_default_str();
+    add_output(*words, b->output);
+    words->callback([b, &code] { code = binary64(*b); });
 
     CLI::App* honest = sub->add_subcommand(
         "honesty", "the errors that routes claim beside those that they have: ours, and other "

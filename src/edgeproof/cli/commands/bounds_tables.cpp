@@ -123,6 +123,28 @@ report::Table count_table(const validation::CountOptions& options,
     return t;
 }
 
+report::Table binary64_table(const validation::Binary64Count& count) {
+    report::Table t;
+    t.title = "Pressures in double words, in " + std::to_string(count.contacts) + " contacts";
+    t.notes = {"undecided: left to balls, as the rounding is open or the place is beside a corner",
+               "wrong: not the binary64 that an enclosure of 320 bits rounds to"};
+    t.columns = {{"place", Kind::text},
+                 {"values", Kind::count},
+                 {"undecided", Kind::count},
+                 {"wrong", Kind::count}};
+    const auto add = [&](const char* place, const validation::Binary64Count::Cell& c) {
+        t.rows.push_back({place, std::to_string(c.values), std::to_string(c.undecided),
+                          std::to_string(c.wrong)});
+    };
+    constexpr std::array<const char*, validation::drawn_places> places{"by the edge", "inside",
+                                                                       "by a knot"};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        add(places.at(i), count.cells.at(i));
+    }
+    add("all", count.total());
+    return t;
+}
+
 report::Table honesty_table(const std::vector<validation::HonestyRow>& rows, unsigned digits) {
     report::Table t;
     t.title = "Claimed error against true error, at " + std::to_string(digits) + " digits";

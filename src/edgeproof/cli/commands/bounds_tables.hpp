@@ -17,6 +17,7 @@ namespace edgeproof::cli {
                                          unsigned digits);
 [[nodiscard]] report::Table count_table(const validation::CountOptions& options,
                                         const validation::CountResult& result);
+[[nodiscard]] report::Table binary64_table(const validation::Binary64Count& count);
 [[nodiscard]] report::Table honesty_table(const std::vector<validation::HonestyRow>& rows,
                                           unsigned digits);
 /// All that it takes to see a finding again.

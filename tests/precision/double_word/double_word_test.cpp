@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/double_word/double_word_ball.hpp"
+#include "edgeproof/precision/double_word/logarithm.hpp"
+#include "edgeproof/precision/split_mix.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace edgeproof;
+
+namespace {
+
+constexpr long word_bits = 400;
+
+Ball exactly(const DoubleWord& x) {
+    return Ball(Rational(x.high), word_bits) + Ball(Rational(x.low), word_bits);
+}
+/// An exact number of the word: with `side` of its radius beside its middle.
+Ball inside(const DoubleWord& x, int side) {
+    return exactly(x) + Ball(Rational(x.radius), word_bits) * Ball(Rational(side, 1), word_bits);
+}
+/// A radius may be too small by 2^-50 of itself for each operation.
+bool holds(const DoubleWord& x, const Ball& number) {
+    const Rational radius = Rational(x.radius) * (1 + Rational(1, 1ULL << 47U));
+    const Ball distance = abs(exactly(x) - number);
+    return !certainly_positive(distance - Ball(radius, word_bits));
+}
+
+struct Drawn {
+    SplitMix64 dice{20'261'123};
+    double number(int exponents) {
+        const double m = 1 + static_cast<double>(dice.next() >> 12U) * 0x1p-52;
+        const int e =
+            static_cast<int>(dice.below(2 * static_cast<std::size_t>(exponents) + 1)) - exponents;
+        return std::ldexp(dice.below(2) == 0 ? m : -m, e);
+    }
+    /// With a low word of any size, and a radius of none, little or much.
+    DoubleWord word(int exponents) {
+        const double high = number(exponents);
+        const double low =
+            dice.below(8) == 0
+                ? 0
+                : high * number(0) * std::ldexp(0.24, -52 - static_cast<int>(dice.below(60)));
+        const double radius =
+            dice.below(3) == 0
+                ? 0
+                : std::fabs(high) * std::ldexp(1, -60 - static_cast<int>(dice.below(60)));
+        return double_word::ordered_sum(high, low, radius);
+    }
+};
+
+constexpr int drawn = 20'000;
+
+} // namespace
+
+TEST_CASE("sums, products, quotients and roots of double words hold those of all their numbers") {
+    Drawn draw;
+    for (int i = 0; i < drawn; ++i) {
+        const DoubleWord x = draw.word(60);
+        // Every fourth pair cancels to the last word_bits.
+        const DoubleWord y =
+            i % 4 != 0
+                ? draw.word(60)
+                : double_word::ordered_sum(-x.high * (1 + 0x1p-52 * static_cast<double>(i % 7)),
+                                           x.low * 0.37, x.radius);
+        CAPTURE(i);
+        for (const int side : {-1, 0, 1}) {
+            const Ball p = inside(x, side);
+            for (const int other : {-1, 1}) {
+                const Ball q = inside(y, other);
+                REQUIRE(holds(x + y, p + q));
+                REQUIRE(holds(x - y, p - q));
+                REQUIRE(holds(x * y, p * q));
+                REQUIRE(holds(x / y, p / q));
+            }
+            const DoubleWord size = abs(x);
+            REQUIRE(holds(sqrt(size), sqrt(abs(p))));
+        }
+        // And not much more than those: a radius is made useless by nothing but its arguments'.
+        const double rel = x.radius / std::fabs(x.high) + y.radius / std::fabs(y.high) + 0x1p-100;
+        const double product = std::fabs((x * y).high);
+        REQUIRE((x * y).radius <= 1.1 * rel * product);
+        REQUIRE((x / y).radius <= 1.1 * rel * std::fabs((x / y).high));
+        REQUIRE(sqrt(abs(x)).radius <= rel * sqrt(abs(x)).high);
+    }
+}
+
+TEST_CASE("ln(1 + y) of a double word holds that of all its numbers") {
+    Drawn draw;
+    const LogarithmTable& table = LogarithmTable::get();
+    const auto check = [&](const DoubleWord& y) {
+        const DoubleWord G = log1p(y, table);
+        for (const int side : {-1, 0, 1}) {
+            REQUIRE(holds(G, log1p(inside(y, side))));
+        }
+        const double added = y.radius / (1 + y.high);
+        REQUIRE(G.radius <= 1.1 * added + 0x1p-78 * G.high);
+        REQUIRE(G.radius >= 0.9 * added);
+    };
+    for (int i = 0; i < drawn; ++i) {
+        CAPTURE(i);
+        check(abs(draw.word(i % 2 == 0 ? 510 : 8)));
+    }
+    // Both sides of where one series takes over from the other, and of the table's ends.
+    for (const double y : {0x1p-6, 1.0, 3.0, 0x1p-510, 0x1p510}) {
+        for (const double low : {-0x1p-60, 0.0, 0x1p-60}) {
+            CAPTURE(y);
+            check({y, y * low, 0});
+            check({std::nextafter(y, 0.0), 0, 0});
+        }
+    }
+    for (int i = 1; i < 256; ++i) {
+        CAPTURE(i);
+        check({i / 128.0, 0, 0});
+        check({std::nextafter(i / 128.0, 0.0), 0, 0});
+    }
+}
+
+TEST_CASE("the nearest binary64 of a double word: one, or none where there are several") {
+    CHECK(nearest_binary64(DoubleWord{1, 0x1p-60, 0x1p-70}) == 1.0);
+    CHECK(nearest_binary64(DoubleWord{1, 0x1p-53 - 0x1p-80, 0x1p-82}) == 1.0);
+    CHECK_FALSE(nearest_binary64(DoubleWord{1, 0x1p-53 - 0x1p-80, 0x1p-79}));
+    CHECK_FALSE(nearest_binary64(DoubleWord{1, 0x1p-53, 0})); // a tie is for others to decide
+    CHECK_FALSE(nearest_binary64(double_word::unknown()));
+    CHECK_FALSE(nearest_binary64(DoubleWord{1, 0, std::numeric_limits<double>::quiet_NaN()}));
+}
+
+TEST_CASE("nothing is known of a quotient by what may be zero, or of the root of it") {
+    const DoubleWord zero{0x1p-30, 0, 0x1p-30};
+    CHECK(std::isinf((DoubleWord{1, 0, 0} / zero).radius));
+    CHECK(std::isinf(sqrt(zero).radius));
+    CHECK(std::isinf(sqrt(DoubleWord{-1, 0, 0}).radius));
+    CHECK_FALSE((DoubleWord{1, 0, 0} / DoubleWord{0, 0, 0}).radius < 1);
+}
+
+TEST_CASE("a ball as a double word") {
+    const Ball third(Rational(1, 3), 128);
+    const DoubleWord word = to_double_word(third);
+    CHECK(holds(word, Ball(Rational(1, 3), word_bits)));
+    CHECK(word.radius < 0x1p-105);
+    CHECK(to_double_word(Ball(Rational(3, 4), 64)).radius == 0);
+    CHECK(std::isinf(to_double_word(Ball(1, 64) / Ball(0, 64)).radius));
+    CHECK(std::isinf(to_double_word(Ball(Rational(1), 64) / pow(Ball(10, 64), 400)).radius));
+}

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 
 #include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 
 #include <algorithm>

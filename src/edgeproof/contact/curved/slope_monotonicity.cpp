@@ -4,7 +4,7 @@
 #include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/profile/slope_from_knot.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
 
 #include <utility>

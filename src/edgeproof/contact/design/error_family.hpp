@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/design/jet.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/expr.hpp"
 
 #include <cstddef>

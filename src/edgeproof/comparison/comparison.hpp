@@ -29,7 +29,6 @@ namespace edgeproof::comparison {
 
 /// Which error of the pressure is held against the tolerance.
 enum class Norm { peak, local, l2 };
-[[nodiscard]] std::string norm_name(Norm norm);
 
 /// What data are held to. Edges, force and c_0 of the data are held against what the same rule
 /// makes of the exact pressure at the same nodes: how far that is from the exact value is the

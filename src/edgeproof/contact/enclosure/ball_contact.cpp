@@ -331,10 +331,6 @@ Ball BallContact::force_rate() const {
     return power_ ? power_->force_rate(a_) : force_rate_of({a_, b_}, Edge::right);
 }
 
-Ball BallContact::left_force_rate() const {
-    return profile_.symmetric() ? force_rate() : force_rate_of({a_, b_}, Edge::left);
-}
-
 Ball BallContact::moment() const {
     if (profile_.symmetric()) {
         return {0, bits_};

@@ -130,7 +130,7 @@ template <Arithmetic T> T Exact::to() const {
             }
         }
     }
-    throw BudgetError(std::to_string(most_bits) + " bits do not settle the rounding of '" + text_ +
+    throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" + text_ +
                       "'");
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("third-party programs: the six faults of the one that is wrong on purp
     }
 }
 
-TEST_CASE("check --self-test: spoilt answers are found, the right ones pass") {
+TEST_CASE("check --self-test: corrupted answers are found, the right ones pass") {
     const Folder folder;
     folder.write("r.toml", "[scenes.w]\nedges = [\"right\", \"left\"]\nu = [\"0.1\", \"0.01\"]\n"
                            "quantities = [\"p\", \"c_0\", \"P\", \"b\"]\n[scenes.w.profile]\n"
@@ -132,12 +132,12 @@ TEST_CASE("check --self-test: spoilt answers are found, the right ones pass") {
     const Outcome o = run(folder, "check r.toml --self-test --files 48 --seed 3");
     CAPTURE(o.out);
     CHECK(o.code == 0);
-    CHECK(last_line(o.out) == "the right answers pass; 48 of 48 spoilt files found (seed 3, 16 "
+    CHECK(last_line(o.out) == "the right answers pass; 48 of 48 corrupted files found (seed 3, 16 "
                               "answers a file, target 0.5 ulps)");
     CHECK(has(o.out, "left and right exchanged                           2       2"));
 }
 
-TEST_CASE("check --self-test: 400 spoilt files of the examples" * doctest::test_suite("slow")) {
+TEST_CASE("check --self-test: 400 corrupted files of the examples" * doctest::test_suite("slow")) {
     const Folder folder;
     const Outcome o = run(folder, "check " + quoted(third_party() / "questions.toml") +
                                       " --self-test --files 400");

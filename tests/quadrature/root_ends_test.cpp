@@ -76,7 +76,7 @@ TEST_CASE("root ends: another root beyond an end, however near") {
 TEST_CASE("root ends: what is no root at an end, or not smooth between, is left to another rule") {
     const PrecisionScope scope(70);
     std::size_t calls = 0;
-    const auto settles = [&](const auto& f) {
+    const auto converges = [&](const auto& f) {
         calls = 0;
         const auto counted = [&](const Real& r, const Real& rest) {
             ++calls;
@@ -84,23 +84,23 @@ TEST_CASE("root ends: what is no root at an end, or not smooth between, is left 
         };
         return integrate_root_ends(counted, Real(1), Real(0), Real(0)).has_value();
     };
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return log(r); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return log(r); }));
     CHECK(calls == 47); // 10 + 15 + 22
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(r * log(r)); }));
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return cbrt(r); }));
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(1 / r); }));
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(3 * r < 1 ? 1 : 0); }));
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return abs(Real(r - Real(1) / 3)); }));
-    CHECK_FALSE(settles([](const Real& r, const Real&) { return Real(r + 1e-30 * log(r)); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return Real(r * log(r)); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return cbrt(r); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return Real(1 / r); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return Real(3 * r < 1 ? 1 : 0); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return abs(Real(r - Real(1) / 3)); }));
+    CHECK_FALSE(converges([](const Real& r, const Real&) { return Real(r + 1e-30 * log(r)); }));
     for (int exponent = -42; exponent < 0; exponent += 3) {
         CAPTURE(exponent);
         const Real factor = pow(Real(10), exponent);
-        CHECK_FALSE(settles([&](const Real& r, const Real&) {
+        CHECK_FALSE(converges([&](const Real& r, const Real&) {
             return Real(1 / (2 + r) + factor * r * log(r)); // the factor hides it from small rules
         }));
     }
-    CHECK(settles([](const Real& r, const Real&) { return Real(1 / (1 + r)); }));
-    CHECK_THROWS_AS((void)settles([](const Real& r, const Real&) { return log(Real(-r)); }),
+    CHECK(converges([](const Real& r, const Real&) { return Real(1 / (1 + r)); }));
+    CHECK_THROWS_AS((void)converges([](const Real& r, const Real&) { return log(Real(-r)); }),
                     DomainError);
 }
 

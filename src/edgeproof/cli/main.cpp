@@ -28,8 +28,9 @@ int main(int argc, char** argv) {
     cli::take_aborts();
     cli::take_signals();
     int code = 0;
-    CLI::App app{"Contact pressures near an edge, to any number of digits, and claims held to them",
-                 "edgeproof"};
+    CLI::App app{
+        "Contact pressures near an edge, to any number of digits, and printed claims verified",
+        "edgeproof"};
     app.require_subcommand(1);
     app.set_version_flag("--version", report::program_lines());
     app.footer(

@@ -22,17 +22,8 @@ constexpr std::size_t most_terms = 400;
 constexpr std::size_t most_threads = 1024;
 
 Rounding rounding_of(const std::string& name) {
-    if (name == "nearest") {
-        return Rounding::nearest;
-    }
-    if (name == "down") {
-        return Rounding::down;
-    }
-    if (name == "up") {
-        return Rounding::up;
-    }
-    if (name == "enclosure") {
-        return Rounding::enclosure;
+    if (const auto mode = rounding_named(name)) {
+        return *mode;
     }
     throw InputError("--round " + name + " is no way to round",
                      "write nearest, down, up or enclosure");
@@ -50,6 +41,13 @@ report::Fact fact(const std::string& key, const scene::BoundedValue& value,
                   const scene::Digits& digits) {
     const scene::PrintedValue p = printed(value, digits);
     return {key, p.text, p.bound, how(value, p)};
+}
+
+void add_fact(std::vector<report::Fact>& facts, const std::string& key,
+              const std::optional<scene::BoundedValue>& value, const scene::Digits& digits) {
+    if (value) {
+        facts.push_back(fact(key, *value, digits));
+    }
 }
 
 } // namespace
@@ -139,27 +137,17 @@ scene::SceneResult done(const scene::Scene& scene) {
 std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::SceneResult& result) {
     const scene::Digits& digits = scene.ask.digits;
     std::vector<report::Fact> facts{{"scene", scene.file}};
-    const char* const how = digits.rounding == Rounding::nearest ? "nearest"
-                            : digits.rounding == Rounding::down  ? "down"
-                            : digits.rounding == Rounding::up    ? "up"
-                                                                 : "enclosure";
     facts.push_back({"digits", std::to_string(digits.count)});
-    facts.push_back({"rounding", how});
+    facts.push_back({"rounding", std::string(rounding_name(digits.rounding))});
     if (scene.units) {
         facts.push_back({"units", scene.units->text()});
     }
     const scene::ContactValues& contact = result.contact;
-    if (contact.alpha) {
-        facts.push_back(fact("alpha", *contact.alpha, digits));
-    }
+    add_fact(facts, "alpha", contact.alpha, digits);
     facts.push_back(fact("a", contact.a, digits));
     facts.push_back(fact("b", contact.b, digits));
-    if (contact.force) {
-        facts.push_back(fact("P", *contact.force, digits));
-    }
-    if (contact.moment) {
-        facts.push_back(fact("M", *contact.moment, digits));
-    }
+    add_fact(facts, "P", contact.force, digits);
+    add_fact(facts, "M", contact.moment, digits);
     for (const auto& [quantity, value] : contact.others) {
         facts.push_back(fact(scene::symbol_of({quantity}), value, digits));
     }
@@ -181,12 +169,8 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
     facts.push_back(fact("Q/(f P)", stick.load_ratio, digits));
     facts.push_back(fact("stick_a", stick.a, digits));
     facts.push_back(fact("stick_b", stick.b, digits));
-    if (stick.least_tension) {
-        facts.push_back(fact("least_bulk_tension", *stick.least_tension, digits));
-    }
-    if (stick.most_tension) {
-        facts.push_back(fact("most_bulk_tension", *stick.most_tension, digits));
-    }
+    add_fact(facts, "least_bulk_tension", stick.least_tension, digits);
+    add_fact(facts, "most_bulk_tension", stick.most_tension, digits);
     if (!stick.in_proportion) {
         facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
                                  "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/exact_contact.hpp"
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 
 #include <optional>
 #include <string>

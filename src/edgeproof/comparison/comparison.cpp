@@ -181,10 +181,6 @@ void find_more(FileComparison& file, const ExactContact& exact) {
 
 } // namespace
 
-std::string norm_name(Norm norm) {
-    return norm == Norm::peak ? "peak" : norm == Norm::local ? "local" : "L2";
-}
-
 std::vector<std::string> FileComparison::findings() const {
     std::vector<std::string> both = table.findings;
     both.insert(both.end(), data.findings.begin(), data.findings.end());

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Results of meshes, a table of x and p with a few right digits, held against the exact contact.
-///   result_table.hpp   ResultTable: what a program wrote, whatever its columns and separators
-///   exact_contact.hpp  ExactContact: the scene's own solution
-///   alignment.hpp      AlignedResult: sign, origin, nodes with the exact pressure beside them
-///   data_edges.hpp     DataContact: edges, force and elements by the data
-///   measures.hpp       Errors: relative to the peak, to p itself, in the L2 norm; by distance
-///   edge_fit.hpp       EdgeFit: c_0 and c_1 by least squares
-///   causes.hpp         Diagnosis: the mistakes that would explain data which are off
-///   convergence.hpp    Convergence: orders and extrapolated values of several meshes
+///   input/result_table.hpp  ResultTable: what a program wrote, whatever its columns and separators
+///   exact_contact.hpp       ExactContact: the scene's own solution
+///   alignment.hpp           AlignedResult: sign, origin, nodes with the exact pressure beside them
+///   data_edges.hpp          DataContact: edges, force and elements by the data
+///   measures.hpp            Errors: relative to the peak, to p itself, in the L2 norm; by distance
+///   edge_fit.hpp            EdgeFit: c_0 and c_1 by least squares
+///   causes.hpp              Diagnosis: the mistakes that would explain data which are off
+///   convergence.hpp         Convergence: orders and extrapolated values of several meshes
 /// Only the exact contact's values are proved, where their routes say so; edges, fits and
 /// extrapolated values of data are estimates.
 #include "edgeproof/comparison/alignment.hpp"
@@ -17,8 +17,8 @@
 #include "edgeproof/comparison/data_edges.hpp"
 #include "edgeproof/comparison/edge_fit.hpp"
 #include "edgeproof/comparison/exact_contact.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures.hpp"
-#include "edgeproof/comparison/result_table.hpp"
 
 #include <array>
 #include <optional>
@@ -29,7 +29,6 @@ namespace edgeproof::comparison {
 
 /// Which error of the pressure is held against the tolerance.
 enum class Norm { peak, local, l2 };
-[[nodiscard]] std::string norm_name(Norm norm);
 
 /// What data are held to. Edges, force and c_0 of the data are held against what the same rule
 /// makes of the exact pressure at the same nodes: how far that is from the exact value is the

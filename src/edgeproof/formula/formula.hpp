@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Exact expressions: what users and ledgers write, never rounded before somebody asks for digits.
-///   builtin.hpp      the functions that every formula may use
-///   expr.hpp         Expr: the tree; text and TeX of it; substitution; edits by path
-///   parse.hpp        text -> Expr, with a strict table of names; FormulaError
-///   exact.hpp        Exact: a constant such as "pi/16", and its value at any precision
-///   parity.hpp       even and odd functions, told by their form
-///   identity.hpp     zeros and signs proved by exact algebra
-///   evaluate.hpp     the value of an Expr in any kind of number
-///   environment.hpp  Values: names with values, to evaluate in
-///   program.hpp      Program: an Expr compiled for many evaluations
+///   builtin.hpp                 the functions that every formula may use
+///   expr.hpp                    Expr: the tree; text and TeX of it; substitution; edits by path
+///   parse.hpp                   text -> Expr, with a strict table of names; FormulaError
+///   exact/exact.hpp             Exact: a constant such as "pi/16", and its value at any precision
+///   parity.hpp                  even and odd functions, told by their form
+///   exact/identity.hpp          zeros and signs proved by exact algebra
+///   evaluation/evaluate.hpp     the value of an Expr in any kind of number
+///   evaluation/environment.hpp  Values: names with values, to evaluate in
+///   evaluation/program.hpp      Program: an Expr compiled for many evaluations
 #include "edgeproof/formula/builtin.hpp"
-#include "edgeproof/formula/environment.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/parity.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "edgeproof/formula/program.hpp"

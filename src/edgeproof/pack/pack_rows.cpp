@@ -3,7 +3,7 @@
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/pack/pack.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -17,14 +17,14 @@ namespace {
 
 using At = IntegrandRef<Real, Real>;
 
-constexpr double rung = 1.5;
+constexpr double node_ratio = 1.5;
 /// How many times more digits a rule of 1.5 times the nodes has to have, at the least, while it is
 /// found out whether the digits grow like the nodes.
 constexpr double growth_asked = 1.25;
 /// The last rule has so many times the nodes of the one that it is compared with, and nothing is
 /// foreseen beyond: a singularity with a small factor shows only where the digits have come down to
 /// it, and may lie below those that two rules share.
-constexpr double last_rung = 1.2;
+constexpr double last_ratio = 1.2;
 constexpr double counted_on = 0.9;
 constexpr double most_per_digit = 6; ///< nodes for a digit, where it is given up
 /// Given up as well where a rule has less than this of the digits that its nodes should have.
@@ -207,8 +207,8 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     // Three small rules tell whether the digits grow like the nodes.
     double n = std::max(10.0, target / 8);
     (void)next(n);
-    const double first = next(n * rung);
-    const double second = next(n * rung * rung);
+    const double first = next(n * node_ratio);
+    const double second = next(n * node_ratio * node_ratio);
     if (second >= target) {
         return result(second);
     }
@@ -217,18 +217,18 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     }
     // Then one that is to have nearly all, and one that has them all; always one of the same sizes,
     // so that few tables of nodes are made.
-    const double per_node = second / (n * rung);
-    n *= rung * rung;
-    double m = n * last_rung;
-    while (m * last_rung < target / per_node) {
-        m *= last_rung;
+    const double per_node = second / (n * node_ratio);
+    n *= node_ratio * node_ratio;
+    double m = n * last_ratio;
+    while (m * last_ratio < target / per_node) {
+        m *= last_ratio;
     }
     double shared = next(m);
     while (last_n < most_per_digit * target && shared > still_growing * per_node * n) {
         n = last_n;
-        shared = next(n * last_rung);
-        if (shared * (1 + (last_rung - 1) * counted_on) >= target) {
-            return result(shared * (1 + (last_rung - 1) * counted_on));
+        shared = next(n * last_ratio);
+        if (shared * (1 + (last_ratio - 1) * counted_on) >= target) {
+            return result(shared * (1 + (last_ratio - 1) * counted_on));
         }
     }
     return std::nullopt;

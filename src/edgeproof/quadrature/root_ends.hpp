@@ -15,11 +15,11 @@ namespace edgeproof::quadrature {
 /// with the distances from both ends, both exact, none of them smaller than 1e-15 of the interval
 /// unless there is a near root beyond.
 ///
-/// Rules of 10, 15, 22, ... nodes (more, for more digits); settled where the digits that the last
+/// Rules of 10, 15, 22, ... nodes (more, for more digits); converged where the digits that the last
 /// two share, which grow like the number of nodes, say that the last has those of the working
-/// precision. `estimate` is what is foreseen so. Nothing for an integrand that does not settle so,
-/// which a few small rules tell (a logarithm or another power at an end, a kink inside): for those
-/// there is integrate_near.
+/// precision. `estimate` is what is foreseen so. Nothing for an integrand that does not converge
+/// so, which a few small rules tell (a logarithm or another power at an end, a kink inside): for
+/// those there is integrate_near.
 [[nodiscard]] std::optional<QuadratureResult<Real>>
 integrate_root_ends(const IntegrandRef<Real, Real>& f, const Real& length, const Real& beyond_lo,
                     const Real& beyond_hi);

@@ -110,7 +110,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
                 result.converged = true;
                 return result;
             }
-            // Far from settled, that is: near the end it may be roundoff that holds it up.
+            // Only far from convergence: near the end it may be roundoff that holds it up.
             if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
                 difference * T(8) > before_last) {
                 previous = std::move(estimate_now);

@@ -36,7 +36,7 @@ struct QuadratureOptions {
     /// Stop, not converged, at a level from 8 on that has less than five digits and is hardly
     /// nearer than the one two before. The digits of an integrand that is analytic but for its ends
     /// double from level to level; one that gains next to none has a kink inside or no finite
-    /// integral, and no finer level settles it.
+    /// integral, and no finer level converges.
     bool gives_up = false;
     /// Stop where the digits that the last three levels gained say that this one has those asked
     /// for (LevelEstimate's rule), a level before two agree to them; `estimate` is then what is

@@ -4,11 +4,10 @@
 ///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
 ///   table.hpp            any table as CSV, JSON, Markdown, LaTeX
 ///   reference_table.hpp  a recipe's answers, or its questions, as a table; tables compared
-///   agreement_report.hpp other programs' answers held to the reference, for people and as JUnit
-///   mutation_report.hpp  what became of formulas broken on purpose
-///   golden.hpp           an audit held against the verdicts recorded before
-///   html_report.hpp      an audit as a page, with the paper's figures made anew
-///   figures.hpp          a figure as data, drawn by gnuplot
+///   agreement_report.hpp other programs' answers compared with the reference, for people and as
+///   JUnit mutation_report.hpp  what became of formulas broken on purpose golden.hpp           an
+///   audit held against the verdicts recorded before html_report.hpp      an audit as a page, with
+///   the paper's figures made anew figures.hpp          a figure as data, drawn by gnuplot
 ///   program_line.hpp     version, commit and libraries, named in every file
 ///   html_markup.hpp      text in HTML
 #include "edgeproof/io/output_file.hpp"

@@ -30,7 +30,7 @@ scene::BoundedValue tilt_difference(const scene::Scene& scene, const AskedValue&
         const scene::BoundedValue p = single(scene, pressure, digits + extra);
         const scene::BoundedValue q = single(other, pressure, digits + extra);
         scene::BoundedValue d{p.value - q.value, p.proved && q.proved, p.route};
-        if (scene::settles(d.value, to_digits(digits)) || extra >= most_cancelled) {
+        if (scene::has_digits(d.value, to_digits(digits)) || extra >= most_cancelled) {
             return d;
         }
     }
@@ -56,7 +56,7 @@ scene::BoundedValue residual(const scene::Scene& scene, const AskedValue& asked,
             sum = k + 1 < asked.k ? sum * u + c.value : c.value;
         }
         scene::BoundedValue d{1 - sum * sqrt(u) / p.value, proved, "series"};
-        if (scene::settles(d.value, to_digits(digits)) || extra >= most_cancelled) {
+        if (scene::has_digits(d.value, to_digits(digits)) || extra >= most_cancelled) {
             return d;
         }
     }

@@ -2,7 +2,7 @@
 #include "edgeproof/validation/hard_cases.hpp"
 
 #include "edgeproof/io/error_place.hpp"
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"

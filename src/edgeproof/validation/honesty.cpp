@@ -130,7 +130,7 @@ std::vector<HonestyRow> honesty(const std::vector<HonestyPoint>& points,
             try {
                 claimed = routes[r].second(p);
             } catch (const std::exception&) {
-                claimed.reset(); // it said that it failed, which is honest
+                claimed.reset(); // it reported its failure
             }
             if (rows.empty() || rows.back().route != routes[r].first ||
                 rows.back().profile != p.profile || rows.back().regime != p.regime) {

@@ -85,7 +85,7 @@ SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValu
             const Real middle = (inside + outside) / 2;
             (error(middle) < tolerance ? inside : outside) = middle;
         }
-        return SecondRoute{"own-scan", outside, enough};
+        return SecondRoute{"independent-scan", outside, enough};
     };
     for (std::size_t i = 0; i < u.size(); ++i) {
         e.push_back(error(u[i]));
@@ -102,21 +102,6 @@ SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValu
         }
     }
     throw DomainError("the approximation stays within the tolerance");
-}
-
-Summit first_summit(const scene::Scene& scene, contact::Edge edge, std::size_t n, unsigned digits) {
-    const PrecisionScope scope(digits + guard);
-    const ErrorCurve error(scene, edge, n, digits);
-    const std::vector<Real> u = error.grid();
-    std::vector<Real> e;
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        e.push_back(error(u[i]));
-        if (i > 1 && e[i] < e[i - 1] && e[i - 2] < e[i - 1]) {
-            const Real top = error.summit(u[i - 2], u[i], digits);
-            return {top, error(top)};
-        }
-    }
-    throw DomainError("the error rises all over");
 }
 
 } // namespace edgeproof::validation

@@ -11,13 +11,4 @@ namespace edgeproof::validation {
 [[nodiscard]] SecondRoute independent_extent(const scene::Scene& scene,
                                              const scene::AskedValue& asked, unsigned digits);
 
-/// The error |1 - (n terms)/p| at the local maximum of it that lies nearest the edge, to `digits`
-/// digits: what a tolerance has to be for the curve to touch it.
-struct Summit {
-    Real u;
-    Real error;
-};
-[[nodiscard]] Summit first_summit(const scene::Scene& scene, contact::Edge edge, std::size_t n,
-                                  unsigned digits);
-
 } // namespace edgeproof::validation

@@ -43,9 +43,9 @@ struct CaseOptions {
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// One case: by ball to `digits` digits, by two routes in Real at that many, and by the obvious
-/// formula in double, long double, __float128 and 50-digit MPFR. Never throws for what goes wrong
-/// on the way: that is the case's fault.
+/// One case: by ball to `digits` digits, by two routes in Real at that many, and by the
+/// textbook formula in double, long double, __float128 and 50-digit MPFR. Never throws for what
+/// goes wrong on the way: that is the case's fault.
 [[nodiscard]] CaseOutcome run_case(const HardCase& c, unsigned digits);
 
 /// All of them, in their order. Throws Interrupted.

@@ -54,7 +54,7 @@ std::optional<double> error_of(std::string text, const char* exact) {
 }
 
 /// One to three bytes put in, left out, doubled, exchanged or replaced.
-std::string spoilt(std::string text, std::mt19937_64& random) {
+std::string corrupted(std::string text, std::mt19937_64& random) {
     static const std::string bytes(
         "0123456789+-..,;\"'eEdDxXpPaf_ \t\r\n/#()naninf\0\x7f\xc2\xa0\xe2"
         "\x88\x92\xef\xbb\xbf\xff",
@@ -163,11 +163,12 @@ TEST_CASE("numbers in answers: one grammar, the whole text or nothing") {
     }
 }
 
-TEST_CASE("numbers in answers: a spoilt right number counts only where its value is still right") {
+TEST_CASE(
+    "numbers in answers: a corrupted right number counts only where its value is still right") {
     std::mt19937_64 random(20);
     std::size_t still_right = 0;
     for (int n = 0; n < 40'000; ++n) {
-        const std::string text = spoilt(forms_of_three_eighths[random() % 12], random);
+        const std::string text = corrupted(forms_of_three_eighths[random() % 12], random);
         CAPTURE(text);
         const WrittenNumber read = written_number(text);
         const auto error = error_of(text, "0.375");
@@ -182,7 +183,7 @@ TEST_CASE("numbers in answers: a spoilt right number counts only where its value
     CHECK(still_right > 500); // the test has both sides
 }
 
-TEST_CASE("answers: a spoilt right row passes only where what is left is a right row") {
+TEST_CASE("answers: a corrupted right row passes only where what is left is a right row") {
     const Csv alone = parse_csv("id,kind,m,C,a,contact_modulus,quantity,value\n"
                                 "h,power-law,1,1,1,1,P,1\n",
                                 "q.csv");
@@ -195,7 +196,7 @@ TEST_CASE("answers: a spoilt right row passes only where what is left is a right
         const std::string form = forms_of_three_eighths[random() % 12];
         const bool quoted = random() % 2 == 0;
         const std::string text =
-            spoilt(quoted ? "h,\"" + form + "\"\n" : "h," + form + "\n", random);
+            corrupted(quoted ? "h,\"" + form + "\"\n" : "h," + form + "\n", random);
         CAPTURE(text);
         bool passes = false;
         try {

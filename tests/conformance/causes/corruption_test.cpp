@@ -18,17 +18,18 @@ const std::string right = "id,quantity,edge,u,value\n"
 
 } // namespace
 
-TEST_CASE("spoilt files: of every kind, each unlike the right one, the same from the same seed") {
+TEST_CASE(
+    "corrupted files: of every kind, each unlike the right one, the same from the same seed") {
     const Csv csv = parse_csv(right, "a.csv");
     CHECK(csv_text(csv) == right);
     const auto list = corruptions(csv, 5, 100);
     REQUIRE(list.size() == 100);
     std::set<std::string> kinds;
-    for (const Corruption& spoilt : list) {
-        kinds.insert(spoilt.kind);
-        CAPTURE(spoilt.kind);
-        CHECK(spoilt.text != right);
-        CHECK_FALSE(spoilt.what.empty());
+    for (const Corruption& corrupted : list) {
+        kinds.insert(corrupted.kind);
+        CAPTURE(corrupted.kind);
+        CHECK(corrupted.text != right);
+        CHECK_FALSE(corrupted.what.empty());
     }
     CHECK(kinds.size() == 26);
     const auto again = corruptions(csv, 5, 100);
@@ -43,8 +44,8 @@ TEST_CASE("left and right are exchanged only where that changes anything") {
                                "w:right:u=1:p,p,right,1,0.5\nw:P,P,,,0.25\n",
                                "a.csv");
     std::size_t exchanged = 0;
-    for (const Corruption& spoilt : corruptions(same, 1, 60)) {
-        exchanged += spoilt.kind == "left and right exchanged" ? 1 : 0;
+    for (const Corruption& corrupted : corruptions(same, 1, 60)) {
+        exchanged += corrupted.kind == "left and right exchanged" ? 1 : 0;
     }
     CHECK(exchanged == 0);
 }

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-/// Points that are hard for a quadrature, and what the fast routes make of them beside enclosures.
+/// Points that are hard for a quadrature, and what the batch routes make of them beside enclosures.
 namespace edgeproof::scenes {
 
 /// Curved pieces on both sides, one corner, no symmetry.
@@ -93,7 +93,7 @@ private:
     std::map<long, IntegratedContact> curved_;
 };
 
-struct FastDigits {
+struct BatchDigits {
     std::size_t points = 0;
     int worst = 100000;         ///< digits that are right
     bool estimates_hold = true; ///< within a unit of the digit beyond the guard
@@ -101,9 +101,9 @@ struct FastDigits {
     std::string where;
 };
 
-inline FastDigits fast_digits(const Contact& c, BatchPressure::Rule rule, unsigned digits,
-                              int count) {
-    FastDigits found;
+inline BatchDigits batch_digits(const Contact& c, BatchPressure::Rule rule, unsigned digits,
+                                int count) {
+    BatchDigits found;
     const NormalContact contact(c.profile, c.modulus, c.load, digits + 10);
     const BatchPressure fast(contact, digits, rule);
     Enclosures enclosed(c);

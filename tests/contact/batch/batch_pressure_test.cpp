@@ -28,10 +28,10 @@ Contact flat() {
             Load::right_edge(exact("1"))};
 }
 
-FastDigits worst_of(const std::vector<Contact>& contacts, Rule rule, unsigned digits, int count) {
-    FastDigits all;
+BatchDigits worst_of(const std::vector<Contact>& contacts, Rule rule, unsigned digits, int count) {
+    BatchDigits all;
     for (const Contact& c : contacts) {
-        const FastDigits one = fast_digits(c, rule, digits, count);
+        const BatchDigits one = batch_digits(c, rule, digits, count);
         all.points += one.points;
         all.estimates_hold = all.estimates_hold && one.estimates_hold;
         all.most_nodes = std::max(all.most_nodes, one.most_nodes);
@@ -60,7 +60,7 @@ double halved_nodes(unsigned digits, double half, double to_pole) {
 } // namespace
 
 TEST_CASE("Gauss-Legendre has its digits beside the enclosures, at every hard point") {
-    const FastDigits found = worst_of(all_contacts(), Rule::gauss_legendre, 50, 4);
+    const BatchDigits found = worst_of(all_contacts(), Rule::gauss_legendre, 50, 4);
     CAPTURE(found.where);
     CHECK(found.points >= 200);
     CHECK(found.worst >= 50);
@@ -71,7 +71,7 @@ TEST_CASE("Gauss-Legendre has its digits beside the enclosures, at every hard po
 }
 
 TEST_CASE("tanh-sinh on the same integrand has them too") {
-    const FastDigits found =
+    const BatchDigits found =
         worst_of({flat(), symmetric()[3], symmetric()[8], tilted()[4], own_symmetric()},
                  Rule::tanh_sinh, 50, 4);
     CAPTURE(found.where);
@@ -89,7 +89,7 @@ TEST_CASE("symmetric slopes, odd as formulas or not") {
         contacts.push_back({slope, Profile::piecewise_symmetric({}, {parse(slope, x)}),
                             exact("7/3"), Load::right_edge(exact("4/5"))});
     }
-    const FastDigits found = worst_of(contacts, Rule::gauss_legendre, 50, 4);
+    const BatchDigits found = worst_of(contacts, Rule::gauss_legendre, 50, 4);
     CAPTURE(found.where);
     CHECK(found.points >= 40);
     CHECK(found.worst >= 50);
@@ -103,7 +103,7 @@ TEST_CASE("symmetric slopes, odd as formulas or not") {
 }
 
 TEST_CASE("200 digits") {
-    const FastDigits found =
+    const BatchDigits found =
         worst_of({flat(), symmetric()[2], tilted()[5]}, Rule::gauss_legendre, 200, 3);
     CAPTURE(found.where);
     CHECK(found.worst >= 200);
@@ -119,7 +119,7 @@ TEST_CASE("power laws of every kind of exponent") {
                         exact("7/3"), Load::right_edge(exact("5/4"))});
     }
     for (const Rule rule : {Rule::gauss_legendre, Rule::tanh_sinh}) {
-        const FastDigits found = worst_of(laws, rule, 50, 4);
+        const BatchDigits found = worst_of(laws, rule, 50, 4);
         CAPTURE(found.where);
         CHECK(found.points >= 100);
         CHECK(found.worst >= 50);
@@ -228,7 +228,7 @@ TEST_CASE("100, 200 and 500 digits, every profile, both rules") {
             if (digits == 500) {
                 contacts.erase(contacts.end() - 2, contacts.end());
             }
-            const FastDigits found = worst_of(contacts, rule, digits, digits == 500 ? 2 : 8);
+            const BatchDigits found = worst_of(contacts, rule, digits, digits == 500 ? 2 : 8);
             CAPTURE(digits);
             CAPTURE(found.where);
             CHECK(found.points >= 150);

@@ -13,11 +13,7 @@
 #include <string>
 #include <vector>
 
-using scenes::size_cases;
-using scenes::SizeCase;
-using scenes::slip_bits;
-using scenes::Slipping;
-using scenes::slipping;
+using scenes::size_cases, scenes::SizeCase, scenes::slip_bits, scenes::Slipping, scenes::slipping;
 
 namespace {
 

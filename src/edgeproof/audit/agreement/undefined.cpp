@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/enclosure/exact_zero.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -216,7 +216,7 @@ CheckKind dependence_kind() {
               .type = Type::choice,
               .required = true,
               .choices = {"independent", "function"}},
-             {.name = "of", .type = Type::formula, .required = true},
+             required_formula("of"),
              {.name = "from", .type = Type::formulas, .required = true},
              {.name = "degree", .type = Type::integer},
              {.name = "given", .type = Type::formula_table}},

@@ -279,8 +279,8 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
 CheckKind expansion_kind() {
     using Type = KeySpec::Type;
     return {"expansion",
-            {{.name = "says", .type = Type::formula, .required = true},
-             {.name = "of", .type = Type::formula, .required = true},
+            {required_formula("says"),
+             required_formula("of"),
              {.name = "variable", .required = true},
              {.name = "through", .type = Type::number, .required = true},
              {.name = "as_if", .type = Type::formula_table},

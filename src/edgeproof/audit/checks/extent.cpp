@@ -189,12 +189,12 @@ CheckKind extent_kind() {
     return {"extent",
             {{.name = "terms", .type = Type::integer, .required = true},
              {.name = "tolerance", .type = Type::number, .required = true},
-             {.name = "base", .type = Type::formula, .required = true},
+             required_formula("base"),
              {.name = "reach",
               .type = Type::choice,
               .required = true,
               .choices = {"first-exit", "measure"}},
-             {.name = "upto", .type = Type::formula}},
+             optional_formula("upto")},
             check_extent};
 }
 

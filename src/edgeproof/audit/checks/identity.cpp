@@ -93,12 +93,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         }
         return outcome;
     }
-    RefutedFormula refuted;
-    refuted.printed = claim.written("says");
-    refuted.exact = claim.written("of");
-    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
-                                    &samples_at.all().front().sample.scene);
-    refuted.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
+    RefutedFormula refuted = refuted_by_samples(claim, agreement, samples_at, outcome.evidence);
     if (derived && !refuted.ratio) {
         try {
             const formula::Expr ratio = derive(printed / *derived, under);
@@ -138,8 +133,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
 CheckKind identity_kind() {
     using Type = KeySpec::Type;
     return {"identity",
-            {{.name = "says", .type = Type::formula, .required = true},
-             {.name = "of", .type = Type::formula, .required = true},
+            {required_formula("says"),
+             required_formula("of"),
              {.name = "given", .type = Type::formula_table}},
             check_identity};
 }

@@ -92,8 +92,7 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
 CheckKind independence_kind() {
     using Type = KeySpec::Type;
     return {"independence",
-            {{.name = "of", .type = Type::formula, .required = true},
-             {.name = "at", .type = Type::list, .required = true}},
+            {required_formula("of"), {.name = "at", .type = Type::list, .required = true}},
             check_independence};
 }
 

@@ -116,7 +116,7 @@ Outcome check_limit(const Claim& claim, const AuditContext& context) {
 CheckKind limit_kind() {
     using Type = KeySpec::Type;
     return {"limit",
-            {{.name = "of", .type = Type::formula, .required = true},
+            {required_formula("of"),
              {.name = "along", .required = true},
              {.name = "limit", .type = Type::formula, .required = true, .choices = {"infinity"}}},
             check_limit};

@@ -117,7 +117,7 @@ Outcome check_monotone(const Claim& claim, const AuditContext& context) {
 CheckKind monotone_kind() {
     using Type = KeySpec::Type;
     return {"monotone",
-            {{.name = "of", .type = Type::formula, .required = true},
+            {required_formula("of"),
              {.name = "along", .required = true},
              {.name = "sense",
               .type = Type::choice,

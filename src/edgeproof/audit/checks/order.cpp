@@ -182,8 +182,8 @@ Outcome check_order(const Claim& claim, const AuditContext& context) {
 CheckKind order_kind() {
     using Type = KeySpec::Type;
     return {"order",
-            {{.name = "says", .type = Type::formula, .required = true},
-             {.name = "of", .type = Type::formula, .required = true},
+            {required_formula("says"),
+             required_formula("of"),
              {.name = "factor", .type = Type::choice, .choices = {"of-the-scene", "pure-number"}},
              {.name = "candidates", .type = Type::formulas}},
             check_order};

@@ -3,8 +3,8 @@
 #include "edgeproof/audit/checks/parts/size_extents.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/formula/environment.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

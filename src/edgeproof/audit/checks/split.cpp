@@ -168,7 +168,7 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
 CheckKind split_kind() {
     using Type = KeySpec::Type;
     return {"split",
-            {{.name = "of", .type = Type::formula, .required = true},
+            {required_formula("of"),
              {.name = "variable", .required = true},
              {.name = "small", .required = true},
              {.name = "through", .type = Type::number, .required = true},

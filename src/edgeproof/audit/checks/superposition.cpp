@@ -68,8 +68,8 @@ CheckKind superposition_kind() {
     return {
         "superposition",
         {{.name = "says", .type = Type::choice, .required = true, .choices = {"add", "subtract"}},
-         {.name = "of", .type = Type::formula, .required = true},
-         {.name = "when_zero", .type = Type::formula},
+         required_formula("of"),
+         optional_formula("when_zero"),
          {.name = "loads", .type = Type::list, .required = true}},
         check_superposition};
 }

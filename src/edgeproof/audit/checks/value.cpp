@@ -42,12 +42,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         return outcome;
     }
     QuickSamples quick(claim, context, exact);
-    RefutedFormula refuted;
-    refuted.printed = claim.written("says");
-    refuted.exact = claim.written("of");
-    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
-                                    &samples_at.all().front().sample.scene);
-    refuted.ratio = ratio_by_samples(agreement, samples_at, outcome.evidence);
+    RefutedFormula refuted = refuted_by_samples(claim, agreement, samples_at, outcome.evidence);
     refuted.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
     refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         return judge_samples(
@@ -89,11 +84,8 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
 } // namespace
 
 CheckKind value_kind() {
-    using Type = KeySpec::Type;
     return {"value",
-            {{.name = "says", .type = Type::formula, .required = true},
-             {.name = "of", .type = Type::formula, .required = true},
-             {.name = "scale", .type = Type::formula}},
+            {required_formula("says"), required_formula("of"), optional_formula("scale")},
             check_value};
 }
 

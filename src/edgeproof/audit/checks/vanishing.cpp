@@ -188,9 +188,9 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
 CheckKind vanishing_kind() {
     using Type = KeySpec::Type;
     return {"vanishing",
-            {{.name = "says", .type = Type::formula, .required = true},
-             {.name = "of", .type = Type::formula, .required = true},
-             {.name = "ratio", .type = Type::formula, .required = true},
+            {required_formula("says"),
+             required_formula("of"),
+             required_formula("ratio"),
              {.name = "loads", .type = Type::list, .required = true},
              {.name = "tolerances", .type = Type::list},
              {.name = "elsewhere", .type = Type::formulas}},

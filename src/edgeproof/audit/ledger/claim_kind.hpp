@@ -30,6 +30,16 @@ struct KeySpec {
     std::vector<std::string_view> choices = {};
 };
 
+/// A key that holds a formula, and that every claim of the kind must have.
+[[nodiscard]] inline KeySpec required_formula(std::string_view name) {
+    return {.name = name, .type = KeySpec::Type::formula, .required = true};
+}
+
+/// The same, which a claim may leave out.
+[[nodiscard]] inline KeySpec optional_formula(std::string_view name) {
+    return {.name = name, .type = KeySpec::Type::formula};
+}
+
 /// A kind of claim: one file in checks/.
 struct CheckKind {
     std::string_view name;

@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/ledger/scene_names.hpp"
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

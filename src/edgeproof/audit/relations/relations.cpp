@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/relations/residue_sample.hpp"
 #include "edgeproof/audit/relations/weights.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/quotient.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 
 #include <vector>
 

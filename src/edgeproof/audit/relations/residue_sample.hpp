@@ -25,8 +25,6 @@ public:
     [[nodiscard]] Residue number(const Rational& q) const { return Residue::of(q); }
     [[nodiscard]] Residue pi() const { return pi_; }
     [[nodiscard]] Residue symbol(std::string_view name) const;
-    /// For the Residues that templates take by value.
-    [[nodiscard]] const Residue& root_of_length() const { return root_; }
 
 private:
     [[nodiscard]] Residue meaning(std::string_view name) const;

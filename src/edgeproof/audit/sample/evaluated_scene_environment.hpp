@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/sample/evaluated_scene_state.hpp"
-#include "edgeproof/formula/environment.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 
 #include <algorithm>
 #include <concepts>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/formal_values.hpp"
 
-#include "edgeproof/formula/environment.hpp"
+#include "edgeproof/formula/evaluation/environment.hpp"
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::audit {

@@ -149,7 +149,7 @@ report::Table honesty_table(const std::vector<validation::HonestyRow>& rows, uns
     report::Table t;
     t.title = "Claimed error against true error, at " + std::to_string(digits) + " digits";
     t.notes = {
-        "none: no value, which is honest; understated: the true error is larger than claimed",
+        "none: no value, and none is claimed; understated: the true error is larger than claimed",
         "worst ratio: log10 of the largest true/claimed error; below 0 the claim holds",
         "claimed, right: digits of that value, as claimed and as they are; lost: the "
         "difference"};

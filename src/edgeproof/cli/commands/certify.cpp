@@ -4,6 +4,7 @@
 #include "edgeproof/certificate/certificate_folder.hpp"
 #include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -27,7 +28,7 @@ struct CertifyOptions {
     int threads = 0;
 };
 
-// What theorems state depends on verdicts and corrections, which 30 digits settle.
+// What theorems state depends on verdicts and corrections, for which 30 digits suffice.
 constexpr unsigned digits_of_verdicts = 30;
 
 int certify(const CertifyOptions& o) {
@@ -36,17 +37,7 @@ int certify(const CertifyOptions& o) {
         return report_claim_errors(ledger.errors);
     }
     io::StagedFolder staged(o.out);
-    audit::AuditOptions options;
-    options.digits = digits_of_verdicts;
-    options.threads = o.threads;
-    options.only = o.only;
-    options.errors = audit::ClaimErrors::kept;
-    audit::AuditResult result;
-    {
-        Progress progress("claims");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        result = run_audit(ledger, options);
-    }
+    const audit::AuditResult result = judged_ledger(ledger, digits_of_verdicts, o.threads, o.only);
     std::vector<certificate::Certificate> all;
     all.reserve(result.claims.size());
     for (const audit::ClaimResult& claim : result.claims) {

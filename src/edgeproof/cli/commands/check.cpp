@@ -185,7 +185,8 @@ int check(const CheckOptions& o) {
 } // namespace
 
 void add_check(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand("check", "another program's answers, held to the reference");
+    CLI::App* sub =
+        app.add_subcommand("check", "compare another program's answers with reference values");
     auto o = std::make_shared<CheckOptions>();
     sub->add_option("answers", o->answers,
                     "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
@@ -210,12 +211,12 @@ void add_check(CLI::App& app, int& code) {
     sub->add_option("--errors", o->errors, "show at most so many failures")->capture_default_str();
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
-    sub->add_option("--ledger", o->ledger, "hold the formulas of this ledger to the mechanics");
+    sub->add_option("--ledger", o->ledger, "verify the formulas of this ledger instead");
     sub->add_flag("--self-test", o->self_test,
-                  "answer the recipe rightly, spoil the answers in many ways, and count what is "
+                  "answer the recipe rightly, corrupt the answers in many ways, and count what is "
                   "found");
     sub->add_option("--seed", o->self.seed, "of --self-test")->capture_default_str();
-    sub->add_option("--files", o->self.files, "of --self-test: spoilt files")
+    sub->add_option("--files", o->self.files, "of --self-test: corrupted files")
         ->capture_default_str();
     sub->add_option("--threads", o->threads, "threads (default: one a processor)");
     sub->callback([o, &code] {

@@ -12,7 +12,7 @@ struct SelfTestOptions {
     std::string seed = "1";
     std::string files = "200";
 };
-/// Right answers to a recipe must pass, spoilt ones be found: 0 where all are.
+/// Right answers to a recipe must pass, corrupted ones be found: 0 where all are.
 [[nodiscard]] int self_test(const std::string& recipe, const SelfTestOptions& options,
                             const std::string& threads);
 

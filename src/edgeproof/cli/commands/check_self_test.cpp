@@ -69,25 +69,26 @@ int self_test(const std::string& recipe_file, const SelfTestOptions& o,
     {
         Progress progress("files");
         std::size_t done = 0;
-        for (const conformance::Corruption& spoilt : conformance::corruptions(right, seed, files)) {
-            Tally& t = tallies[spoilt.kind];
+        for (const conformance::Corruption& corrupted :
+             conformance::corruptions(right, seed, files)) {
+            Tally& t = tallies[corrupted.kind];
             ++t.files;
-            if (!complaint(asked, spoilt.text, options).empty()) {
+            if (!complaint(asked, corrupted.text, options).empty()) {
                 ++t.found;
                 ++found;
             } else {
-                missed += "missed: " + spoilt.kind + ": " + spoilt.what + "\n";
+                missed += "missed: " + corrupted.kind + ": " + corrupted.what + "\n";
             }
             progress(++done, files);
         }
     }
-    std::printf("%-44s%8s%8s\n", "spoilt by", "files", "found");
+    std::printf("%-44s%8s%8s\n", "corrupted by", "files", "found");
     for (const auto& [kind, t] : tallies) {
         std::printf("%-44s%8zu%8zu\n", kind.c_str(), t.files, t.found);
     }
     std::printf("%s\n", report::program_line().c_str());
     std::printf("%s%s", missed.c_str(), said.c_str());
-    std::printf("the right answers %s; %zu of %zu spoilt files found (seed %zu, %zu answers a "
+    std::printf("the right answers %s; %zu of %zu corrupted files found (seed %zu, %zu answers a "
                 "file, target 0.5 ulps)\n",
                 said.empty() ? "pass" : "FAIL", found, files, seed, asked.list.size());
     return said.empty() && found == files ? 0 : 1;

@@ -108,7 +108,7 @@ int mutate(const MutateOptions& o) {
 
 void add_mutate(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
-        "mutate", "break the formulas of a ledger that stand, and see that each is refuted");
+        "mutate", "break the confirmed formulas of a ledger, and see that each mutant is refuted");
     auto o = std::make_shared<MutateOptions>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--mutants", o->mutants, "how many")->capture_default_str();

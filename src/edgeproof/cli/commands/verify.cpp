@@ -2,6 +2,7 @@
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/staged_folder.hpp"
@@ -68,17 +69,8 @@ int verify(const VerifyOptions& o) {
         staged.emplace(o.out);
         const io::Scratch usable; // the figures need one
     }
-    audit::AuditOptions options;
-    options.digits = static_cast<unsigned>(o.digits);
-    options.threads = o.threads;
-    options.only = o.only;
-    options.errors = audit::ClaimErrors::kept;
-    audit::AuditResult result;
-    {
-        Progress progress("claims");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        result = run_audit(ledger, options);
-    }
+    const audit::AuditResult result =
+        judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only);
     if (staged) {
         write_files(result, ledger, *staged, o.threads);
     }
@@ -114,7 +106,7 @@ int verify(const VerifyOptions& o) {
 
 void add_verify(CLI::App& app, int& code) {
     CLI::App* sub =
-        app.add_subcommand("verify", "hold a ledger of printed claims to the mechanics");
+        app.add_subcommand("verify", "verify a ledger of printed claims against the mechanics");
     auto o = std::make_shared<VerifyOptions>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();

@@ -35,13 +35,13 @@ std::string with_text_behind_quotes(std::string text) {
     return text;
 }
 
-class Spoiler {
+class Corrupter {
 public:
-    Spoiler(const io::Csv& right, std::uint64_t seed) : right_(right), random_(seed) {
+    Corrupter(const io::Csv& right, std::uint64_t seed) : right_(right), random_(seed) {
         const auto id = right.column("id");
         const auto value = right.column("value");
         if (!id || !value || right.rows.size() < 3) {
-            throw InputError("too few answers to spoil", "give a recipe with more of them");
+            throw InputError("too few answers to corrupt", "give a recipe with more of them");
         }
         id_ = *id;
         value_ = *value;
@@ -51,7 +51,7 @@ public:
     }
 
     /// Tries until something is really wrong.
-    Corruption spoil(std::size_t kind) {
+    Corruption corrupt(std::size_t kind) {
         const auto& [name, change] = kinds()[kind % kinds().size()];
         for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
             io::Csv csv = right_;
@@ -67,7 +67,7 @@ public:
         return {};
     }
 
-    using Change = std::function<std::string(Spoiler&, io::Csv&)>;
+    using Change = std::function<std::string(Corrupter&, io::Csv&)>;
     static const std::vector<std::pair<std::string, Change>>& kinds();
 
 private:
@@ -223,8 +223,8 @@ private:
     std::size_t cut_ = 0;
 };
 
-const std::vector<std::pair<std::string, Spoiler::Change>>& Spoiler::kinds() {
-    using S = Spoiler&;
+const std::vector<std::pair<std::string, Corrupter::Change>>& Corrupter::kinds() {
+    using S = Corrupter&;
     const auto one = [](auto f) {
         return [f](S s, io::Csv& csv) {
             return s.one(csv, [&](const std::string& v) { return std::string(f(v)); });
@@ -301,12 +301,12 @@ std::string csv_text(const io::Csv& csv) {
 }
 
 std::vector<Corruption> corruptions(const io::Csv& right, std::uint64_t seed, std::size_t count) {
-    Spoiler spoiler(right, seed);
+    Corrupter corrupter(right, seed);
     std::vector<Corruption> list;
     for (std::size_t kind = 0; list.size() < count; ++kind) {
-        Corruption spoilt = spoiler.spoil(kind);
-        if (!spoilt.kind.empty()) {
-            list.push_back(std::move(spoilt));
+        Corruption corrupted = corrupter.corrupt(kind);
+        if (!corrupted.kind.empty()) {
+            list.push_back(std::move(corrupted));
         }
     }
     return list;

@@ -2,7 +2,7 @@
 #include "edgeproof/conformance/questions/recipe.hpp"
 
 #include "edgeproof/io/error_place.hpp"
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
@@ -19,14 +19,9 @@ constexpr long most_digits_of_a_recipe = 100'000;
 
 Rounding rounding_of(const io::TomlSection& top) {
     const std::string name = top.text("rounding");
-    if (name == "nearest") {
-        return Rounding::nearest;
-    }
-    if (name == "down") {
-        return Rounding::down;
-    }
-    if (name == "up") {
-        return Rounding::up;
+    const auto mode = rounding_named(name);
+    if (mode && *mode != Rounding::enclosure) {
+        return *mode;
     }
     static constexpr std::array<std::string_view, 3> ways{"nearest", "down", "up"};
     top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, ways));

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-/// The error control of the fast rule: which pole is taken out, and how many nodes the others ask
-/// for, from ellipses in which the integrand is holomorphic and bounded.
+/// The error control of the Gauss-Legendre rule: which pole is taken out, and how many nodes the
+/// others ask for, from ellipses in which the integrand is holomorphic and bounded.
 namespace edgeproof::contact {
 namespace {
 

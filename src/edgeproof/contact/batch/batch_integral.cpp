@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/batch/batch_integral.hpp"
 
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/parity.hpp"
 #include "edgeproof/precision/ball/raw.hpp"

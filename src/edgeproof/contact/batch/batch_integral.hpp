@@ -14,7 +14,7 @@ namespace edgeproof::contact {
 
 /// eqn:SIEPressure with its principal value made regular, as a sum over the pieces of g':
 ///   p = (E*/(2 pi)) (w_x times the integral of (G - G_x)/(S - S_x) d phi, corners by logarithms).
-/// See fast_circle.hpp for phi, S, and fast_piece.hpp for G. Both G and S grow, so that no sum of
+/// See batch_circle.hpp for phi, S, and batch_piece.hpp for G. Both G and S grow, so that no sum of
 /// a linear piece cancels.
 class BatchIntegral {
 public:
@@ -28,7 +28,7 @@ private:
     struct Task {
         enum class Kind {
             inside, ///< x is in the piece: the quotient has no pole
-            far,    ///< x is not, and the rule copes with its pole
+            far,    ///< x is not, and the rule converges in spite of the pole
             near    ///< the pole is taken out: what is left has none
         };
         Kind kind = Kind::inside;

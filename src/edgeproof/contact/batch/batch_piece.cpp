@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/batch/batch_piece.hpp"
 
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/exact/enclosed_constant.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/batch/batch_circle.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/formula/program.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/quadrature/holomorphic_reach.hpp"
 

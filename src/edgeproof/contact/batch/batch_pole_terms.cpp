@@ -6,7 +6,7 @@
 #include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
 
-/// What the fast routes have in closed form: poles that come near, and corners.
+/// What the batch routes have in closed form: poles that come near, and corners.
 namespace edgeproof::contact {
 namespace {
 

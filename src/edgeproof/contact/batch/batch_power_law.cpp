@@ -64,7 +64,7 @@ BatchPowerLaw::BatchPowerLaw(const formula::Exact& m, const Real& rate, const Re
       inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * std::numbers::ln10),
       rule_(rule), power_(exponent_of_integrand(m)) {
     if (!(m_double_ < 1e15)) {
-        throw DomainError("a power law of so large an exponent has no fast route");
+        throw DomainError("a power law of so large an exponent has no batch route");
     }
     const Real half = floor(Real(m_ / 2));
     steps_ = static_cast<unsigned long>(half);

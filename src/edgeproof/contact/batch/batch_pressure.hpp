@@ -15,7 +15,7 @@ namespace edgeproof::contact {
 /// The integral is eqn:SIEPressure on -b < x < a, its principal value made regular, over
 /// s = c + d cos(theta) (a symmetric contact: its halves laid on each other, so that
 /// s^2 = a^2 (1 + cos(phi))/2 takes the place of s). A power law has nodes of its own
-/// (fast_power_law.hpp). Corners of g' are logarithms.
+/// (batch_power_law.hpp). Corners of g' are logarithms.
 ///
 /// The two rules share the integrand and nothing else; routes that share nothing with either are in
 /// pressure_routes.hpp. Neither proves a bound.

@@ -7,7 +7,7 @@
 
 namespace edgeproof::contact {
 
-/// The inner loops of the fast routes: sums over nodes in MPFR's own operations, without a number
+/// The inner loops of the batch routes: sums over nodes in MPFR's own operations, without a number
 /// made or thrown away on the way. One object belongs to one thread and precision.
 class NodeSums {
 public:
@@ -32,17 +32,17 @@ public:
         }
     }
     /// sum += the sum of weight (rise - height)/(from - gap); where a node lies so near that this
-    /// cancels, `instead(k)` gives the quotient.
-    template <class Instead>
+    /// cancels, `fallback(k)` gives the quotient.
+    template <class Fallback>
     void add_differences(Real& sum, const std::vector<Real>& weight, const std::vector<Real>& rise,
                          const Real& height, const std::vector<Real>& from, const Real& gap,
-                         const Instead& instead) {
+                         const Fallback& fallback) {
         constexpr long near_bits = 16;
         for (std::size_t k = 0; k < from.size(); ++k) {
             mpfr_sub(raw(below_), raw(from[k]), raw(gap), MPFR_RNDN);
             if (mpfr_zero_p(raw(below_)) != 0 ||
                 mpfr_get_exp(raw(below_)) + near_bits < mpfr_get_exp(raw(from[k]))) {
-                sum += weight[k] * instead(k);
+                sum += weight[k] * fallback(k);
                 continue;
             }
             mpfr_sub(raw(above_), raw(rise[k]), raw(height), MPFR_RNDN);

@@ -5,7 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/profile/profile_checks.hpp"
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

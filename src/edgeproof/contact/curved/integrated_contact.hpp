@@ -17,7 +17,7 @@ namespace edgeproof::contact {
 /// arithmetic", 2018), the singularities substituted away: s = c + d cos theta.
 ///
 /// All of it is of a contact in which g' does not decrease: whether that is proved,
-/// rising_slope.hpp tells. Edges that are not given are enclosed between two trial edges. The
+/// slope_monotonicity.hpp tells. Edges that are not given are enclosed between two trial edges. The
 /// integral of g' over theta (eqn:Consistency) falls as the left edge moves out, since g' does not
 /// decrease, and the force grows with the right edge of a contact that is in balance
 /// (eqn:SIEPressure by parts: every bit of dg' adds to P, and to b): opposite signs at both ends
@@ -47,6 +47,10 @@ public:
     /// there and g' does not jump.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
+    [[nodiscard]] Ball reach(Edge edge) const override;
+    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
+    [[nodiscard]] std::size_t cost() const override { return 40; }
 
     /// Of a wide ball: by a disk that holds it (pressure_disk.hpp), or with a bend in it by bounds
     /// of g'' beside the bend. Disks are made as they are asked for, and kept.
@@ -54,10 +58,6 @@ public:
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
-    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
-    [[nodiscard]] Ball reach(Edge edge) const override;
-    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    [[nodiscard]] std::size_t cost() const override { return 40; }
 
     /// The zone -b < x < a of the same profile, whatever tilt makes it a contact; a power law is
     /// integrated like any other slope here. Of it: as BallContact::between.

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 
 #include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long box_bits = 64;
-constexpr int ladder = 24;     ///< radii that are tried
+constexpr int most_radii = 24; ///< radii that are tried
 constexpr long steepest = 256; ///< times the mean slope of g', in a disk
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral that is wide anyway
@@ -263,7 +263,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
     std::optional<Ball> chosen;
     Magnitude change;
     Ball r = exact_lower(gap * 7 / 4);
-    for (int k = 0; k < ladder; ++k, r = exact_lower(r * 5 / 7)) {
+    for (int k = 0; k < most_radii; ++k, r = exact_lower(r * 5 / 7)) {
         const Magnitude here = largest_change(slope, x, g0, r);
         if (!here.is_finite()) {
             continue;

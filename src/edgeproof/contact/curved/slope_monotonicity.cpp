@@ -4,7 +4,7 @@
 #include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/profile/slope_from_knot.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
 
 #include <utility>
@@ -170,8 +170,8 @@ Sign sign_on(const formula::Expr& slope, const SlopeCell& cell) {
 }
 
 /// From one number to another, both exact, of a slope in the distance from `origin`.
-SlopeMonotonicity course(const formula::Expr& slope, const Ball& origin, const Ball& lo,
-                         const Ball& hi) {
+SlopeMonotonicity monotonicity_between(const formula::Expr& slope, const Ball& origin,
+                                       const Ball& lo, const Ball& hi) {
     std::vector<SlopeCell> cells{{lo, hi, 0}};
     std::optional<Ball> undecided; // a fall may lie beside it
     for (std::size_t done = 0; !cells.empty(); ++done) {
@@ -205,8 +205,9 @@ SlopeMonotonicity monotonicity_from(const formula::Expr& slope, const formula::E
               : !certainly_negative(lower_end(distance))) {
         return {Sign::rises, {}}; // nothing of the piece is in the contact
     }
-    return course(slope_from_knot(slope, knot.expr()), origin, right ? zero : lower_end(distance),
-                  right ? upper_end(distance) : zero);
+    return monotonicity_between(slope_from_knot(slope, knot.expr()), origin,
+                                right ? zero : lower_end(distance),
+                                right ? upper_end(distance) : zero);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ struct SlopeMonotonicity {
     std::optional<Ball> where; ///< a point where g' falls, or where nothing was decided
 };
 
-/// The course of g' over [-b, a], by the signs of g'' on cells that are halved: in interval
+/// Whether g' is monotone over [-b, a], by the signs of g'' on cells that are halved: in interval
 /// arithmetic, or by the Taylor series at a cell's end, which decides where g'' touches 0 there.
 /// Corners are not looked at: the maker of the Profile has decided their signs exactly. Balls that
 /// are wide only make the contact longer. Never decided where g'' touches 0 between two knots in

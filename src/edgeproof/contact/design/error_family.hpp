@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/design/jet.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/expr.hpp"
 
 #include <cstddef>
@@ -37,6 +37,23 @@ public:
 
 protected:
     ErrorOverBox() = default;
+};
+
+/// f by a closed form over any field: Form<T> has `error(u)`, and the `length` to which u is held,
+/// in fractions of it if `fraction`.
+template <template <class> class Form> class ClosedFormOverBox : public ErrorOverBox {
+public:
+    ClosedFormOverBox(Form<Ball> balls, Form<Jet> jets)
+        : balls_(std::move(balls)), jets_(std::move(jets)) {}
+    [[nodiscard]] Ball at(const Ball& u) const override { return balls_.error(u); }
+    [[nodiscard]] Jet jet(const Ball& u) const override { return jets_.error(Jet::variable(u, 0)); }
+    [[nodiscard]] Ball length() const override {
+        return balls_.fraction ? Ball(1, balls_.length.bits()) : balls_.length;
+    }
+
+private:
+    Form<Ball> balls_;
+    Form<Jet> jets_;
 };
 
 class ErrorFamily {

@@ -2,7 +2,6 @@
 #include "edgeproof/contact/design/error_family.hpp"
 
 namespace edgeproof::contact {
-namespace {
 
 /// With z = u/D, q sqrt(u) = (A - B z)/sqrt(D (1 - z)), A = Q/pi + side sigma_0 D/8, B = side
 /// sigma_0 D/4; and s_k u^k = (beta_k A - beta_{k-1} B) z^k/sqrt(D), beta_k of (1 - z)^(-1/2).
@@ -29,20 +28,7 @@ template <class T> struct FullStick {
     }
 };
 
-class FullStickOverBox : public ErrorOverBox {
-public:
-    FullStickOverBox(FullStick<Ball> balls, FullStick<Jet> jets)
-        : balls_(std::move(balls)), jets_(std::move(jets)) {}
-    [[nodiscard]] Ball at(const Ball& u) const override { return balls_.error(u); }
-    [[nodiscard]] Jet jet(const Ball& u) const override { return jets_.error(Jet::variable(u, 0)); }
-    [[nodiscard]] Ball length() const override {
-        return balls_.fraction ? Ball(1, balls_.length.bits()) : balls_.length;
-    }
-
-private:
-    FullStick<Ball> balls_;
-    FullStick<Jet> jets_;
-};
+namespace {
 
 class FullStickFamily : public ErrorFamily {
 public:
@@ -52,7 +38,8 @@ public:
           question_(std::move(question)) {}
     [[nodiscard]] std::unique_ptr<ErrorOverBox>
     over(const std::vector<Ball>& parameters) const override {
-        return std::make_unique<FullStickOverBox>(stick<Ball>(parameters), stick<Jet>(parameters));
+        return std::make_unique<ClosedFormOverBox<FullStick>>(stick<Ball>(parameters),
+                                                              stick<Jet>(parameters));
     }
 
 private:

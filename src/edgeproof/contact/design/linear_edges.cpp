@@ -16,7 +16,7 @@ Ball centre(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
 using BallFunction = std::function<Ball(const Ball&)>;
 
-/// Newton's method from a start that may be good; nothing where it does not settle at once.
+/// Newton's method from a start that may be good; nothing where it does not converge at once.
 std::optional<Ball> zero_near(const BallFunction& f, const BallFunction& rate, Ball x) {
     const Ball small(Rational(1, Integer(1) << 40), x.bits());
     for (int k = 0; k < most_direct_steps; ++k) {

@@ -216,6 +216,8 @@ Jet edge_function(const Jet& y, const Jet& b) {
     return r;
 }
 
+} // namespace
+
 /// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F(4z (1 - z), (1 - m)/2).
 template <class T> struct PowerLawError {
     T b; ///< (1 - m)/2
@@ -250,20 +252,7 @@ template <class T> struct PowerLawError {
     }
 };
 
-class PowerLawOverBox : public ErrorOverBox {
-public:
-    PowerLawOverBox(PowerLawError<Ball> balls, PowerLawError<Jet> jets)
-        : balls_(std::move(balls)), jets_(std::move(jets)) {}
-    [[nodiscard]] Ball at(const Ball& u) const override { return balls_.error(u); }
-    [[nodiscard]] Jet jet(const Ball& u) const override { return jets_.error(Jet::variable(u, 0)); }
-    [[nodiscard]] Ball length() const override {
-        return balls_.fraction ? Ball(1, balls_.length.bits()) : balls_.length;
-    }
-
-private:
-    PowerLawError<Ball> balls_;
-    PowerLawError<Jet> jets_;
-};
+namespace {
 
 class PowerLawFamily : public ErrorFamily {
 public:
@@ -271,7 +260,8 @@ public:
         : m_(std::move(m)), half_width_(std::move(half_width)), question_(std::move(question)) {}
     [[nodiscard]] std::unique_ptr<ErrorOverBox>
     over(const std::vector<Ball>& parameters) const override {
-        return std::make_unique<PowerLawOverBox>(law<Ball>(parameters), law<Jet>(parameters));
+        return std::make_unique<ClosedFormOverBox<PowerLawError>>(law<Ball>(parameters),
+                                                                  law<Jet>(parameters));
     }
 
 private:

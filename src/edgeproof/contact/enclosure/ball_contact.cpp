@@ -4,7 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -329,10 +329,6 @@ Ball BallContact::force() const { return power_ ? power_->force(a_) : force_of({
 
 Ball BallContact::force_rate() const {
     return power_ ? power_->force_rate(a_) : force_rate_of({a_, b_}, Edge::right);
-}
-
-Ball BallContact::left_force_rate() const {
-    return profile_.symmetric() ? force_rate() : force_rate_of({a_, b_}, Edge::left);
 }
 
 Ball BallContact::moment() const {

@@ -56,8 +56,7 @@ public:
     [[nodiscard]] bool edge_may_be_on_knot() const;
     [[nodiscard]] Ball force() const;
     [[nodiscard]] Ball moment() const;
-    [[nodiscard]] Ball force_rate() const;      ///< dP/da
-    [[nodiscard]] Ball left_force_rate() const; ///< dP/db
+    [[nodiscard]] Ball force_rate() const; ///< dP/da
     /// P(a), P'(a), P''(a), ..., `count` of them, along the family of contacts that share the
     /// profile; not finite where an edge may be on a knot.
     [[nodiscard]] std::vector<Ball> force_derivatives(std::size_t count) const;

@@ -191,12 +191,12 @@ Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& p
         Rational next = (lo + hi) / 2;
         if (step.is_finite()) {
             const Rational newton = exact_value(Ball(Ball(x, f.bits()) - step).midpoint());
-            const bool settled =
+            const bool refined =
                 abs(Rational(newton - x)) * power_of_two(f.bits() - kept_bits / 2) < hi;
             if (newton >= lo && newton <= hi) {
                 next = newton;
             }
-            if (settled || contains_zero(gap)) {
+            if (refined || contains_zero(gap)) {
                 x = next;
                 break;
             }

@@ -17,7 +17,7 @@ struct EnclosedExtents {
     std::vector<Ball> crossings; ///< in order; beside a corner a crossing may stand for 1, 3, ...
     bool leaves = true;
     bool starts_within = true; ///< within the tolerance where the range begins
-    /// Whether each crossing's ball holds one root of the error's monotone course, and no other.
+    /// Whether each crossing's ball holds exactly one root, the error being monotone there.
     std::vector<bool> single;
     Ball length; ///< a + b
 };

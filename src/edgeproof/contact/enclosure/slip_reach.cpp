@@ -224,10 +224,10 @@ EnclosedReach SlipReachSearch::at(long bits) {
             const Rational newton = exact_value(Ball(f.ball(tau) - step).midpoint());
             next = newton > lo && newton < hi ? newton : next;
         }
-        const bool settled =
+        const bool refined =
             abs(Rational(next - tau)) < tau * two_to_the_minus(static_cast<int>(bits) - 24);
         tau = next;
-        if (settled) {
+        if (refined) {
             break;
         }
     }

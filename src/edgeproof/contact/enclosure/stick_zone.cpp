@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_zone_steps = 400;
 constexpr int most_growing_steps = 60;
-constexpr long bits_of_a_zone_step = 12; ///< left over when Newton's steps have settled
+constexpr long bits_of_a_zone_step = 12; ///< left over when Newton's steps have converged
 
 Ball middle_of(const Ball& x) { return {x.midpoint(), x.bits()}; }
 

@@ -127,8 +127,8 @@ std::optional<T> ContactLaw<T>::guessed_edge(const T& known, bool solve_left) co
     return std::nullopt;
 }
 
-/// The edge that balances a given one. Newton from the binary64 answer settles it nearly always;
-/// what it does not settle, the search with a bracket does.
+/// The edge that balances a given one. Newton from the binary64 answer finds it nearly always;
+/// what it does not find, the search with a bracket does.
 template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_left) const {
     using std::abs;
     using std::cbrt;

@@ -94,7 +94,7 @@ T search_edge(const T& start, const std::function<T(const T&)>& imbalance,
         last_step = abs(s.step);
         x = next;
     }
-    throw BudgetError("the search for a contact edge did not settle");
+    throw BudgetError("the search for a contact edge did not converge");
 }
 
 /// P(a) grows from 0 for every convex profile, without bound where it goes on for ever: bracket by
@@ -165,7 +165,7 @@ T search_right_edge(const T& P, const T& least, const T& first, const ForceOf<T>
         last_step = abs(step);
         x = next;
     }
-    throw BudgetError("Newton's iteration for the contact width did not settle in 500 steps");
+    throw BudgetError("Newton's iteration for the contact width did not converge in 500 steps");
 }
 
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \

@@ -92,17 +92,6 @@ template <class T>
                             terms, T(sqrt(length)));
 }
 
-/// r_k such that the k-th coefficient vanishes at the right edge for sigma_0 (a + b)/Q = (8/pi)
-/// r_k, and at the left edge for the negative of that. From the series itself, exactly: -1, 1/3,
-/// 3/5, 5/7, ...
-[[nodiscard]] Rational vanishing_ratio(std::size_t k);
-
-/// At which edge coefficient k can vanish: k = 0 where Q and sigma_0 act against each other, every
-/// higher one where they add. `same_sign`: Q and sigma_0 have the same sign.
-[[nodiscard]] constexpr Edge vanishing_edge(std::size_t k, bool same_sign) {
-    return (k == 0) == same_sign ? Edge::left : Edge::right;
-}
-
 /// The singular tractions at both edges have the same sign: |sigma_0 (a + b)/Q| < 8/pi, for either
 /// sign of Q and of sigma_0. (At equality one of them vanishes; decided in T as it rounds.)
 template <Arithmetic T>

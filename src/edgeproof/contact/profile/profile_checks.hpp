@@ -12,8 +12,8 @@ namespace edgeproof::contact {
 /// Checks a user's own profile: knots ascend, g' does not decrease, g' <= 0 left of the origin
 /// and >= 0 right of it. Returns which knots are corners. Throws InputError naming the place.
 /// Convexity of a piece between two knots that is not linear is *sampled* here (64 points), and
-/// proved in the contact for every value that is called proved (rising_slope.hpp); that of linear
-/// pieces and of all knots is decided exactly. Of an outer piece, see rising_limit.
+/// proved in the contact for every value that is called proved (slope_monotonicity.hpp); that of
+/// linear pieces and of all knots is decided exactly. Of an outer piece, see rising_limit.
 [[nodiscard]] std::vector<bool> checked_corners(const Profile& profile);
 
 /// Where an outer piece ends to rise.

@@ -159,12 +159,4 @@ std::vector<EstimatedTraction> ShearTraction::expansion(Edge edge, std::size_t t
     return s;
 }
 
-Real ShearTraction::tension_ratio() const {
-    if (spec_.Q.sign() == 0) {
-        throw DomainError("sigma_0 (a + b)/Q has no value for Q = 0");
-    }
-    const PrecisionScope scope(contact_.a().precision());
-    return spec_.bulk_tension.to<Real>() * (contact_.a() + contact_.b()) / spec_.Q.to<Real>();
-}
-
 } // namespace edgeproof::contact

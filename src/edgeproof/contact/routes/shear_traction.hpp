@@ -60,8 +60,6 @@ public:
     [[nodiscard]] int leading_half_powers() const noexcept {
         return spec_.path == LoadingPath::together ? 1 : -1;
     }
-    /// sigma_0 (a + b)/Q. Throws DomainError for Q = 0.
-    [[nodiscard]] Real tension_ratio() const;
 
 private:
     [[nodiscard]] const Real& force() const;

@@ -96,7 +96,7 @@ public:
                 return exp(roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, relative).x);
             }
         }
-        throw BudgetError("the tilt did not settle");
+        throw BudgetError("the search for the tilt did not converge");
     }
     [[nodiscard]] std::size_t contacts() const { return contacts_; }
 

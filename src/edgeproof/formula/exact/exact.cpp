@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/exact/exact.hpp"
 
-#include "edgeproof/formula/environment.hpp"
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 
@@ -130,7 +130,7 @@ template <Arithmetic T> T Exact::to() const {
             }
         }
     }
-    throw BudgetError(std::to_string(most_bits) + " bits do not settle the rounding of '" + text_ +
+    throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" + text_ +
                       "'");
 }
 

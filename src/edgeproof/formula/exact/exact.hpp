@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const Rational& rational() const;
 
     /// The nearest T (`Real`: at the working precision). Throws DomainError beyond the range of T,
-    /// BudgetError if 4096 bits beyond those of T do not settle the rounding.
+    /// BudgetError if 4096 bits beyond those of T do not decide the rounding.
     template <Arithmetic T> [[nodiscard]] T to() const;
     /// -1, 0 or 1. Throws BudgetError if 4096 bits do not tell it from zero.
     [[nodiscard]] int sign() const;

@@ -4,7 +4,7 @@
 
 namespace edgeproof {
 
-/// What MPFR's own functions take: the inner loops of the fast routes call them without
+/// What MPFR's own functions take: the inner loops of contact/batch call them without
 /// temporaries.
 [[nodiscard]] inline mpfr_ptr raw(Real& x) { return x.backend().data(); }
 [[nodiscard]] inline mpfr_srcptr raw(const Real& x) { return x.backend().data(); }

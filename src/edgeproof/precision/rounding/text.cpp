@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@ namespace edgeproof {
 namespace {
 
 constexpr long max_exponent = 100000;
+constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up", "enclosure"};
 
 [[noreturn]] void not_a_number(std::string_view text) {
     throw InputError("'" + std::string(text.substr(0, 60)) + "' is not a number",
@@ -109,6 +111,17 @@ Ends exact_ends(const Ball& x) {
 }
 
 } // namespace
+
+std::string_view rounding_name(Rounding mode) {
+    return rounding_names.at(static_cast<std::size_t>(mode));
+}
+
+std::optional<Rounding> rounding_named(std::string_view name) {
+    const auto* const at = std::find(rounding_names.begin(), rounding_names.end(), name);
+    return at == rounding_names.end()
+               ? std::nullopt
+               : std::optional(static_cast<Rounding>(at - rounding_names.begin()));
+}
 
 Rational Decimal::value() const {
     if (digits.empty()) {

@@ -32,6 +32,11 @@ enum class Rounding {
     enclosure
 };
 
+/// As users write it: "nearest", "down", "up", "enclosure".
+[[nodiscard]] std::string_view rounding_name(Rounding mode);
+/// Nothing where no way to round has that name.
+[[nodiscard]] std::optional<Rounding> rounding_named(std::string_view name);
+
 /// An exact number to `digits` significant digits, rounded as asked and laid out like the above;
 /// "[lower, upper]" for an enclosure.
 [[nodiscard]] std::string to_decimal(const Rational& q, unsigned digits, Rounding mode);

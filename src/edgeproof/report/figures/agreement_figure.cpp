@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/agreement_figure.hpp"
 
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 
@@ -69,26 +67,11 @@ Plot agreement_plot(const Conformance& c) {
 void write_agreement_figure(const Conformance& result, const std::filesystem::path& file) {
     const PrecisionScope scope(figure_digits + 10);
     const Plot plot = agreement_plot(result);
-    const bool svg = file.extension() == ".svg";
-    if (!svg && file.extension() != ".csv") {
-        throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
-                         "name the file so");
-    }
     if (plot.rows.empty()) {
         throw InputError("there is no answer at a point to draw", "ask for p or q, or leave "
                                                                   "--figure out");
     }
-    if (!svg) {
-        io::write_whole(file, to_csv(plot));
-        return;
-    }
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
-        throw InputError("there is no gnuplot to draw " + file.string(),
-                         "install gnuplot-nox, or write a .csv");
-    }
-    const io::Scratch scratch;
-    io::write_whole(file, draw_svg(plot, *gnuplot, scratch.path()));
+    write_figure(plot, file);
 }
 
 } // namespace edgeproof::report

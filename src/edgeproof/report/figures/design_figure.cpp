@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/design_figure.hpp"
 
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 
@@ -68,22 +65,7 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
 void write_design_figure(const scene::DesignScene& design, const scene::DesignResult& result,
                          const std::filesystem::path& file) {
     const PrecisionScope scope(figure_digits + 10);
-    if (file.extension() != ".svg" && file.extension() != ".csv") {
-        throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
-                         "name the file so");
-    }
-    const Plot plot = design_plot(design, result);
-    if (file.extension() == ".csv") {
-        io::write_whole(file, to_csv(plot));
-        return;
-    }
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
-        throw InputError("there is no gnuplot to draw " + file.string(),
-                         "install gnuplot-nox, or write a .csv");
-    }
-    const io::Scratch scratch;
-    io::write_whole(file, draw_svg(plot, *gnuplot, scratch.path()));
+    write_figure(design_plot(design, result), file);
 }
 
 } // namespace edgeproof::report

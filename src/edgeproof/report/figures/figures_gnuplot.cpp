@@ -2,6 +2,8 @@
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 
 #include "edgeproof/io/child_process.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -100,6 +102,24 @@ std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                     "<desc>" + escape_html(plot.description) + "</desc><metadata>" +
                         escape_html(program_line()) + "</metadata>");
     return svg;
+}
+
+void write_figure(const Plot& plot, const std::filesystem::path& file) {
+    if (file.extension() == ".csv") {
+        io::write_whole(file, to_csv(plot));
+        return;
+    }
+    if (file.extension() != ".svg") {
+        throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
+                         "name the file so");
+    }
+    const auto gnuplot = find_gnuplot();
+    if (!gnuplot) {
+        throw InputError("there is no gnuplot to draw " + file.string(),
+                         "install gnuplot-nox, or write a .csv");
+    }
+    const io::Scratch scratch;
+    io::write_whole(file, draw_svg(plot, *gnuplot, scratch.path()));
 }
 
 std::string inline_svg(const std::string& svg, const Plot& plot) {

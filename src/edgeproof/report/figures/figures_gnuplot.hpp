@@ -16,6 +16,10 @@ namespace edgeproof::report {
 [[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                                    const std::filesystem::path& scratch);
 
+/// The plot as .svg (gnuplot draws it) or as .csv: the argument of an option --figure. Throws
+/// InputError for another ending, and for .svg where there is no gnuplot.
+void write_figure(const Plot& plot, const std::filesystem::path& file);
+
 /// The SVG made part of a page: no prolog, ids of its own, no ground of its own, and black taken
 /// from the text's colour, so that it can be read on a dark page.
 [[nodiscard]] std::string inline_svg(const std::string& svg, const Plot& plot);

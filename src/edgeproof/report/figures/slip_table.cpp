@@ -23,7 +23,7 @@ scene::BoundedValue load_of(PaperSlip& slip, contact::Edge edge, std::size_t n,
             if (!reach.leaves) {
                 return {std::move(reach.ratio), true, "full sliding", Rational(1)};
             }
-            if (settles(reach.ratio, digits) || bits > most_bits_of_slip) {
+            if (has_digits(reach.ratio, digits) || bits > most_bits_of_slip) {
                 return {std::move(reach.ratio), true, "sign changes", {}};
             }
         } catch (const BudgetError&) {

@@ -37,10 +37,6 @@ std::vector<std::string> names_of(const std::vector<Column>& columns) {
     return names;
 }
 
-const char* rounding_name(Rounding rounding) {
-    return rounding == Rounding::down ? "down" : rounding == Rounding::up ? "up" : "nearest";
-}
-
 /// x as an exact decimal, where a and u are rational.
 std::string exact_place(const conformance::AskedContact& contact, const conformance::Question& q) {
     const contact::Load& load = contact.scene.load;
@@ -122,7 +118,7 @@ Table ReferenceRows::table(
         {"recipe", recipe_},
         {"program", program_line()},
         {"digits", std::to_string(digits_.count)},
-        {"rounding", rounding_name(digits_.rounding)},
+        {"rounding", std::string(rounding_name(digits_.rounding))},
         {"rows", std::to_string(rows)},
         {"estimates", std::to_string(estimates)},
         {std::string(checksum_key), checksum_text(hash)},

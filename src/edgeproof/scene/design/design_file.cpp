@@ -3,8 +3,8 @@
 
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml_limits.hpp"
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -39,7 +39,7 @@ PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
 
 } // namespace
 
-bool settles(const Ball& x, const Digits& digits) {
+bool has_digits(const Ball& x, const Digits& digits) {
     return (rounds_alike(x, digits.count, digits.rounding) ||
             round_ball(x, digits.count, digits.rounding).complete) &&
            (!digits.binary64 || nearest_binary64(x));
@@ -57,7 +57,7 @@ bool may_be_a_limit(const Ball& x, const Digits& digits) {
     // An enclosure of what is exactly a short decimal is that decimal, twice.
     const bool told = digits.rounding == Rounding::enclosure
                           ? round_ball(x, digits.count, Rounding::down).complete
-                          : settles(x, digits);
+                          : has_digits(x, digits);
     return !told || (digits.binary64 && !nearest_binary64(x));
 }
 

@@ -43,7 +43,7 @@ struct PrintedValue {
 [[nodiscard]] std::string how(const BoundedValue& x, const PrintedValue& p);
 
 /// Whether the ball is narrow enough for what is to be printed.
-[[nodiscard]] bool settles(const Ball& x, const Digits& digits);
+[[nodiscard]] bool has_digits(const Ball& x, const Digits& digits);
 
 /// Whether the ball has the digits that are to be printed, or cannot be told from zero, and yet
 /// does not tell the value from a number of that few digits, or from half-way between two: there

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 
 namespace edgeproof::scene {
 

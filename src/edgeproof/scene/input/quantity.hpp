@@ -93,7 +93,7 @@ struct QuantityRow {
     std::string_view label = {};
 
     // The evaluators. None: the value is made of others by whoever asks for it. A level is asked
-    // for the value at more and more bits, until its digits are settled; a ball that is not finite
+    // for the value at more and more bits, until it has its digits; a ball that is not finite
     // says that so few bits give none. Without an exact form, no number of bits may tell a limit of
     // rounding, and the value is printed as its enclosure there.
     Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;

@@ -3,7 +3,7 @@
 
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/read_ask.hpp"

@@ -36,7 +36,7 @@ public:
                 return level->proved_pressure();
             },
             edge_, n_, *scene_.ask.tolerance, scene_.ask.part);
-        const auto settled = [&](const Ball& x) { return settles(x, plan_.digits); };
+        const auto enclosed = [&](const Ball& x) { return has_digits(x, plan_.digits); };
         std::optional<contact::EnclosedExtents> best;
         ExactExtents exact;
         for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
@@ -49,10 +49,10 @@ public:
                 continue;
             }
             exact = exact_extents(*best, *balls_.at_level(bits));
-            bool all = (exact.first_exit || settled(best->first_exit)) &&
-                       (exact.measure || settled(best->measure));
+            bool all = (exact.first_exit || enclosed(best->first_exit)) &&
+                       (exact.measure || enclosed(best->measure));
             for (std::size_t k = 0; k < best->crossings.size(); ++k) {
-                all = all && (exact.crossings[k] || settled(best->crossings[k]));
+                all = all && (exact.crossings[k] || enclosed(best->crossings[k]));
             }
             if (all) {
                 break;

@@ -21,7 +21,7 @@ BallRefinement::BallRefinement(const Scene& scene, const Plan& plan, contact::Wo
       last_curved_bits_(8 * plan.bits) {}
 
 std::optional<BallRefinement::Found>
-BallRefinement::settle(const InBalls& f, const Exactly& exactly, const Digits& digits, long first) {
+BallRefinement::refine(const InBalls& f, const Exactly& exactly, const Digits& digits, long first) {
     std::optional<Found> best;
     bool looked = false;
     for (long bits = first != 0 ? first : plan_.bits; bits <= last_bits(); bits = after(bits)) {
@@ -41,7 +41,7 @@ BallRefinement::settle(const InBalls& f, const Exactly& exactly, const Digits& d
             looked = true;
             best->exactly = exact_value(exactly, *level, best->value);
         }
-        if (best->exactly || settles(best->value, digits) ||
+        if (best->exactly || has_digits(best->value, digits) ||
             (contains_zero(best->value) && bits >= plan_.bits + zero_bits)) {
             break;
         }

@@ -24,11 +24,11 @@ public:
         Ball value;
         std::optional<Rational> exactly = {};
     };
-    /// f at more and more bits (from `first`, or those of the plan), until its digits are settled,
+    /// f at more and more bits (from `first`, or those of the plan), until it has its digits,
     /// or it cannot be told from zero, or the bits are used up. Nothing where it has no finite
     /// value. Where the ball has the digits and yet does not round alike, more bits cannot help if
     /// the value lies exactly on the limit: so the exact form is looked at first.
-    [[nodiscard]] std::optional<Found> settle(const InBalls& f, const Exactly& exactly,
+    [[nodiscard]] std::optional<Found> refine(const InBalls& f, const Exactly& exactly,
                                               const Digits& digits, long first = 0);
     /// The rational number that the value is by its exact form, if it is known to be one.
     [[nodiscard]] std::optional<Rational> exact_value(const Exactly& exactly,

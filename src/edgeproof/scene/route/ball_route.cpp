@@ -25,7 +25,7 @@ public:
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == contact::Load::Kind::force ? 1 : 0;
         if (auto length =
-                balls_.settle([](BallLevel& level) { return level.length(); },
+                balls_.refine([](BallLevel& level) { return level.length(); },
                               [](ExactValues& exact) { return exact.length(); },
                               {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
             length_ = std::move(length->value);
@@ -55,14 +55,14 @@ public:
         }
         const BallLevel* level = balls_.at_level(length_->bits());
         check_reach(*scene_.profile, level->a(), level->b());
-        const contact::SlopeMonotonicity course =
+        const contact::SlopeMonotonicity monotonicity =
             monotonicity_of_slope(*scene_.profile, level->a(), level->b());
-        if (course.kind == contact::SlopeMonotonicity::Kind::falls) {
-            throw InputError("g' decreases near x = " + course.where->midpoint().str(8),
+        if (monotonicity.kind == contact::SlopeMonotonicity::Kind::falls) {
+            throw InputError("g' decreases near x = " + monotonicity.where->midpoint().str(8),
                              "give a convex profile: g' must not decrease")
                 .at(scene_.file, scene_.profile_line);
         }
-        return course.kind == contact::SlopeMonotonicity::Kind::rises;
+        return monotonicity.kind == contact::SlopeMonotonicity::Kind::rises;
     }
 
     BoundedValue value(const AskedValue& asked) override {
@@ -75,7 +75,7 @@ public:
             slips_.check();
         }
         BoundedValue value = bounded(
-            balls_.settle([&](BallLevel& level) { return row.ball(level, asked); },
+            balls_.refine([&](BallLevel& level) { return row.ball(level, asked); },
                           [&](ExactValues& exact) {
                               return row.exact != nullptr ? row.exact(exact, asked)
                                                           : formula::ExactNumber::unknown();
@@ -244,10 +244,10 @@ private:
                                               std::size_t i, bool shear, const Instead& instead) {
         const std::size_t n = scene_.ask.terms[i];
         const auto local =
-            balls_.settle([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
+            balls_.refine([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
                           [&](ExactValues& exact) { return exact.sum(edge, exactly(u), n, shear); },
                           plan_.digits);
-        const auto error = balls_.settle(
+        const auto error = balls_.refine(
             [&](BallLevel& level) {
                 const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
                 return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
@@ -273,7 +273,7 @@ private:
             const long bits = plan_.digits.binary64 ? std::max(from.bits(), 128L) : from.bits();
             return {Ball(x, bits), true, "given", x};
         }
-        return bounded(balls_.settle(
+        return bounded(balls_.refine(
                            [&](BallLevel& level) {
                                const Ball at = ball_of(u, level.bits());
                                return right ? level.a() - at : at - level.b();

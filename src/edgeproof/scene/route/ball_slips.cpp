@@ -82,7 +82,7 @@ void BallSlips::refuse_exactly_sliding(const BallLevel& level) {
 
 std::optional<BoundedValue> BallSlips::bounded(const BallRefinement::InBalls& f,
                                                const Digits& digits, const char* route) {
-    auto found = balls_.settle(f, no_exact_form, digits);
+    auto found = balls_.refine(f, no_exact_form, digits);
     return found ? std::optional(BoundedValue{std::move(found->value), true, route, {}})
                  : std::nullopt;
 }
@@ -166,7 +166,7 @@ void BallSlips::find_reach(contact::Edge edge, SlipTerms& t) {
             t.leaves = reach.leaves;
             t.reach = BoundedValue{reach.ratio, true, "sign changes",
                                    reach.leaves ? std::nullopt : std::optional(Rational(1))};
-            if (!reach.leaves || settles(reach.ratio, plan_.digits)) {
+            if (!reach.leaves || has_digits(reach.ratio, plan_.digits)) {
                 return;
             }
         } catch (const BudgetError&) {

@@ -203,7 +203,7 @@ private:
             if (!worse) {
                 result.relative_error = {error, false, level.series_name()};
             }
-            if (worse || settles(error, digits) || contains_zero(value)) {
+            if (worse || has_digits(error, digits) || contains_zero(value)) {
                 return result;
             }
             before = error.radius();

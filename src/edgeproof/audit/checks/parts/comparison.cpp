@@ -19,6 +19,45 @@ bool symmetric_family(const Ledger& ledger, const Family& family) {
            family.profile == "piecewise-symmetric";
 }
 
+/// printed/exact at all samples, recognised; its range goes into the evidence.
+std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
+                                              const EvaluatedSamples& samples_at,
+                                              Evidence& evidence) {
+    std::vector<RatioSample> samples;
+    const PrecisionScope scope(30);
+    for (std::size_t i = 0; i < agreement.samples_at.size(); ++i) {
+        const ValuePair* s = agreement.samples_at[i].values();
+        if (s == nullptr || s->exact == 0) {
+            continue;
+        }
+        const EvaluatedSample& sample_at = samples_at.all()[i];
+        Variables parameters = sample_at.variables;
+        for (const auto& [name, value] : sample_at.scene_values->spec().parameters) {
+            parameters.emplace(name, sample_at.scene_values->parameter(name));
+        }
+        if (sample_at.scene_values->b() != sample_at.scene_values->a()) {
+            parameters.emplace("b", sample_at.scene_values->b());
+            parameters.emplace("L", sample_at.scene_values->length());
+        }
+        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
+    }
+    if (samples.empty()) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(),
+        [](const RatioSample& x, const RatioSample& y) { return x.ratio < y.ratio; });
+    evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
+                                                         value_text(most->ratio, 12)});
+    auto ratio = recognise_ratio(samples, 20);
+    if (ratio) {
+        ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
+        evidence.add("ratio", to_text(*ratio));
+        evidence.add("ratio_tex", to_tex(*ratio));
+    }
+    return ratio;
+}
+
 } // namespace
 
 SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
@@ -77,42 +116,15 @@ Judgement judge_samples(const Agreement& agreement, double needed) {
     return agreement.without_value() > 0 ? NotRefuted::underspecified : NotRefuted::undecided;
 }
 
-std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
-                                              const EvaluatedSamples& samples_at,
-                                              Evidence& evidence) {
-    std::vector<RatioSample> samples;
-    const PrecisionScope scope(30);
-    for (std::size_t i = 0; i < agreement.samples_at.size(); ++i) {
-        const ValuePair* s = agreement.samples_at[i].values();
-        if (s == nullptr || s->exact == 0) {
-            continue;
-        }
-        const EvaluatedSample& sample_at = samples_at.all()[i];
-        Variables parameters = sample_at.variables;
-        for (const auto& [name, value] : sample_at.scene_values->spec().parameters) {
-            parameters.emplace(name, sample_at.scene_values->parameter(name));
-        }
-        if (sample_at.scene_values->b() != sample_at.scene_values->a()) {
-            parameters.emplace("b", sample_at.scene_values->b());
-            parameters.emplace("L", sample_at.scene_values->length());
-        }
-        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
-    }
-    if (samples.empty()) {
-        return std::nullopt;
-    }
-    const auto [least, most] = std::minmax_element(
-        samples.begin(), samples.end(),
-        [](const RatioSample& x, const RatioSample& y) { return x.ratio < y.ratio; });
-    evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
-                                                         value_text(most->ratio, 12)});
-    auto ratio = recognise_ratio(samples, 20);
-    if (ratio) {
-        ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
-        evidence.add("ratio", to_text(*ratio));
-        evidence.add("ratio_tex", to_tex(*ratio));
-    }
-    return ratio;
+RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,
+                                  const EvaluatedSamples& samples_at, Evidence& evidence) {
+    RefutedFormula refuted;
+    refuted.printed = claim.written("says");
+    refuted.exact = claim.written("of");
+    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
+                                    &samples_at.all().front().sample.scene);
+    refuted.ratio = ratio_by_samples(agreement, samples_at, evidence);
+    return refuted;
 }
 
 QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context,

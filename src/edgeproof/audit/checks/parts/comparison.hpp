@@ -23,10 +23,12 @@ void report_agreement(const Agreement& agreement, const EvaluatedSamples& sample
 /// of values), underspecified (no value in print at some), undecided.
 [[nodiscard]] Judgement judge_samples(const Agreement& agreement, double needed);
 
-/// printed/exact at all samples, recognised; also puts the ratio's range into the evidence.
-[[nodiscard]] std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
-                                                            const EvaluatedSamples& samples_at,
-                                                            Evidence& evidence);
+/// What `says` and `of` of a claim give a diagnosis: the formulas, the names of the claim and of
+/// the first sample's scene, and printed/exact at all samples, where that is recognised; also puts
+/// the ratio's range into the evidence.
+[[nodiscard]] RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,
+                                                const EvaluatedSamples& samples_at,
+                                                Evidence& evidence);
 
 /// A test of candidates at a few samples, to a few digits; expressions as written in the claim.
 class QuickSamples {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/column_names.hpp"
+#include "edgeproof/comparison/input/column_names.hpp"
 #include "edgeproof/precision/rational.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/formula/evaluation/functions.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/formula/functions.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

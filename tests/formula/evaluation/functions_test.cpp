@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/functions.hpp"
+#include "edgeproof/formula/evaluation/functions.hpp"
 
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "edgeproof/formula/program.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/program.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
 
 #include "edgeproof/formula/parse.hpp"
 #include "tests/formula/random_expr.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"

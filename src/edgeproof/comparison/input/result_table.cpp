@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 
-#include "edgeproof/comparison/result_header.hpp"
-#include "edgeproof/comparison/result_lines.hpp"
-#include "edgeproof/comparison/written_digits.hpp"
+#include "edgeproof/comparison/input/result_header.hpp"
+#include "edgeproof/comparison/input/result_lines.hpp"
+#include "edgeproof/comparison/input/written_digits.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/toml_text.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 
 namespace edgeproof::io {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/formula/evaluation/real_functions.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/formula/real_functions.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/repeated_product.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/written_digits.hpp"
+#include "edgeproof/comparison/input/written_digits.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/column_names.hpp"
+#include "edgeproof/comparison/input/column_names.hpp"
 
 #include "edgeproof/precision/error.hpp"
 

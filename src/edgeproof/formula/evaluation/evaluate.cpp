@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/evaluate.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 
 namespace edgeproof::formula {
 

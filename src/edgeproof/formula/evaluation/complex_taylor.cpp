@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/complex_taylor.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
@@ -29,6 +29,28 @@ OfSeries function_of_series(Builtin f) {
         return acb_poly_gamma_series;
     case Builtin::tan:
         return acb_poly_tan_series;
+    default:
+        return nullptr;
+    }
+}
+
+using Inverse = void (*)(acb_struct*, const acb_struct*, slong);
+
+/// Arb's value of a function that inverse() expands.
+Inverse inverse_function(Builtin f) {
+    switch (f) {
+    case Builtin::asin:
+        return acb_asin;
+    case Builtin::acos:
+        return acb_acos;
+    case Builtin::atan:
+        return acb_atan;
+    case Builtin::asinh:
+        return acb_asinh;
+    case Builtin::acosh:
+        return acb_acosh;
+    case Builtin::atanh:
+        return acb_atanh;
     default:
         return nullptr;
     }
@@ -187,16 +209,12 @@ private:
                 acb_poly_log_series(r, x, terms_, bits_);
             }
             return;
-        case Builtin::asin:
-        case Builtin::acos:
-        case Builtin::atan:
-        case Builtin::asinh:
-        case Builtin::acosh:
-        case Builtin::atanh:
-            inverse(r, x, e.builtin());
-            return;
         default:
-            nowhere(r);
+            if (inverse_function(e.builtin()) != nullptr) {
+                inverse(r, x, e.builtin());
+            } else {
+                nowhere(r);
+            }
         }
     }
     /// The functions whose derivative is +-1/(1 +- x^2), or its root: off their cuts, which lie
@@ -221,26 +239,7 @@ private:
             nowhere(r);
             return;
         }
-        switch (f) {
-        case Builtin::asin:
-            acb_asin(z, z, bits_);
-            break;
-        case Builtin::acos:
-            acb_acos(z, z, bits_);
-            break;
-        case Builtin::atan:
-            acb_atan(z, z, bits_);
-            break;
-        case Builtin::asinh:
-            acb_asinh(z, z, bits_);
-            break;
-        case Builtin::atanh:
-            acb_atanh(z, z, bits_);
-            break;
-        default:
-            acb_acosh(z, z, bits_);
-            break;
-        }
+        inverse_function(f)(z, z, bits_);
         AcbPolyValue rate;
         acb_poly_derivative(rate, x, bits_);
         if (f == Builtin::acosh) {
@@ -293,15 +292,10 @@ bool has_complex_taylor(const Expr& e) {
         case Builtin::tanh:
         case Builtin::sqrt:
         case Builtin::log:
-        case Builtin::asin:
-        case Builtin::acos:
-        case Builtin::atan:
-        case Builtin::asinh:
-        case Builtin::acosh:
-        case Builtin::atanh:
             break;
         default:
-            if (function_of_series(e.builtin()) == nullptr) {
+            if (function_of_series(e.builtin()) == nullptr &&
+                inverse_function(e.builtin()) == nullptr) {
                 return false;
             }
         }

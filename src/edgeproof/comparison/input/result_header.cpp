@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/result_header.hpp"
+#include "edgeproof/comparison/input/result_header.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/result_lines.hpp"
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_lines.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 
 #include <cstddef>
 #include <optional>

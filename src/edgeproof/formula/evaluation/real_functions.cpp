@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/real_functions.hpp"
+#include "edgeproof/formula/evaluation/real_functions.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/repeated_product.hpp"

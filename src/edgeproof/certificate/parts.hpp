@@ -14,6 +14,12 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
                    Certificate& certificate);
 void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate);
+void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                       Certificate& certificate);
+void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                      Certificate& certificate);
+void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                       Certificate& certificate);
 
 /// The head of a file: what is printed where, and what the theory needs.
 [[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,

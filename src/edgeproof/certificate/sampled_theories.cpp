@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/theory.hpp"
 
+#include <fmt/format.h>
+
 namespace edgeproof::certificate {
 namespace {
 
@@ -86,6 +88,52 @@ std::vector<SampledTheory> sampled_theories(std::string_view profile) {
         return {flat("1", "2", "3/2", "1/8"), flat("3", "5", "4", "1/10")};
     }
     return {};
+}
+
+SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear"};
+    const bool right = edge == contact::Edge::right;
+    theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension.name}, {"b", "b"}};
+    const std::string traction = fmt::format("(full_stick Q {} a b)", tension.name);
+    theory.right_shear = {{"s0", "s1", "s2"},
+                          fmt::format("right_shear_series {} a s0 s1 s2", traction),
+                          "apply right_shear; positive"};
+    theory.left_shear = {{"v0", "v1", "v2"},
+                         fmt::format("left_shear_series {} b v0 v1 v2", traction),
+                         "apply left_shear; positive"};
+    theory.unfold = "shear_0, shear_1, shear_2";
+    // The contact of a wedge, by which the enclosures know where its edges are.
+    SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
+                              right ? "2/5" : "3/5");
+    s.theory.constants.emplace_back("b", "1");
+    s.theory.constants.emplace_back(tension.name, tension.coq);
+    for (const auto& [name, value] :
+         Parameters{{"Es", "1"}, {"phi", "1"}, {"gam", "1/4"}, {"alpha", "2/pi*asin(3/5)"}}) {
+        s.sample.scene.parameters.insert_or_assign(name, formula::Exact::parse(value));
+    }
+    s.sample.scene.parameters.insert_or_assign("sig0", tension.exact);
+    s.sample.edge = edge;
+    return s;
+}
+
+SampledTheory power_law_contact(long m, const std::string& mark) {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "PowerLaw"};
+    const std::string name = m == 0 ? "wedge" : "parabola";
+    theory.names = {{"b", "a"}, {"m", std::to_string(m)}};
+    const std::string r = "r0" + mark + " r1" + mark + " r2" + mark;
+    theory.right = {{"r0" + mark, "r1" + mark, "r2" + mark},
+                    fmt::format("right_edge_series Es (slope C {}) a {}", m, r),
+                    fmt::format("apply {}_edge; positive", name)};
+    theory.pressure = {{"p0" + mark},
+                       fmt::format("is_pressure Es (slope C {}) a x p0{}", m, mark),
+                       fmt::format("apply {}_pressure; positive", name)};
+    theory.unfold = "c0, c1, c2";
+    SampledTheory s = sampled(std::move(theory), "power-law", {{"Es", "1"}, {"C", "1"}, {"a", "1"}},
+                              "1/2", "1/4");
+    s.sample.scene.parameters.insert_or_assign("m", formula::Exact::parse(std::to_string(m)));
+    return s;
 }
 
 } // namespace edgeproof::certificate

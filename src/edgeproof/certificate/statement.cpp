@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <tuple>
 
 namespace edgeproof::certificate {
 
@@ -45,19 +48,41 @@ std::string Statement::call(const formula::Expr& e, const CoqNames& names) {
         need(theory_.pressure, "the pressure");
         return theory_.pressure.unknowns.at(0);
     }
+    if (e.kind() == formula::Expr::Kind::call && e.name() == "right_local" &&
+        e.arg(1) == formula::Expr::symbol("x")) {
+        return local_sum(e);
+    }
     throw NotStated(fmt::format("{} is not stated in Coq", to_text(e)));
+}
+
+std::string Statement::local_sum(const formula::Expr& e) {
+    const Rational* const terms = e.arg(0).rational();
+    if (terms == nullptr || *terms < 1 || *terms > 3) {
+        throw NotStated(fmt::format("{} has not one to three terms", to_text(e)));
+    }
+    need(theory_.right, "the right edge");
+    std::string sum;
+    for (std::size_t k = 0; Rational(k) < *terms; ++k) {
+        sum += fmt::format("{}{} * ((a - x) ^ {} * sqrt (a - x))", k == 0 ? "" : " + ",
+                           theory_.right.unknowns.at(k), k);
+    }
+    return "(" + sum + ")";
 }
 
 std::string Statement::operator()(const formula::Expr& e) {
     CoqNames names = theory_.names;
+    const std::array<std::tuple<std::string_view, const Fact*, std::string_view>, 4> series{
+        {{"right_c", &theory_.right, "the right edge"},
+         {"left_c", &theory_.left, "the left edge"},
+         {"right_s", &theory_.right_shear, "shear at the right edge"},
+         {"left_s", &theory_.left_shear, "shear at the left edge"}}};
     for (const std::string& name : free_symbols(e)) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (name == fmt::format("right_c{}", k)) {
-                need(theory_.right, "the right edge");
-                names.insert_or_assign(name, theory_.right.unknowns.at(k));
-            } else if (name == fmt::format("left_c{}", k)) {
-                need(theory_.left, "the left edge");
-                names.insert_or_assign(name, theory_.left.unknowns.at(k));
+        for (const auto& [prefix, fact, what] : series) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (name == fmt::format("{}{}", prefix, k)) {
+                    need(*fact, std::string(what));
+                    names.insert_or_assign(name, fact->unknowns.at(k));
+                }
             }
         }
         if (name == "P") {

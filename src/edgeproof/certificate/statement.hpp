@@ -24,6 +24,7 @@ public:
 private:
     void need(const Fact& fact, const std::string& what);
     std::string call(const formula::Expr& e, const CoqNames& names);
+    std::string local_sum(const formula::Expr& e);
     std::string integral(const formula::Expr& e, CoqNames names);
 
     const Theory& theory_;

@@ -24,10 +24,12 @@ struct Theory {
     std::vector<std::string> imports;                           ///< "Contact", "TiltedWedge", ...
     CoqNames names;                                             ///< of the parameters
     std::vector<std::pair<std::string, std::string>> constants; ///< parameters with their values
-    Fact right;    ///< coefficients r0, r1, r2 at the right edge
-    Fact left;     ///< coefficients l0, l1, l2 at the left edge
-    Fact load;     ///< the load P0
-    Fact pressure; ///< the pressure p0 at x
+    Fact right;       ///< coefficients r0, r1, r2 at the right edge
+    Fact left;        ///< coefficients l0, l1, l2 at the left edge
+    Fact right_shear; ///< of the shear traction's square root terms at the right edge
+    Fact left_shear;  ///< and at the left
+    Fact load;        ///< the load P0
+    Fact pressure;    ///< the pressure p0 at x
     /// Integrals of printed formulas that there is a lemma for: as a ledger writes them, and the
     /// proof that one is l0.
     std::vector<std::pair<std::string, std::string>> integrals;
@@ -47,5 +49,19 @@ struct SampledTheory {
 
 /// The samples of a family's profile, none if the Coq files have no theory of it.
 [[nodiscard]] std::vector<SampledTheory> sampled_theories(std::string_view profile);
+
+/// A contact under full stick, whose traction depends on the edges, Q and sig0 alone. `sig0`: the
+/// name of the tension in Coq; `tension`: what it is there, and `exact` the same number. `edge`:
+/// from which `u` is measured.
+struct Tension {
+    std::string name;
+    std::string coq;
+    formula::Exact exact;
+};
+[[nodiscard]] SampledTheory sheared_contact(contact::Edge edge, const Tension& tension);
+
+/// The contact with Es = C = a = 1 of g'(x) = C sgn(x) |x|^m, for m = 0 or 1, and x = 1/2 in it.
+/// The names of its unknowns end in `mark`, so that two of them can stand in one theorem.
+[[nodiscard]] SampledTheory power_law_contact(long m, const std::string& mark);
 
 } // namespace edgeproof::certificate

@@ -1,49 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/certificate/sampled_statement.hpp"
 #include "edgeproof/certificate/statement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace edgeproof::certificate {
 namespace {
 
 using formula::Expr;
-
-/// What agreement is stated to.
-constexpr std::string_view agreement = "1 / 10 ^ 12";
-
-/// |printed - exact| at a sample, as far as the enclosures have it, and beside the larger of both.
-struct Gap {
-    double least = 0;
-    double relative = 0;
-};
-
-std::optional<Gap> gap_at(const Expr& printed, const Expr& exact, const audit::Sample& sample) {
-    const auto x = audit::enclosed(printed, sample, 25);
-    const auto y = audit::enclosed(exact, sample, 25);
-    if (!x.ball || !y.ball) {
-        return std::nullopt;
-    }
-    const Ball difference = abs(*x.ball - *y.ball);
-    const double size = std::max(std::abs(static_cast<double>(x.ball->midpoint())),
-                                 std::abs(static_cast<double>(y.ball->midpoint())));
-    const auto least = static_cast<double>(difference.lower());
-    return Gap{least, size > 0 ? least / size : 0};
-}
-
-/// "253 / 1000": three digits, a little below.
-std::string fraction_below(double gap) {
-    const double lowered = gap * (1 - 1e-6);
-    const int places = std::max(0, 2 - static_cast<int>(std::floor(std::log10(lowered))));
-    const double count = std::floor(lowered * std::pow(10.0, places));
-    return places == 0 ? fmt::format("{:.0f}", count)
-                       : fmt::format("{:.0f} / 10 ^ {}", count, places);
-}
 
 /// `least <= Rabs (...)` or `Rabs (...) <= most`, with its proof.
 std::string theorem(const std::string& name, const Theory& theory, const Expr& formula,
@@ -53,22 +21,9 @@ std::string theorem(const std::string& name, const Theory& theory, const Expr& f
         fmt::format("Rabs (({}) - ({}))", statement(formula), statement(exact));
     const std::string conclusion = least ? fmt::format("{} <= {}", *least, difference)
                                          : fmt::format("{} <= {}", difference, agreement);
-    return fmt::format("Theorem {} : {}.\nProof.\n{}Qed.\nPrint Assumptions {}.\n\n", name,
-                       statement.text(conclusion),
-                       statement.proof(fmt::format("unfold {}; numbers constants", theory.unfold)),
-                       name);
-}
-
-std::string constants(const Theory& theory) {
-    std::string text;
-    std::string names;
-    for (const auto& [name, value] : theory.constants) {
-        text += fmt::format("Definition {} : R := {}.\n", name, value);
-        names += (names.empty() ? "" : ", ") + name;
-    }
-    return text + fmt::format("Ltac constants := unfold {} in *.\n"
-                              "Ltac positive := constants; repeat split; lra.\n\n",
-                              names);
+    return theorem_text(
+        name, statement.text(conclusion),
+        statement.proof(fmt::format("unfold {}; numbers constants", theory.unfold)));
 }
 
 std::optional<Expr> correction(const audit::ClaimResult& result) {
@@ -81,6 +36,13 @@ std::optional<Expr> correction(const audit::ClaimResult& result) {
     } catch (const Error&) {
         return std::nullopt; // a correction in words
     }
+}
+
+bool is_of_shear(const Expr& e) {
+    const auto symbols = free_symbols(e);
+    return std::any_of(symbols.begin(), symbols.end(), [](const std::string& name) {
+        return name.starts_with("right_s") || name.starts_with("left_s");
+    });
 }
 
 /// The sample at which the two differ most, beside their size.
@@ -106,12 +68,16 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     if (!refuted && result.outcome.verdict != audit::Verdict::confirmed) {
         throw NotStated("only claims that are refuted or confirmed are stated");
     }
-    if (claim.has("vary") || claim.has("with") || !claim.readings.empty()) {
+    if (claim.has("vary") || !claim.readings.empty()) {
         throw NotStated("variables of its own and several readings are not stated in Coq");
     }
     const Expr printed = claim.formula("says");
     const Expr exact = claim.formula("of");
     std::vector<SampledTheory> theories;
+    if (is_of_shear(printed) || is_of_shear(exact)) {
+        theories.push_back(
+            sheared_contact(claim.edge(), {"sig0", "1", formula::Exact::parse("1")}));
+    }
     for (const std::string& profile : profiles_of(ledger, claim.text("over"))) {
         for (SampledTheory& t : sampled_theories(profile)) {
             theories.push_back(std::move(t));
@@ -145,6 +111,7 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         certificate.theorems.push_back(
             {name + "_corrected", "at the same contact, |corrected - exact| <= 1e-12"});
     }
+    certificate.whole_verdict = true;
     certificate.leaves_out = "that the correction holds for all contacts";
 }
 

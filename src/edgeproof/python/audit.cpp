@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 
+#include "edgeproof/certificate/certificate_folder.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/without_gil.hpp"
@@ -33,7 +34,9 @@ struct Verified {
 
 Verified verified(const std::string& file, const audit::AuditOptions& options) {
     const audit::Ledger ledger = audit::read_ledger(file);
-    const audit::AuditResult result = audit::run_audit(ledger, options);
+    audit::AuditResult result = audit::run_audit(ledger, options);
+    certificate::attach_certificates(
+        result, ledger, std::filesystem::path(file).parent_path() / "certificates", "certificates");
     Verified v{result.source, report::verdicts_json(result), report::counts_line(result), {}};
     const std::filesystem::path golden = report::golden_file(file);
     if (std::filesystem::exists(golden)) {

@@ -250,6 +250,13 @@ bool has_disjoint(const Outcome& outcome) {
     return apart != nullptr && std::get<bool>(apart->value());
 }
 
+/// Balls of what the verdict is about.
+bool is_enclosed(const Outcome& outcome) {
+    const EvidenceItem* item = outcome.evidence.find("enclosures");
+    const auto* pair = item == nullptr ? nullptr : std::get_if<Evidence>(&item->value());
+    return pair != nullptr && pair->find("none") == nullptr;
+}
+
 } // namespace
 
 bool rests_on_enclosures(const ClaimResult& result) {
@@ -259,6 +266,32 @@ bool rests_on_enclosures(const ClaimResult& result) {
     return std::all_of(result.readings.begin(), result.readings.end(), [](const auto& reading) {
         return reading.second.verdict != Verdict::refuted || has_disjoint(reading.second);
     });
+}
+
+std::string_view name_of(Basis basis) {
+    static constexpr std::array<std::string_view, all_bases.size()> names{
+        "theorem", "identity", "enclosures", "estimates", "text"};
+    return names.at(static_cast<std::size_t>(basis));
+}
+
+Basis basis_of(const ClaimResult& result) {
+    const Verdict verdict = result.outcome.verdict;
+    if (result.certificate && result.certificate->whole_verdict) {
+        return Basis::theorem;
+    }
+    if (verdict == Verdict::proved) {
+        return Basis::identity;
+    }
+    if (verdict == Verdict::definition || verdict == Verdict::underspecified) {
+        return Basis::text;
+    }
+    const bool enclosed =
+        verdict == Verdict::refuted ? rests_on_enclosures(result)
+        : result.readings.empty()
+            ? is_enclosed(result.outcome)
+            : std::all_of(result.readings.begin(), result.readings.end(),
+                          [](const auto& reading) { return is_enclosed(reading.second); });
+    return enclosed ? Basis::enclosures : Basis::estimates;
 }
 
 void add_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,

@@ -4,6 +4,9 @@
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/audit_result.hpp"
 
+#include <array>
+#include <string_view>
+
 namespace edgeproof::audit {
 
 /// What balls say of a verdict that was found in Real, put into its evidence as `enclosures`.
@@ -23,5 +26,20 @@ void add_pair(const std::string& first, const Enclosed& x, const std::string& se
 
 /// Whether a refutation is proved by disjoint enclosures: under every reading that fails.
 [[nodiscard]] bool rests_on_enclosures(const ClaimResult& result);
+
+/// What a verdict rests on.
+enum class Basis {
+    theorem,    ///< theorems that Coq checks, which say all that the verdict does
+    identity,   ///< a computer algebra system's: printed less derived is zero
+    enclosures, ///< balls: disjoint, or agreeing to the digits that they prove, at the samples
+    estimates,  ///< values in `Real` by quadratures and closed forms, at the samples
+    text        ///< what is printed: nothing in it that has a value to check
+};
+inline constexpr std::array<Basis, 5> all_bases{Basis::theorem, Basis::identity, Basis::enclosures,
+                                                Basis::estimates, Basis::text};
+/// "theorem", "identity", "enclosures", "estimates", "text".
+[[nodiscard]] std::string_view name_of(Basis basis);
+/// The firmest that holds of the whole verdict: of several readings, each has to have it.
+[[nodiscard]] Basis basis_of(const ClaimResult& result);
 
 } // namespace edgeproof::audit

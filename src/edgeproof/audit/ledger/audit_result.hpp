@@ -4,17 +4,27 @@
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/ledger/outcome.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::audit {
 
+/// Theorems about a claim that Coq checks: the file that states them, seen from the ledger's
+/// folder.
+struct TheoremFile {
+    std::string path;           ///< "certificates/EQ18.v"
+    bool whole_verdict = false; ///< they say all that the verdict does, not part of it
+};
+
 /// What was found of one claim: the outcome under each reading, and what follows from all.
 struct ClaimResult {
     Claim claim;
     Outcome outcome;
     std::vector<std::pair<std::string, Outcome>> readings;
+    std::optional<TheoremFile>
+        certificate; ///< none unless certificate::attach_certificates found it
 };
 
 /// An audit's results, in the order of the ledger.

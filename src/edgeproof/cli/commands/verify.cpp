@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
+#include "edgeproof/certificate/certificate_folder.hpp"
 #include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/judged_ledger.hpp"
@@ -9,8 +10,11 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -22,6 +26,7 @@ struct VerifyOptions {
     long long digits = 50;
     std::string out;
     std::string only = "*";
+    std::string certificates;
     int threads = 0;
     bool record = false;
     bool strict = false;
@@ -33,6 +38,22 @@ constexpr long long most_digits_of_a_formula = 10000;
 bool some_claim_fails(const audit::AuditResult& result) {
     return std::any_of(result.claims.begin(), result.claims.end(),
                        [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); });
+}
+
+/// Of the folder that --certificates names, or of `certificates` beside the ledger.
+void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
+                         audit::AuditResult& result) {
+    namespace fs = std::filesystem;
+    const fs::path beside = fs::path(o.ledger).parent_path();
+    const fs::path folder =
+        o.certificates.empty() ? beside / "certificates" : fs::path(o.certificates);
+    if (!o.certificates.empty() && !fs::is_directory(folder)) {
+        throw InputError(
+            fmt::format("--certificates {} is no folder", o.certificates),
+            fmt::format("make one: edgeproof certify {} --out {}", o.ledger, o.certificates));
+    }
+    certificate::attach_certificates(result, ledger, folder,
+                                     fs::proximate(folder, beside.empty() ? "." : beside).string());
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
@@ -69,8 +90,9 @@ int verify(const VerifyOptions& o) {
         staged.emplace(o.out);
         const io::Scratch usable; // the figures need one
     }
-    const audit::AuditResult result =
+    audit::AuditResult result =
         judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only);
+    attach_certificates(o, ledger, result);
     if (staged) {
         write_files(result, ledger, *staged, o.threads);
     }
@@ -112,6 +134,8 @@ void add_verify(CLI::App& app, int& code) {
     sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
     sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md, .tex and report.html");
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
+    sub->add_option("--certificates", o->certificates,
+                    "folder of theorems made by certify (certificates beside the ledger)");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
     sub->add_flag("--record", o->record, "write the golden verdicts beside the ledger");

@@ -72,6 +72,9 @@ std::string remark(const audit::ClaimResult& r) {
     if (!r.outcome.note.empty()) {
         text += (text.empty() ? "" : "; ") + r.outcome.note;
     }
+    if (r.certificate) {
+        text += (text.empty() ? "" : "; ") + std::string("theorem: ") + r.certificate->path;
+    }
     return printable(text);
 }
 
@@ -154,7 +157,7 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
     }
     out += "\n" + std::to_string(result.claims.size()) + " claims at " +
            std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
-    return out + refutations_line(result);
+    return out + refutations_line(result) + "\nWhat they rest on\n" + bases_table(result);
 }
 
 } // namespace edgeproof::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/verdict_writers.hpp"
 
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -108,6 +109,8 @@ std::string verdicts_json(const audit::AuditResult& result) {
         c["quoted"] = or_null(quoted(r.claim));
         c["computed"] = or_null(r.outcome.computed);
         c["note"] = r.outcome.note;
+        c["rests_on"] = std::string(name_of(basis_of(r)));
+        c["certificate"] = r.certificate ? Json(r.certificate->path) : Json(nullptr);
         Json evidence = Json::object();
         evidence["lines"] = r.claim.lines.first > 0 ? Json(lines_text(r.claim)) : Json(nullptr);
         evidence["kind"] = r.claim.kind;
@@ -153,8 +156,9 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
                       "\n\n" + std::to_string(result.claims.size()) + " claims at " +
                       std::to_string(result.digits) + " digits: " + counts_line(result) +
                       ".\n\nMade by " + markdown_text(program_line()) + ".\n\n";
-    out += "| id | lines | verdict | quoted | computed | correct | note |\n"
-           "|---|---|---|---|---|---|---|\n";
+    out +=
+        "| id | lines | verdict | quoted | computed | correct | note | rests on | certificate |\n"
+        "|---|---|---|---|---|---|---|---|---|\n";
     for (const audit::ClaimResult& r : result.claims) {
         const auto code = [](const std::optional<std::string>& text) {
             return text ? markdown_code(*text) : std::string();
@@ -163,7 +167,9 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
                std::string(name_of(r.outcome.verdict)) + " | " +
                markdown_text(quoted(r.claim).value_or("")) + " | " +
                markdown_text(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
-               " | " + markdown_text(r.outcome.note) + " |\n";
+               " | " + markdown_text(r.outcome.note) + " | " + std::string(name_of(basis_of(r))) +
+               " | " + (r.certificate ? markdown_code(r.certificate->path) : std::string()) +
+               " |\n";
     }
     return out;
 }

@@ -14,6 +14,10 @@ count_verdicts(const audit::AuditResult& result);
 /// "61 proved, 30 confirmed, 12 refuted, ..." without those that are zero.
 [[nodiscard]] std::string counts_line(const audit::AuditResult& result);
 
+/// A row a verdict that occurs: how many claims have it, and on what these rest (audit::Basis), in
+/// columns of spaces; and beside them those of which a theorem says part (`certificate`).
+[[nodiscard]] std::string bases_table(const audit::AuditResult& result);
+
 /// The results as text; each is the same to the byte for the same results.
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_csv(const audit::AuditResult& result);

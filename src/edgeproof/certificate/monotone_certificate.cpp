@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/certificate/sampled_statement.hpp"
+#include "edgeproof/certificate/statement.hpp"
+
+#include <fmt/format.h>
+
+namespace edgeproof::certificate {
+
+// "Grows with the exponent m" of power laws, refuted under every reading by two of them: a wedge,
+// m = 0, at which it is larger than it is of a parabola, m = 1.
+void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                      Certificate& certificate) {
+    const audit::Claim& claim = result.claim;
+    if (result.outcome.verdict != audit::Verdict::refuted || claim.text("along") != "m" ||
+        claim.text("sense") != "increasing" ||
+        profiles_of(ledger, claim.text("over")) != std::vector<std::string>{"power-law"}) {
+        throw NotStated("of what grows, only that it does not grow with the exponent of power laws "
+                        "is stated");
+    }
+    const SampledTheory wedge = power_law_contact(0, "");
+    const SampledTheory parabola = power_law_contact(1, "'");
+    Statement of_wedge(wedge.theory);
+    Statement of_parabola(parabola.theory);
+    std::string conclusion;
+    const auto add = [&](const formula::Expr& e) {
+        const auto least = excess(e, wedge.sample, e, parabola.sample);
+        if (!least) {
+            throw NotStated("a wedge and a parabola are no counterexample");
+        }
+        conclusion += fmt::format("{}{} <= ({}) - ({})", conclusion.empty() ? "" : " /\\\n  ",
+                                  fraction_below(*least), of_wedge(e), of_parabola(e));
+    };
+    if (claim.readings.empty()) {
+        add(claim.formula("of"));
+    }
+    for (const audit::Claim& reading : claim.readings) {
+        add(reading.formula("of"));
+    }
+    const std::string name = coq_name(claim.id) + "_refuted";
+    std::string inner = of_parabola.proof(
+        fmt::format("repeat split; unfold {}; numbers constants", wedge.theory.unfold));
+    inner.erase(inner.rfind('.')); // of_wedge.proof ends it
+    certificate.text =
+        file_head(claim, ledger, wedge.theory) + constants(wedge.theory) +
+        theorem_text(name, of_wedge.text(of_parabola.text(conclusion)), of_wedge.proof(inner));
+    certificate.theorems = {{name, "it is larger of a wedge, m = 0, than of a parabola, m = 1"}};
+    certificate.whole_verdict = true;
+    certificate.leaves_out = "all other exponents";
+}
+
+} // namespace edgeproof::certificate

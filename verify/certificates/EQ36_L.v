@@ -1,0 +1,27 @@
+(* Claim EQ36.L of the ledger moore-hills, lines 378 to 381 of its source.
+   Printed: \sqrt{a-x}\left[\frac{1}{\sqrt{a+b}}\left(\frac{Q}{2\pi(a+b)} - \frac{3\sigma_{0}}{16}\right)\right]
+   Says: 1/sqrt(a+b)*(Q/(2*Pi*(a+b)) - 3*sig0/16) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+Open Scope R_scope.
+
+Definition a : R := 4.
+Definition Q : R := 1.
+Definition x : R := 2.
+Definition b : R := 1.
+Definition sig0 : R := 1.
+Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ36_L_agrees : exists s0 s1 s2,
+  right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  Rabs ((1 / sqrt (a + b) * (Q / (2 * PI * (a + b)) - 3 * sig0 / 16)) - (s1)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { apply right_shear; positive. }
+  unfold shear_0, shear_1, shear_2; numbers constants.
+Qed.
+Print Assumptions EQ36_L_agrees.
+

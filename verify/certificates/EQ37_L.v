@@ -1,0 +1,27 @@
+(* Claim EQ37.L of the ledger moore-hills, lines 383 to 386 of its source.
+   Printed: \sqrt{b+x}\left[\frac{1}{\sqrt{a+b}}\left(\frac{Q}{2\pi(a+b)} + \frac{3\sigma_{0}}{16}\right)\right]
+   Says: 1/sqrt(a+b)*(Q/(2*Pi*(a+b)) + 3*sig0/16) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+Open Scope R_scope.
+
+Definition a : R := 4.
+Definition Q : R := 1.
+Definition x : R := 2.
+Definition b : R := 1.
+Definition sig0 : R := 1.
+Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ37_L_agrees : exists v0 v1 v2,
+  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  Rabs ((1 / sqrt (a + b) * (Q / (2 * PI * (a + b)) + 3 * sig0 / 16)) - (v1)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { apply left_shear; positive. }
+  unfold shear_0, shear_1, shear_2; numbers constants.
+Qed.
+Print Assumptions EQ37_L_agrees.
+

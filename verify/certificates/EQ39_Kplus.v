@@ -1,0 +1,27 @@
+(* Claim EQ39.Kplus of the ledger moore-hills, lines 395 to 400 of its source.
+   Printed: K_{II}^{\pm} = \frac{1}{\sqrt{2d}}\left(\frac{Q}{\pi} \pm \frac{\sigma_{0}d}{4}\right)
+   Says: 1/sqrt(2*d)*(Q/Pi + sig0*d/4) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+Open Scope R_scope.
+
+Definition a : R := 4.
+Definition Q : R := 1.
+Definition x : R := 2.
+Definition b : R := 1.
+Definition sig0 : R := 1.
+Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ39_Kplus_agrees : exists s0 s1 s2,
+  right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (Q / PI + sig0 * ((a + b) / 2) / 4)) - (s0)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { apply right_shear; positive. }
+  unfold shear_0, shear_1, shear_2; numbers constants.
+Qed.
+Print Assumptions EQ39_Kplus_agrees.
+

@@ -1,0 +1,27 @@
+(* Claim EQ39.Lminus of the ledger moore-hills, lines 395 to 400 of its source.
+   Printed: L_{II}^{\pm} = \frac{1}{\sqrt{2d}}\left(\frac{Q}{4\pi d} \mp \frac{3\sigma_{0}}{16}\right)
+   Says: 1/sqrt(2*d)*(Q/(4*Pi*d) + 3*sig0/16) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+Open Scope R_scope.
+
+Definition a : R := 4.
+Definition Q : R := 1.
+Definition x : R := 2.
+Definition b : R := 1.
+Definition sig0 : R := 1.
+Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ39_Lminus_agrees : exists v0 v1 v2,
+  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (Q / (4 * PI * ((a + b) / 2)) + 3 * sig0 / 16)) - (v1)) <= 1 / 10 ^ 12.
+Proof.
+  eexists. eexists. eexists. 
+  split. { apply left_shear; positive. }
+  unfold shear_0, shear_1, shear_2; numbers constants.
+Qed.
+Print Assumptions EQ39_Lminus_agrees.
+

@@ -1,0 +1,32 @@
+(* Claim S03.N of the ledger moore-hills, lines 164 to 164 of its source.
+   Printed: both $M_{I}$ and $N_{I}$ grow as $m$ increases
+   Says: in words *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics PowerLaw.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition C : R := 1.
+Definition a : R := 1.
+Definition x : R := (1 / 2).
+Ltac constants := unfold Es, C, a, x in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem S03_N_refuted : exists r0 r1 r2,
+  right_edge_series Es (slope C 0) a r0 r1 r2 /\
+  exists r0' r1' r2',
+  right_edge_series Es (slope C 1) a r0' r1' r2' /\
+  143 / 10 ^ 3 <= (r2) - (r2') /\
+  988 / 10 ^ 4 <= (Rabs r2) - (Rabs r2') /\
+  237 / 10 ^ 3 <= (Rabs (r2 / r0) * a ^ 2) - (Rabs (r2' / r0') * a ^ 2).
+Proof.
+  eexists. eexists. eexists. 
+  split. { apply wedge_edge; positive. }
+    eexists. eexists. eexists. 
+  split. { apply parabola_edge; positive. }
+  repeat split; unfold c0, c1, c2; numbers constants.
+Qed.
+Print Assumptions S03_N_refuted.
+

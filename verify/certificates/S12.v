@@ -1,0 +1,24 @@
+(* Claim S12 of the ledger moore-hills, lines 182 to 182 of its source.
+   Printed: for the special case of $m = 5/8$, the one- and two-term approximations are identical.
+   Says: right.c0*sqrt(a-x) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics.
+Open Scope R_scope.
+
+Theorem S12 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (factor : R) :
+  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
+  (forall s, 0 < s -> P s = factor * Rpower s (13 / 8)) ->
+  exists r0 r1 r2,
+  right_edge_series Es g1 a r0 r1 r2 /\
+  forall x, x < a ->
+  r0 * sqrt (a - x) =
+  r0 * sqrt (a - x) + r1 * Rpower (a - x) (3 / 2).
+Proof.
+  intros contact load.
+  eexists. eexists. eexists. 
+  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  intros x Hx. identity_of_power contact load a P1 P2 P3.
+Qed.
+Print Assumptions S12.

@@ -52,7 +52,7 @@ def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
         except BaseException:
             child.kill()
             raise
-    if isinstance(found, Error):
+    if isinstance(found, Exception):
         raise found
     assert isinstance(found, dict)
     return found
@@ -70,7 +70,7 @@ def serve() -> None:
     found: Any
     try:
         found = NativeScene(text, file).run(**asked)
-    except Error as error:
+    except Exception as error:
         found = error
     pickle.dump(found, sys.stdout.buffer)
     sys.stdout.buffer.flush()

@@ -77,3 +77,20 @@ def exact_text(value: Any, name: str) -> str:
         return exact_text(value[()], name)
     raise TypeError(f"{name} is {type(value).__name__}, not a number: give str, int, float, "
                     "Fraction, Decimal or mpmath.mpf")
+
+
+def whole(value: Any, name: str) -> int:
+    """A whole number. Raises TypeError for anything else, 50.0 and "50" included."""
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r} is no whole number") from None
+
+
+def wholes(value: Any, name: str) -> list[int]:
+    """Several, or one alone."""
+    if hasattr(value, "__iter__") and not isinstance(value, str):
+        return [whole(v, name) for v in value]
+    return [whole(value, name)]

@@ -229,6 +229,8 @@ def _written(x: Iterable[Any], p: Iterable[Any], name: str) -> str:
 
 
 def _tables(results: Any) -> list[tuple[str, str]]:
+    if isinstance(results, Mapping):
+        raise TypeError("results is a mapping: give a file, or a tuple (x, p) of two arrays")
     many: Sequence[Any] = [results] if _is_file(results) or _is_pair(results) else list(results)
     if not many:
         raise InputError("there is no result", "give a file, or (x, p)")

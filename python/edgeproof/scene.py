@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, overload
 
 from . import _apart, _edgeproof
 from ._edgeproof import Value
-from ._numbers import exact_text
+from ._numbers import exact_text, whole, wholes
 from ._shipped import file_or_shipped
+from .errors import InputError
 from .profiles import Number, Profile
 from .results import (
     Coefficients,
@@ -33,11 +34,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Scene", "read_scene"]
 
+_MOST_DIGITS = 100_000
 _LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2")
 
 
 def _is_many(u: Any) -> bool:
-    return not isinstance(u, str) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
+    return not isinstance(u, (str, bytes)) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
 
 
 def _places(u: Any) -> list[str]:
@@ -169,9 +171,13 @@ class Scene:
 
     def _run(self, **asked: Any) -> dict[str, Any]:
         digits = asked.get("digits")
-        if (self.digits if digits is None else digits) > _apart.MOST_DIGITS_HERE:
-            if _apart.can_start():
-                return _apart.run(self.text, self.file or "", asked)
+        count = self.digits if digits is None else whole(digits, "digits")
+        if not 2 <= count <= _MOST_DIGITS:
+            raise InputError(f"digits = {count} is out of range",
+                             f"give a number from 2 to {_MOST_DIGITS}")
+        asked["digits"] = count
+        if count > _apart.MOST_DIGITS_HERE and _apart.can_start():
+            return _apart.run(self.text, self.file or "", asked)
         return self._native.run(**asked)
 
     # The contact.
@@ -217,7 +223,7 @@ class Scene:
         if not places:
             return []
         found = self._run(edges=[edge], u=places, quantities=[quantity],
-                                 terms=[int(n) for n in terms], digits=digits)
+                                 terms=list(terms), digits=digits)
         return [point_of(row) for row in found["points"]]
 
     @overload
@@ -268,8 +274,7 @@ class Scene:
 
         A Point: .p, and .p_local, an Approximation for each number of terms.
         """
-        numbers = [terms] if isinstance(terms, int) else list(terms)
-        return self._points(u, edge, "pressure", numbers, digits)[0]
+        return self._points(u, edge, "pressure", wholes(terms, "terms"), digits)[0]
 
     def pressures(self, u: numpy.typing.ArrayLike,
                   edge: str = "right") -> numpy.typing.NDArray[numpy.float64]:
@@ -302,7 +307,7 @@ class Scene:
     # At edges.
 
     def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
-        found = self._run(edges=[edge], quantities=["coefficients"], terms=[int(terms)],
+        found = self._run(edges=[edge], quantities=["coefficients"], terms=[whole(terms, "terms")],
                                  digits=digits)
         return coefficients_of(found["coefficients"][0])
 
@@ -318,8 +323,6 @@ class Scene:
                            digits: int | None = None) -> Coefficients:
         """The coefficients .s of q at an edge, from the power u^(.s_half_powers/2) on."""
         if not self.has_shear:
-            from .errors import InputError
-
             raise InputError("the scene has no shear", "give Q or bulk_tension")
         return self._expansion(terms, edge, digits)
 
@@ -333,7 +336,7 @@ class Scene:
         process_zone  a length from the edge, which the extent covers or not
         """
         found = self._run(
-            edges=[edge], quantities=["extent"], terms=[int(terms)],
+            edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
             tolerance=exact_text(tolerance, "tolerance"),
             part=[exact_text(p, "part") for p in part],
             process_zone="" if process_zone is None else exact_text(process_zone, "process_zone"),
@@ -342,8 +345,6 @@ class Scene:
 
     def _needs_friction(self) -> None:
         if not self.has_friction:
-            from .errors import InputError
-
             raise InputError("the scene has no friction, so that nothing slips",
                              "give friction beside Q")
 
@@ -359,9 +360,8 @@ class Scene:
         slips the other way.
         """
         self._needs_friction()
-        numbers = [terms] if isinstance(terms, int) else list(terms)
         found = self._run(
-            edges=[edge], quantities=["slip"], terms=numbers, digits=digits,
+            edges=[edge], quantities=["slip"], terms=wholes(terms, "terms"), digits=digits,
             tolerance="" if tolerance is None else exact_text(tolerance, "tolerance"))
         return slips_of(found)[0]
 
@@ -380,7 +380,7 @@ class Scene:
         """
         from ._plot import plot
 
-        figure = plot(self, [terms] if isinstance(terms, int) else list(terms), edge)
+        figure = plot(self, wholes(terms, "terms"), edge)
         if file is not None:
             figure.savefig(os.fspath(file))
         return figure

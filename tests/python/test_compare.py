@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import copy
 import json
 import math
+import pickle
 
 import pytest
 
@@ -90,5 +92,12 @@ def test_what_makes_no_sense(hertz, tmp_path):
                  lambda: edgeproof.compare(tmp_path / "none.toml", (x, p))):
         with pytest.raises(edgeproof.InputError):
             call()
-    with pytest.raises(TypeError, match="a result is"):
-        edgeproof.compare(hertz, [3])
+    for wrong in ([3], {"x": x, "p": p}, [x, p]):
+        with pytest.raises(TypeError, match="give a file, or a tuple"):
+            edgeproof.compare(hertz, wrong)
+
+
+def test_copies(hertz):
+    c = edgeproof.compare(hertz, nodes(24))
+    for other in (pickle.loads(pickle.dumps(c)), copy.deepcopy(c)):
+        assert other == c and other.to_dict() == c.to_dict() and str(other) == str(c)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Partial slip, held to Cattaneo's and Mindlin's solution (Johnson, Contact Mechanics, 7.2) and to
 what the paper's power laws have in closed form."""
+import copy
 import json
+import pickle
 from fractions import Fraction
 
 import pytest
@@ -109,6 +111,13 @@ def test_plain_objects(slipping, source):
     assert {p.state for p in result.points if p.q is not None} <= {"slip", "stick"}
     assert edgeproof.Scene.from_text(slipping.text).slip(terms=1).size.text == \
         slipping.slip(terms=1).size.text
+
+
+def test_copies(slipping):
+    slip = slipping.slip(terms=1, digits=10)
+    assert pickle.loads(pickle.dumps(slip)).to_dict() == slip.to_dict()
+    assert copy.deepcopy(slip).to_dict() == slip.to_dict()
+    assert pickle.loads(pickle.dumps(slipping)).slip(terms=1, digits=10).to_dict() == slip.to_dict()
 
 
 def test_what_does_not_slip(hertz):

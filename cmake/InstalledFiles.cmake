@@ -12,6 +12,7 @@ foreach(folder verify reference examples)
     install(DIRECTORY ${folder} DESTINATION ${data_folder} COMPONENT program
         PATTERN "__pycache__" EXCLUDE)
 endforeach()
+install(DIRECTORY share/edgeproof/schemas DESTINATION ${data_folder} COMPONENT program)
 foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
     install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 endforeach()

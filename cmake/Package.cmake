@@ -2,8 +2,18 @@
 # `cpack -G DEB` in the build folder: edgeproof (the program and what it finds by name),
 # libedgeproof-dev, python3-edgeproof (where it was built), edgeproof-doc. Dependencies are those of the
 # Debian that it is run on.
-set(EDGEPROOF_MAINTAINER "The Edgeproof contributors <edgeproof@noreply.invalid>" CACHE STRING
-    "Name and address in the Debian packages: whoever gives them to others puts in his own")
+set(EDGEPROOF_MAINTAINER "" CACHE STRING
+    "Name <address> in the Debian packages (empty: DEBFULLNAME and DEBEMAIL of the environment)")
+set(maintainer "${EDGEPROOF_MAINTAINER}")
+if(NOT maintainer AND DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+    set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+if(NOT maintainer) # nobody: packages for one's own use
+    set(maintainer "built locally <nobody@edgeproof.invalid>")
+elseif(NOT maintainer MATCHES "^[^<>]+ <[^<> ]+@[^<> ]+>$")
+    message(FATAL_ERROR "the maintainer of the Debian packages is '${maintainer}'; write "
+        "-DEDGEPROOF_MAINTAINER=\"Name <address>\", or set DEBFULLNAME and DEBEMAIL")
+endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME edgeproof)
 set(CPACK_PACKAGE_VENDOR "The Edgeproof contributors")
@@ -17,7 +27,7 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${EDGEPROOF_MAINTAINER}")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${maintainer}")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME edgeproof)

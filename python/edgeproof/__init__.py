@@ -12,6 +12,7 @@ Profiles    hertz, wedge, power_law, flat_and_rounded, tilted_wedge, tilted_flat
 Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath()
 Formulas    verify(ledger): printed claims held to the mechanics
 Programs    check(answers, recipe=...): other programs' numbers held to the exact ones
+Meshes      compare(scene, result): x and p of a mesh held to the exact contact
 Errors      Error, InputError and DomainError (both ValueError), BudgetError, UndecidedError
 
 Numbers are given as str ("0.4", "pi/16", "3/2"), int, fractions.Fraction, decimal.Decimal,
@@ -21,6 +22,7 @@ it is: 0.1 is 0.1000000000000000055511151231257827..., "0.1" is one tenth.
 
 from ._edgeproof import Value, __version__
 from .audit import Audit, Claim, verify
+from .comparison import Comparison, Cause, Held, Limit, MeshErrors, MeshResult, compare
 from .conformance import Agreement, Case, Convention, check, questions
 from .errors import BudgetError, DomainError, Error, InputError, UndecidedError
 from .profiles import (
@@ -34,13 +36,24 @@ from .profiles import (
     tilted_wedge,
     wedge,
 )
-from .results import Approximation, Coefficients, Contact, Extent, Point, Result
+from .results import (
+    Approximation,
+    Coefficients,
+    Contact,
+    Extent,
+    Point,
+    Result,
+    Slip,
+    SlipTerms,
+    StickZone,
+)
 from .scene import Scene, read_scene
 
 __all__ = [
-    "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Claim", "Coefficients",
-    "Contact", "Convention", "DomainError", "Error", "Extent", "InputError", "Number", "Point",
-    "Profile", "Result", "Scene", "UndecidedError", "Value", "__version__", "check",
+    "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
+    "Comparison", "Contact", "Convention", "DomainError", "Error", "Extent", "Held", "InputError",
+    "Limit", "MeshErrors", "MeshResult", "Number", "Point", "Profile", "Result", "Scene", "Slip",
+    "SlipTerms", "StickZone", "UndecidedError", "Value", "__version__", "check", "compare",
     "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene",
     "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
 ]

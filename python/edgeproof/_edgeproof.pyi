@@ -65,6 +65,8 @@ class NativeScene:
     @property
     def has_shear(self) -> bool: ...
     @property
+    def slips(self) -> bool: ...
+    @property
     def knots(self) -> list[str]: ...
     @property
     def asked(self) -> dict[str, Any]: ...
@@ -106,3 +108,18 @@ def check(
     threads: int,
     progress: Callable[[int, int], object] | None,
 ) -> Mapping[str, Any]: ...
+def compare(
+    scene: NativeScene,
+    name: str,
+    results: Sequence[tuple[str, str]],
+    columns: str,
+    scale: str,
+    origin: str | None,
+    tolerance: str | None,
+    of: str,
+    edge_zone: str,
+    tolerance_a: str | None,
+    tolerance_P: str | None,
+    tolerance_c0: str | None,
+    progress: Callable[[int, int], object] | None,
+) -> Mapping[str, str]: ...

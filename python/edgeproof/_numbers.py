@@ -15,15 +15,20 @@ from .errors import InputError
 _MOST_EXPONENT = 400_000
 
 
+def _integer_text(n: int) -> str:
+    # str() refuses integers of more than 4300 digits; Decimal has them all.
+    return str(n) if n.bit_length() < 10_000 else str(decimal.Decimal(n))
+
+
 def _fraction_text(numerator: int, denominator: int) -> str:
     """The decimal expansion where it is short enough to read, else a quotient."""
     if denominator == 1:
-        return str(numerator)
+        return _integer_text(numerator)
     twos = (denominator & -denominator).bit_length() - 1
     if denominator == 1 << twos and twos <= 64:
-        digits = str(abs(numerator) * 5**twos).rjust(twos + 1, "0")
+        digits = _integer_text(abs(numerator) * 5**twos).rjust(twos + 1, "0")
         return ("-" if numerator < 0 else "") + f"{digits[:-twos]}.{digits[-twos:]}".rstrip("0")
-    return f"{numerator}/{denominator}"
+    return f"{_integer_text(numerator)}/{_integer_text(denominator)}"
 
 
 def _not_finite(name: str, value: Any) -> InputError:
@@ -64,7 +69,7 @@ def exact_text(value: Any, name: str) -> str:
             raise _not_finite(name, value) from None
         return _fraction_text(int(numerator), int(denominator))
     try:
-        return str(operator.index(value))
+        return _integer_text(operator.index(value))
     except TypeError:
         pass
     shape = getattr(value, "shape", None)
@@ -72,3 +77,20 @@ def exact_text(value: Any, name: str) -> str:
         return exact_text(value[()], name)
     raise TypeError(f"{name} is {type(value).__name__}, not a number: give str, int, float, "
                     "Fraction, Decimal or mpmath.mpf")
+
+
+def whole(value: Any, name: str) -> int:
+    """A whole number. Raises TypeError for anything else, 50.0 and "50" included."""
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r} is no whole number") from None
+
+
+def wholes(value: Any, name: str) -> list[int]:
+    """Several, or one alone."""
+    if hasattr(value, "__iter__") and not isinstance(value, str):
+        return [whole(v, name) for v in value]
+    return [whole(value, name)]

@@ -9,7 +9,8 @@ from typing import Any
 
 from ._edgeproof import Value
 
-__all__ = ["Approximation", "Contact", "Coefficients", "Extent", "Point", "Result"]
+__all__ = ["Approximation", "Contact", "Coefficients", "Extent", "Point", "Result", "Slip",
+           "SlipTerms", "StickZone"]
 
 
 def plain(value: Any) -> Any:
@@ -68,7 +69,8 @@ class Point(_Plain):
     """A place and its tractions: u inwards from an edge; p and q in units of the contact modulus.
 
     p_local and q_local have an Approximation for each number of terms asked for. What was not asked
-    for is None, or empty.
+    for is None, or empty. state is that of q where there is friction: "slip" (|q| = friction p),
+    "stick", or "undecided" where the place is too near the end of the stick zone to tell.
     """
 
     edge: str
@@ -78,6 +80,7 @@ class Point(_Plain):
     p_local: tuple[Approximation, ...]
     q: Value | None
     q_local: tuple[Approximation, ...]
+    state: str | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -119,6 +122,59 @@ class Extent(_Plain):
 
 
 @dataclasses.dataclass(frozen=True)
+class StickZone(_Plain):
+    """The zone -b < x < a that sticks under P, Q and the bulk tension; beside it |q| = friction p.
+
+    load_ratio          |Q|/(friction P)
+    a, b                lengths, from the origin
+    least_bulk_tension  between it and most_bulk_tension (in the unit of the contact modulus) both
+                        edges slip in the direction of Q; a scene beyond them is refused. None where
+                        a bound was not found
+    in_proportion       Q and the bulk tension may grow in proportion; False: Q has to go first
+    """
+
+    load_ratio: Value
+    a: Value
+    b: Value
+    least_bulk_tension: Value | None
+    most_bulk_tension: Value | None
+    in_proportion: bool
+
+
+@dataclasses.dataclass(frozen=True)
+class SlipTerms(_Plain):
+    """What the first `terms` terms of the series in Q/(friction P) give for a slip zone.
+
+    size            a length
+    relative_error  |1 - size/exact|
+    load_limit      the |Q|/(friction P) up to which that error stays within the tolerance, P and
+                    bulk_tension/Q held; 1 where it does up to full sliding (leaves is False). None
+                    without a tolerance, or where nothing decides it
+    """
+
+    terms: int
+    size: Value
+    relative_error: Value
+    load_limit: Value | None
+    leaves: bool
+
+
+@dataclasses.dataclass(frozen=True)
+class Slip(_Plain):
+    """The slip zone at an edge.
+
+    size   its length, from the edge inwards
+    terms  SlipTerms, one for each number of terms asked for
+    stick  the zone that sticks: a StickZone
+    """
+
+    edge: str
+    size: Value
+    terms: tuple[SlipTerms, ...]
+    stick: StickZone
+
+
+@dataclasses.dataclass(frozen=True)
 class Result(_Plain):
     """What a scene file asks for, in the order asked, edge by edge.
 
@@ -129,6 +185,7 @@ class Result(_Plain):
     points: tuple[Point, ...]
     coefficients: tuple[Coefficients, ...]
     extents: tuple[Extent, ...]
+    slips: tuple[Slip, ...]
     proved: bool
     why: str
 
@@ -157,12 +214,21 @@ def extent_of(d: dict[str, Any]) -> Extent:
     return Extent(**told)
 
 
+def slips_of(d: dict[str, Any]) -> tuple[Slip, ...]:
+    if d["stick"] is None:
+        return ()
+    stick = StickZone(**d["stick"])
+    return tuple(Slip(row["edge"], row["size"], tuple(SlipTerms(*t) for t in row["terms"]), stick)
+                 for row in d["slips"])
+
+
 def result_of(d: dict[str, Any]) -> Result:
     return Result(
         contact=d["contact"],
         points=tuple(point_of(row) for row in d["points"]),
         coefficients=tuple(coefficients_of(row) for row in d["coefficients"]),
         extents=tuple(extent_of(row) for row in d["extents"]),
+        slips=slips_of(d),
         proved=d["proved"],
         why=d["why"],
     )

@@ -7,10 +7,11 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
-from . import _edgeproof
+from . import _apart, _edgeproof
 from ._edgeproof import Value
-from ._numbers import exact_text
+from ._numbers import exact_text, whole, wholes
 from ._shipped import file_or_shipped
+from .errors import InputError
 from .profiles import Number, Profile
 from .results import (
     Coefficients,
@@ -18,10 +19,12 @@ from .results import (
     Extent,
     Point,
     Result,
+    Slip,
     coefficients_of,
     extent_of,
     point_of,
     result_of,
+    slips_of,
 )
 
 if TYPE_CHECKING:
@@ -31,11 +34,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Scene", "read_scene"]
 
+_MOST_DIGITS = 100_000
 _LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2")
 
 
 def _is_many(u: Any) -> bool:
-    return not isinstance(u, str) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
+    return not isinstance(u, (str, bytes)) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
 
 
 def _places(u: Any) -> list[str]:
@@ -62,7 +66,8 @@ class Scene:
     M                moment about the origin per unit length, with P and a tilted profile without
                      alpha: the tilt is then found
     contact_modulus  E*, or E1, nu1, E2, nu2: Young's moduli and Poisson's ratios of both bodies
-    Q, bulk_tension  shear force per unit length, and differential bulk tension: full stick
+    Q, bulk_tension  shear force per unit length, and differential bulk tension: full stick, unless
+    friction         is given, the coefficient: then zones beside the edges slip
     path             "normal-first" (P held, then Q) or "together" (P and Q in proportion)
 
     Numbers are exact (see edgeproof.profiles.Number); units are yours, one system throughout:
@@ -73,7 +78,8 @@ class Scene:
     Distances u run from an edge inwards: u = a - x at the right one, u = b + x at the left one.
     Every method that computes takes `digits` (2 to 100000; None: as many as the scene says, 50 where
     it does not), releases the GIL, ends with KeyboardInterrupt on Ctrl-C, and may be called from
-    several threads. They raise InputError for a load that no contact carries and for a u outside
+    several threads. More than 5000 digits are computed in a process of their own, which Ctrl-C ends
+    at once. They raise InputError for a load that no contact carries and for a u outside
     0 < u < a + b or on a corner of the profile, and BudgetError where a quadrature does not reach
     its digits.
     """
@@ -84,15 +90,16 @@ class Scene:
                  M: Number | None = None, contact_modulus: Number | None = None,
                  E1: Number | None = None, nu1: Number | None = None, E2: Number | None = None,
                  nu2: Number | None = None, Q: Number | None = None,
-                 bulk_tension: Number | None = None, path: str | None = None,
-                 title: str = "") -> None:
+                 bulk_tension: Number | None = None, friction: Number | None = None,
+                 path: str | None = None, title: str = "") -> None:
         if not isinstance(profile, Profile):
             raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
                             "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
         given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2)))
         load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
         shear = [(k, exact_text(v, k))
-                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension)) if v is not None]
+                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("friction", friction))
+                 if v is not None]
         if path is not None:
             shear.append(("path", str(path)))
         self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear))
@@ -143,6 +150,11 @@ class Scene:
         """Whether Q or a bulk tension is given."""
         return self._native.has_shear
 
+    @property
+    def has_friction(self) -> bool:
+        """Whether a coefficient of friction is given, so that zones beside the edges slip."""
+        return self._native.slips
+
     def __repr__(self) -> str:
         return "<edgeproof.Scene " + (self.title or self.file or "of a profile and a load") + ">"
 
@@ -157,13 +169,24 @@ class Scene:
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene.from_text, (self.text, self.file or "")
 
+    def _run(self, **asked: Any) -> dict[str, Any]:
+        digits = asked.get("digits")
+        count = self.digits if digits is None else whole(digits, "digits")
+        if not 2 <= count <= _MOST_DIGITS:
+            raise InputError(f"digits = {count} is out of range",
+                             f"give a number from 2 to {_MOST_DIGITS}")
+        asked["digits"] = count
+        if count > _apart.MOST_DIGITS_HERE and _apart.can_start():
+            return _apart.run(self.text, self.file or "", asked)
+        return self._native.run(**asked)
+
     # The contact.
 
     def contact(self, digits: int | None = None) -> Contact:
         """Both edges, force and moment, and the tilt where it is found: a Contact of Values."""
         wanted = self.digits if digits is None else digits
         if wanted not in self._contacts:
-            found = self._native.run(quantities=["contact"], digits=wanted)["contact"]
+            found = self._run(quantities=["contact"], digits=wanted)["contact"]
             self._contacts[wanted] = Contact(**found)
         return self._contacts[wanted]
 
@@ -199,8 +222,8 @@ class Scene:
         places = _places(u) if _is_many(u) else [exact_text(u, "u")]
         if not places:
             return []
-        found = self._native.run(edges=[edge], u=places, quantities=[quantity],
-                                 terms=[int(n) for n in terms], digits=digits)
+        found = self._run(edges=[edge], u=places, quantities=[quantity],
+                                 terms=list(terms), digits=digits)
         return [point_of(row) for row in found["points"]]
 
     @overload
@@ -229,10 +252,21 @@ class Scene:
     def shear(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
         """The shear traction q at the distance u from an edge, a Value; a list of them for a list.
 
-        In the unit of the contact modulus. Raises InputError for a scene without shear.
+        In the unit of the contact modulus: under full stick, or, with friction, under partial slip.
+        Raises InputError for a scene without shear.
         """
         values = [row.q for row in self._points(u, edge, "shear", (), digits)]
         return values if _is_many(u) else values[0]
+
+    def slip_state(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
+        """Whether the place at the distance u from an edge slips: "slip", "stick" or "undecided".
+
+        For a list of places, a list. "undecided": the place is too near the end of the stick zone
+        to tell. Raises InputError for a scene without friction.
+        """
+        self._needs_friction()
+        states = [row.state for row in self._points(u, edge, "shear", (), digits)]
+        return states if _is_many(u) else states[0]
 
     def approximation(self, u: Number, terms: int | Sequence[int] = 1, edge: str = "right",
                       digits: int | None = None) -> Point:
@@ -240,8 +274,7 @@ class Scene:
 
         A Point: .p, and .p_local, an Approximation for each number of terms.
         """
-        numbers = [terms] if isinstance(terms, int) else list(terms)
-        return self._points(u, edge, "pressure", numbers, digits)[0]
+        return self._points(u, edge, "pressure", wholes(terms, "terms"), digits)[0]
 
     def pressures(self, u: numpy.typing.ArrayLike,
                   edge: str = "right") -> numpy.typing.NDArray[numpy.float64]:
@@ -274,7 +307,7 @@ class Scene:
     # At edges.
 
     def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
-        found = self._native.run(edges=[edge], quantities=["coefficients"], terms=[int(terms)],
+        found = self._run(edges=[edge], quantities=["coefficients"], terms=[whole(terms, "terms")],
                                  digits=digits)
         return coefficients_of(found["coefficients"][0])
 
@@ -290,8 +323,6 @@ class Scene:
                            digits: int | None = None) -> Coefficients:
         """The coefficients .s of q at an edge, from the power u^(.s_half_powers/2) on."""
         if not self.has_shear:
-            from .errors import InputError
-
             raise InputError("the scene has no shear", "give Q or bulk_tension")
         return self._expansion(terms, edge, digits)
 
@@ -304,19 +335,41 @@ class Scene:
         part          of the contact that is looked at, fractions of a + b from the edge
         process_zone  a length from the edge, which the extent covers or not
         """
-        found = self._native.run(
-            edges=[edge], quantities=["extent"], terms=[int(terms)],
+        found = self._run(
+            edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
             tolerance=exact_text(tolerance, "tolerance"),
             part=[exact_text(p, "part") for p in part],
             process_zone="" if process_zone is None else exact_text(process_zone, "process_zone"),
             digits=digits)
         return extent_of(found["extents"][0])
 
+    def _needs_friction(self) -> None:
+        if not self.has_friction:
+            raise InputError("the scene has no friction, so that nothing slips",
+                             "give friction beside Q")
+
+    def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),
+             tolerance: Number | None = None, digits: int | None = None) -> Slip:
+        """The slip zone at an edge, what n terms of its series give, and the stick zone: a Slip.
+
+        terms      numbers of terms; sizes are series in |Q|/(friction P)
+        tolerance  relative ("1%"): also find the load ratio up to which n terms are within it
+
+        P is held, then Q (and the bulk tension) applied. Raises InputError for a scene without
+        friction, for one that slides (|Q| >= friction P), and for a bulk tension with which an edge
+        slips the other way.
+        """
+        self._needs_friction()
+        found = self._run(
+            edges=[edge], quantities=["slip"], terms=wholes(terms, "terms"), digits=digits,
+            tolerance="" if tolerance is None else exact_text(tolerance, "tolerance"))
+        return slips_of(found)[0]
+
     # As a whole.
 
     def run(self, digits: int | None = None) -> Result:
         """Everything that the scene file asks for ([ask]), as a Result."""
-        return result_of(self._native.run(digits=digits))
+        return result_of(self._run(digits=digits))
 
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
@@ -327,7 +380,7 @@ class Scene:
         """
         from ._plot import plot
 
-        figure = plot(self, [terms] if isinstance(terms, int) else list(terms), edge)
+        figure = plot(self, wholes(terms, "terms"), edge)
         if file is not None:
             figure.savefig(os.fspath(file))
         return figure

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C: in a process of its own, which is sent SIGINT once it says that it is at work."""
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -29,9 +30,9 @@ SWALLOWED = """
 import edgeproof, signal
 seen = []
 signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
-scene = edgeproof.Scene(edgeproof.piecewise([], ["sinh(x)"], symmetric=True), a=1, contact_modulus=1)
+scene = edgeproof.Scene(edgeproof.PROFILE, a=1, contact_modulus=1)
 print("ready", flush=True)
-values = scene.pressure([f"{k}/500" for k in range(1, 300)], digits=100)
+values = scene.pressure([f"{k}/500" for k in range(1, PLACES)], digits=DIGITS)
 print([int(n) for n in seen], len(values), flush=True)
 """
 
@@ -44,6 +45,14 @@ try:
 except RuntimeError as error:
     print(error, flush=True)
 """
+
+
+def wait_for(condition):
+    until = time.monotonic() + 60
+    while not (found := condition()):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    return found
 
 
 def run(code, after=0.3):
@@ -66,6 +75,8 @@ def run(code, after=0.3):
     (SINH, "pressure([f'{k}/10000' for k in range(1, 9000)], digits=100)"),
     (SINH, "extent(tolerance='1e-9', digits=1500)"),
     ("hertz(1)", "pressures([0.1] * 30_000_000)"),
+    # one operation, of minutes
+    ('power_law(m="1/3", C=1)', "pressure('0.1', digits=100_000)"),
 ])
 def test_ctrl_c_ends_a_computation(profile, work):
     out, err, seconds = run(ALONE.replace("PROFILE", profile).replace("WORK", work))
@@ -75,9 +86,30 @@ def test_ctrl_c_ends_a_computation(profile, work):
     assert seconds < 20  # and not after minutes, on a busy machine either
 
 
-def test_a_handler_that_goes_on_goes_on():
-    out, err, _ = run(SWALLOWED, after=0.05)
-    assert out == "[2] 299\n", err
+@pytest.mark.parametrize("profile, digits, places", [
+    (SINH, 100, 299),
+    ('power_law(m="1/3", C=1)', 6000, 3),  # in a process of its own
+])
+def test_a_handler_that_goes_on_goes_on(profile, digits, places):
+    code = SWALLOWED.replace("DIGITS", str(digits)).replace("PLACES", str(places + 1))
+    out, err, _ = run(code.replace("PROFILE", profile), after=0.05)
+    assert out == f"[2] {places}\n", err
+
+
+def test_nothing_goes_on_unseen(tmp_path):
+    """The process of many digits ends with the one that asked, however that ends."""
+    code = ALONE.replace("PROFILE", 'power_law(m="1/3", C=1)').replace(
+        "WORK", "pressure('0.1', digits=100_000)")
+    for sent in (signal.SIGINT, signal.SIGKILL):
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                                 preexec_fn=lambda: signal.signal(signal.SIGINT,
+                                                                  signal.default_int_handler))
+        assert child.stdout.readline() == "ready\n"
+        children = pathlib.Path(f"/proc/{child.pid}/task/{child.pid}/children")
+        apart = wait_for(lambda: children.read_text().split())
+        os.kill(child.pid, sent)
+        child.communicate(timeout=120)
+        wait_for(lambda: not pathlib.Path(f"/proc/{apart[0]}").exists())
 
 
 def test_what_progress_raises_ends_the_work(source):

@@ -73,3 +73,19 @@ def test_expressions_are_exact():
         assert mpmath.almosteq(scene.a.mpmath(), mpmath.sqrt(2), 1e-44)
         # P = E* phi a (Johnson, 5.1)
         assert mpmath.almosteq(scene.P.mpmath(), mpmath.pi / 16 * mpmath.sqrt(2), 1e-44)
+
+
+def test_whole_numbers_and_lists_of_them(hertz):
+    np = pytest.importorskip("numpy")
+    assert hertz.pressure("0.1", digits=np.int64(20)).digits == 20
+    assert [a.terms for a in hertz.approximation("0.1", terms=np.int64(2)).p_local] == [2]
+    assert [a.terms for a in hertz.approximation("0.1", terms=np.array([1, 3])).p_local] == [1, 3]
+    for call in (lambda: hertz.pressure("0.1", digits="50"), lambda: hertz.pressure(b"0.1"),
+                 lambda: hertz.pressure("0.1", digits=50.0), lambda: hertz.extent(terms="1"),
+                 lambda: hertz.pressure("0.1", digits=True), lambda: hertz.coefficients(2.0),
+                 lambda: hertz.approximation("0.1", terms=[1.5])):
+        with pytest.raises(TypeError):
+            call()
+    for digits in (1, -5, 100_001, 10**30):
+        with pytest.raises(edgeproof.InputError, match="digits = .* is out of range; give a number"):
+            hertz.pressure("0.1", digits=digits)

@@ -49,6 +49,7 @@ foreach(file share/doc/edgeproof/README.md share/doc/edgeproof/docs/python.md
         share/man/man1/edgeproof-verify.1.gz share/bash-completion/completions/edgeproof
         share/zsh/vendor-completions/_edgeproof share/fish/vendor_completions.d/edgeproof.fish
         share/edgeproof/examples/python.ipynb share/edgeproof/reference/power-law.csv
+        share/edgeproof/schemas/scene.schema.json share/edgeproof/schemas/verdicts.schema.json
         include/edgeproof/scene/scene.hpp lib/cmake/edgeproof/edgeproofConfig.cmake
         share/doc/edgeproof/copyright share/doc/libedgeproof-dev/copyright)
     if(NOT EXISTS ${WORK}/root/usr/${file})

@@ -11,6 +11,7 @@
 ///   scene.cpp    NativeScene
 ///   audit.cpp    verify
 ///   check.cpp    check
+///   compare.cpp  compare
 namespace edgeproof::python {
 
 /// None for an empty text.
@@ -24,5 +25,6 @@ void bind_value(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
 void bind_audit(pybind11::module_& module);
 void bind_check(pybind11::module_& module);
+void bind_compare(pybind11::module_& module);
 
 } // namespace edgeproof::python

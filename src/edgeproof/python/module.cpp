@@ -9,4 +9,5 @@ PYBIND11_MODULE(_edgeproof, module) {
     edgeproof::python::bind_scene(module);
     edgeproof::python::bind_audit(module);
     edgeproof::python::bind_check(module);
+    edgeproof::python::bind_compare(module);
 }

@@ -51,8 +51,7 @@ void ask_quantities(const std::vector<std::string>& names, scene::Ask& ask) {
         const auto row = std::find_if(rows.begin(), rows.end(),
                                       [&](const scene::GroupRow& r) { return r.name == name; });
         if (row == rows.end()) {
-            throw InputError("unknown quantity '" + name + "'",
-                             "write pressure, coefficients, shear, extent or contact");
+            throw InputError("unknown quantity '" + name + "'", "");
         }
         ask.quantities.insert(row->group);
     }
@@ -110,7 +109,10 @@ scene::Scene NativeScene::asking(const AskedByName& asked) const {
         ask_quantities(*asked.quantities, ask);
     }
     if (asked.tolerance) {
-        ask.tolerance = scene::parse_tolerance(*asked.tolerance);
+        ask.tolerance.reset();
+        if (!asked.tolerance->empty()) {
+            ask.tolerance = scene::parse_tolerance(*asked.tolerance);
+        }
     }
     if (asked.process_zone) {
         ask.process_zone.reset();

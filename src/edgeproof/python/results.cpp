@@ -53,7 +53,12 @@ py::dict contact_of(const scene::ContactValues& c, const Maker& value) {
     return d;
 }
 
-py::dict point_of(const scene::PointRow& row, const Maker& value, const Maker& error) {
+const char* state_name(const std::optional<contact::SlipState>& state) {
+    using contact::SlipState;
+    return state == SlipState::stick ? "stick" : state == SlipState::slip ? "slip" : "undecided";
+}
+
+py::dict point_of(const scene::PointRow& row, bool slips, const Maker& value, const Maker& error) {
     py::dict d;
     d["edge"] = scene::edge_name(row.edge);
     d["u"] = row.u.text();
@@ -62,6 +67,8 @@ py::dict point_of(const scene::PointRow& row, const Maker& value, const Maker& e
     d["p_local"] = approximations(row.values.p_local, value, error);
     d["q"] = value(row.values.q);
     d["q_local"] = approximations(row.values.q_local, value, error);
+    d["state"] = row.values.q && slips ? py::object(py::str(state_name(row.values.state)))
+                                       : py::object(py::none());
     return d;
 }
 
@@ -80,6 +87,33 @@ py::dict extent_of(const scene::ExtentValues& e, const Maker& value) {
     return d;
 }
 
+py::dict slip_of(const scene::SlipValues& s, const Maker& value, const Maker& error) {
+    py::dict d;
+    d["edge"] = scene::edge_name(s.edge);
+    d["size"] = value(s.size);
+    py::list terms;
+    for (const scene::SlipTerms& t : s.terms) {
+        terms.append(
+            py::make_tuple(t.n, value(t.size), error(t.relative_error), value(t.reach), t.leaves));
+    }
+    d["terms"] = terms;
+    return d;
+}
+
+py::object stick_of(const std::optional<scene::StickValues>& s, const Maker& value) {
+    if (!s) {
+        return py::none();
+    }
+    py::dict d;
+    d["load_ratio"] = value(s->load_ratio);
+    d["a"] = value(s->a);
+    d["b"] = value(s->b);
+    d["least_bulk_tension"] = value(s->least_tension);
+    d["most_bulk_tension"] = value(s->most_tension);
+    d["in_proportion"] = s->in_proportion;
+    return d;
+}
+
 } // namespace
 
 py::dict results_of(const scene::Scene& scene, const scene::SceneResult& result) {
@@ -89,7 +123,7 @@ py::dict results_of(const scene::Scene& scene, const scene::SceneResult& result)
     d["contact"] = contact_of(result.contact, value);
     py::list points;
     for (const scene::PointRow& row : result.points) {
-        points.append(point_of(row, value, error));
+        points.append(point_of(row, scene.slips(), value, error));
     }
     d["points"] = points;
     py::list coefficients;
@@ -107,6 +141,12 @@ py::dict results_of(const scene::Scene& scene, const scene::SceneResult& result)
         extents.append(extent_of(e, value));
     }
     d["extents"] = extents;
+    d["stick"] = stick_of(result.stick, value);
+    py::list slips;
+    for (const scene::SlipValues& s : result.slips) {
+        slips.append(slip_of(s, value, error));
+    }
+    d["slips"] = slips;
     d["proved"] = result.plan.proved;
     d["why"] = result.plan.proved_why;
     return d;

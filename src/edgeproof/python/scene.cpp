@@ -106,6 +106,7 @@ void bind_scene(py::module_& module) {
                                [](const NativeScene& s) { return s.scene().symmetric(); })
         .def_property_readonly("has_shear",
                                [](const NativeScene& s) { return s.scene().shear.has_value(); })
+        .def_property_readonly("slips", [](const NativeScene& s) { return s.scene().slips(); })
         .def_property_readonly("knots",
                                [](const NativeScene& s) {
                                    Texts knots;

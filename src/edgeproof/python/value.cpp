@@ -21,8 +21,16 @@ namespace {
 
 constexpr long most_digits = 100'000;
 
-py::object fraction_of(const std::string& text) {
-    return py::module_::import("fractions").attr("Fraction")(text);
+/// By hexadecimal digits: Python refuses to read decimal numbers of more than 4300 digits.
+py::object integer_of(const Integer& n) {
+    const std::unique_ptr<char, void (*)(void*)> hex(mpz_get_str(nullptr, 16, n.backend().data()),
+                                                     [](void* text) { std::free(text); });
+    return py::module_::import("builtins").attr("int")(hex.get(), 16);
+}
+
+py::object fraction_of(const Rational& q) {
+    return py::module_::import("fractions")
+        .attr("Fraction")(integer_of(numerator(q)), integer_of(denominator(q)));
 }
 
 Rational rational_of_real(const Real& x) {
@@ -137,11 +145,11 @@ std::string shown(const Value& v) {
 }
 
 py::object mpmath_of(const Value& v) {
-    const std::string text = one_number(v);
+    const Rational q = parse_decimal(one_number(v));
     const py::module_ mpmath = py::module_::import("mpmath");
     const py::object scope = mpmath.attr("workdps")(v.digits() + 5);
     scope.attr("__enter__")();
-    py::object number = mpmath.attr("mpf")(text);
+    py::object number = mpmath.attr("fdiv")(integer_of(numerator(q)), integer_of(denominator(q)));
     scope.attr("__exit__")(py::none(), py::none(), py::none());
     return number;
 }
@@ -207,15 +215,14 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
         .def_property_readonly(
             "exact",
             [](const Value& v) {
-                return v.value().exactly ? fraction_of(v.value().exactly->str())
-                                         : py::object(py::none());
+                return v.value().exactly ? fraction_of(*v.value().exactly) : py::object(py::none());
             },
             "The value as a Fraction where it is known to be rational, else None.")
         .def(
             "interval",
             [](const Value& v) {
                 const auto [low, high] = ends(v);
-                return py::make_tuple(fraction_of(low.str()), fraction_of(high.str()));
+                return py::make_tuple(fraction_of(low), fraction_of(high));
             },
             "interval()\n\n(lower, upper): Fractions with the exact value between them (proved, or "
             "estimated).")
@@ -228,7 +235,7 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
             "rounded(digits)\n\nThe text at another number of digits, rounded from the value "
             "itself.")
         .def(
-            "fraction", [](const Value& v) { return fraction_of(one_number(v)); },
+            "fraction", [](const Value& v) { return fraction_of(parse_decimal(one_number(v))); },
             "fraction()\n\nThe number that .text states, as fractions.Fraction.")
         .def(
             "decimal",

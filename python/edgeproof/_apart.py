@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes with very many digits, asked in a process of their own.
+
+A single operation on numbers of many thousand digits (a hypergeometric function, say) may take
+minutes, and no library that does it looks up meanwhile. A process can be ended at any time: so Ctrl-C
+ends it at once, and nothing goes on computing unseen.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+import threading
+from typing import Any
+
+from ._edgeproof import NativeScene
+from .errors import Error
+
+# Below, no single operation was seen to take as long as a second.
+MOST_DIGITS_HERE = 5000
+
+_CHILD = """
+import pickle, sys
+sys.path[:] = pickle.load(sys.stdin.buffer)
+from edgeproof import _apart
+_apart.serve()
+"""
+
+
+def can_start() -> bool:
+    """Whether this program is a Python that can be started again (it may be embedded in another)."""
+    return os.path.basename(sys.executable or "").startswith("python")
+
+
+def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
+    """NativeScene(text, file).run(**asked). What ends the wait ends the work."""
+    # Not in our session: a terminal sends its Ctrl-C to us alone, who may want to go on.
+    with subprocess.Popen([sys.executable, "-c", _CHILD], stdin=subprocess.PIPE,
+                          stdout=subprocess.PIPE, start_new_session=True) as child:
+        assert child.stdin is not None and child.stdout is not None
+        try:
+            pickle.dump(sys.path, child.stdin)
+            pickle.dump((text, file, asked), child.stdin)
+            child.stdin.flush()  # and left open: where we end, it reads the end
+            found = pickle.load(child.stdout)
+        except (EOFError, BrokenPipeError):
+            child.kill()
+            raise Error(f"the process that computed it ended with status {child.wait()}",
+                        "it may have been out of memory; ask for fewer digits") from None
+        except BaseException:
+            child.kill()
+            raise
+    if isinstance(found, Exception):
+        raise found
+    assert isinstance(found, dict)
+    return found
+
+
+def _end_with_the_parent() -> None:
+    sys.stdin.buffer.read(1)
+    os._exit(1)
+
+
+def serve() -> None:
+    """The child: reads what is asked, writes the values or the error."""
+    text, file, asked = pickle.load(sys.stdin.buffer)
+    threading.Thread(target=_end_with_the_parent, daemon=True).start()
+    found: Any
+    try:
+        found = NativeScene(text, file).run(**asked)
+    except Exception as error:
+        found = error
+    pickle.dump(found, sys.stdout.buffer)
+    sys.stdout.buffer.flush()
+    os._exit(0)  # the thread above holds the input

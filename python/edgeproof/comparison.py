@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results of meshes, x and p, held to the exact contact."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import decimal
+import fractions
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union
+
+from . import _edgeproof
+from ._numbers import exact_text
+from .errors import InputError
+from .profiles import Number
+from .scene import Scene, read_scene
+
+if TYPE_CHECKING:
+    import numpy.typing
+
+__all__ = ["Cause", "Comparison", "Held", "Limit", "MeshErrors", "MeshResult", "compare"]
+
+OneResult = Union[str, "os.PathLike[str]", "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Held:
+    """A quantity of the data beside the exact one.
+
+    data               an estimate, in the scene's units; None where the data do not show it
+    exact              the binary64 nearest to it
+    of_exact_pressure  what the same rule makes of the exact pressure at the same nodes: the rest of
+                       the difference is the mesh's width
+    spread             of a fitted coefficient: how far the fit may be off, an estimate
+    """
+
+    data: float | None
+    exact: float | None
+    of_exact_pressure: float | None = None
+    spread: float | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class MeshErrors:
+    """How far p is off over some nodes; what the written digits explain is not counted.
+
+    peak          the largest |error|, relative to the exact peak (or the mean p, with a corner)
+    local         the largest |error/p|
+    l2            of the whole, relative to p, in the L2 norm
+    median_local  the median of |error/p|
+    digits        right digits, by the largest |error/p|
+    edge, from_, to  of the nodes at an edge, by u/(a + b); x, corner: of the nodes beside a knot
+    """
+
+    nodes: int
+    peak: float
+    local: float
+    l2: float
+    median_local: float
+    digits: float
+    edge: str | None = None
+    from_: float | None = None
+    to: float | None = None
+    x: float | None = None
+    corner: bool | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Cause:
+    """A mistake that would explain what is off; none is proved.
+
+    name            a stable one: "e-for-e-star", "factor-2", ...
+    factor          data over exact pressure, the median
+    scatter         what it leaves, relative to the largest pressure
+    equally_likely  names of others that leave as little
+    """
+
+    name: str
+    what: str
+    factor: float
+    scatter: float
+    equally_likely: tuple[str, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Limit:
+    """What a quantity of finer and finer meshes goes to, by the last three: an estimate.
+
+    value, error  the limit, and how far it may be off; None where the meshes show none: why_not
+    own_order     the order that they show without the exact value
+    trusted       four meshes or more show one order
+    agrees        the limit comes to the exact value within its error
+    """
+
+    own_order: float | None
+    value: float | None
+    error: float | None
+    exact: float
+    trusted: bool
+    why_not: str
+    agrees: bool | None
+
+
+@dataclasses.dataclass(frozen=True)
+class MeshResult:
+    """A result held to the scene. Numbers are binary64, in the scene's units.
+
+    inside, outside  nodes by the exact contact
+    sign, origin     how the data were read: -1 where compression is negative; the x of the data at
+                     the scene's origin
+    findings         how the file was read, sentences
+    a, b, P, p_max   edges, force, the largest pressure: Held
+    c0, c1, c0_left, c1_left  coefficients of u^(1/2), u^(3/2) at both edges: Held
+    element          widths of the elements at the "right" and "left" edge, and the "mean" one
+    errors           outside the edge zones; all_errors: of all nodes
+    distances, knots by decades of the distance from an edge, and beside knots of the profile
+    causes           the mistakes that would explain it, the likeliest first
+    failures         why it does not pass, sentences
+    """
+
+    file: str
+    passed: bool
+    nodes: int
+    inside: int
+    outside: int
+    sign: int
+    origin: float
+    findings: tuple[str, ...]
+    a: Held
+    b: Held
+    P: Held
+    p_max: Held
+    c0: Held
+    c1: Held
+    c0_left: Held
+    c1_left: Held
+    element: dict[str, float]
+    errors: MeshErrors
+    all_errors: MeshErrors
+    distances: tuple[MeshErrors, ...]
+    knots: tuple[MeshErrors, ...]
+    causes: tuple[Cause, ...]
+    failures: tuple[str, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Comparison:
+    """Results held to a scene. len(), iteration over the files; print() shows the report.
+
+    passed  every file is within what was asked for
+    orders  of several meshes: by quantity, the slope of log |error| over log width; None: no slope
+    limits  of several meshes: by quantity, a Limit
+    routes  by quantity, how the exact value was computed
+    text    the report that `edgeproof compare` prints
+    """
+
+    passed: bool
+    tolerance: str
+    units: str | None
+    routes: dict[str, str]
+    files: tuple[MeshResult, ...]
+    orders: dict[str, float | None]
+    limits: dict[str, Limit]
+    text: str = dataclasses.field(repr=False)
+    _told: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+
+    def __len__(self) -> int:
+        return len(self.files)
+
+    def __iter__(self) -> Any:
+        return iter(self.files)
+
+    def __getitem__(self, index: int) -> MeshResult:
+        return self.files[index]
+
+    def __str__(self) -> str:
+        return self.text
+
+    def to_dict(self) -> dict[str, Any]:
+        """As `edgeproof compare --json` has it."""
+        return copy.deepcopy(self._told)
+
+
+def _errors_of(d: dict[str, Any]) -> MeshErrors:
+    told = dict(d)
+    if "from" in told:
+        told["from_"] = told.pop("from")
+    return MeshErrors(**told)
+
+
+def _result_of(d: dict[str, Any]) -> MeshResult:
+    held = {k: Held(**d[k]) for k in ("a", "b", "P", "p_max", "c0", "c1", "c0_left", "c1_left")}
+    return MeshResult(
+        file=d["file"], passed=d["passes"], nodes=d["nodes"], inside=d["inside"],
+        outside=d["outside"], sign=d["sign"], origin=d["origin"], findings=tuple(d["findings"]),
+        element=d["element"], errors=_errors_of(d["errors"]),
+        all_errors=_errors_of(d["errors_of_all_nodes"]),
+        distances=tuple(map(_errors_of, d["distances"])),
+        knots=tuple(map(_errors_of, d["knots"])),
+        causes=tuple(Cause(c["name"], c["what"], c["factor"], c["scatter"],
+                           tuple(c["equally_likely"])) for c in d["causes"]),
+        failures=tuple(d["failures"]), **held)
+
+
+def _is_file(result: Any) -> bool:
+    return isinstance(result, (str, os.PathLike))
+
+
+def _is_pair(result: Any) -> bool:
+    return isinstance(result, tuple) and len(result) == 2 and not any(map(_is_file, result))
+
+
+def _written(x: Iterable[Any], p: Iterable[Any], name: str) -> str:
+    rows = [[float(v) for v in x], [float(v) for v in p]]
+    if len(rows[0]) != len(rows[1]):
+        raise InputError(f"{name}: {len(rows[0])} places and {len(rows[1])} pressures",
+                         "give a pressure for each place")
+    for column, what in zip(rows, "xp"):
+        for i, value in enumerate(column):
+            if not math.isfinite(value):
+                raise InputError(f"{name}: {what}[{i}] = {value} is not a finite number",
+                                 "give numbers, and leave out nodes that have none")
+    lines = [f"{decimal.Decimal(a)},{decimal.Decimal(b)}\n" for a, b in zip(*rows)]
+    return "x,p\n" + "".join(lines)
+
+
+def _tables(results: Any) -> list[tuple[str, str]]:
+    if isinstance(results, Mapping):
+        raise TypeError("results is a mapping: give a file, or a tuple (x, p) of two arrays")
+    many: Sequence[Any] = [results] if _is_file(results) or _is_pair(results) else list(results)
+    if not many:
+        raise InputError("there is no result", "give a file, or (x, p)")
+    tables = []
+    for i, result in enumerate(many):
+        if _is_file(result):
+            name = os.fspath(result)
+            tables.append((_edgeproof.read_text(name, "result (a table of x and p)"), name))
+        elif _is_pair(result):
+            name = "(x, p)" if len(many) == 1 else f"result {i + 1}"
+            x, p = result
+            tables.append((_written(x, p, name), name))
+        else:
+            raise TypeError(f"a result is {type(result).__name__}: give a file, or a tuple (x, p) "
+                            "of two arrays; a list of these for finer and finer meshes")
+    return tables
+
+
+def _pairs(given: str | Mapping[str, Any] | None) -> str:
+    if given is None or isinstance(given, str):
+        return given or ""
+    return ",".join(f"{k}={v}" for k, v in given.items())
+
+
+def _decimal_text(value: Number, name: str) -> str:
+    """What a table of numbers may hold: no quotient."""
+    text = exact_text(value, name)
+    if "/" not in text or isinstance(value, str):
+        return text
+    ratio = fractions.Fraction(text)
+    try:
+        with decimal.localcontext() as context:
+            context.prec = 1100  # of every binary64
+            context.traps[decimal.Inexact] = True
+            return str(decimal.Decimal(ratio.numerator) / ratio.denominator)
+    except decimal.Inexact:
+        raise InputError(f"{name} = {text} is no decimal number", "give one that ends") from None
+
+
+def _text_or_none(value: Number | None, name: str) -> str | None:
+    return None if value is None else exact_text(value, name)
+
+
+def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence[OneResult], *,
+            columns: str | Mapping[str, str | int] | None = None,
+            scale: str | Mapping[str, Number] | None = None, origin: Number | None = None,
+            tolerance: Number | None = None, of: str = "peak", edge_zone: Number = 0,
+            tolerance_a: Number | None = None, tolerance_P: Number | None = None,
+            tolerance_c0: Number | None = None,
+            progress: Callable[[int, int], object] | None = None) -> Comparison:
+    """Holds the results of a mesh, x and p at its nodes, to the exact contact: a Comparison.
+
+    scene      a Scene, a scene file, or the name of one that came with the program
+    results    a table that a program wrote (docs/compare.md says what is read), or a tuple (x, p) of
+               two arrays of float; a list of these, of finer and finer meshes, for orders and limits
+    columns    {"x": 1, "p": "CPRESS"}: which ones, by number or name; None: by their names
+    scale      {"x": "1e-3", "p": "1e6"}: what the numbers of the files are multiplied by
+    origin     the x of the data at the scene's origin; None: 0 unless the data say otherwise
+    tolerance  of p ("1%"; None: 3 %), relative to `of`: the "peak", p itself ("local"), or "L2"
+    edge_zone  what is left out beside the edges: "2e" (elements), or a length
+    tolerance_a, tolerance_P, tolerance_c0  of a and b, P, c_0 by the data
+
+    x and p are in the units of the scene, unless a file says its own. Edges, fits and limits of the
+    data are estimates. Raises InputError, with file and line, for malformed files; data that are
+    wrong are never an exception.
+    """
+    asked = scene if isinstance(scene, Scene) else read_scene(scene)
+    if isinstance(scale, Mapping):
+        scale = {k: _decimal_text(v, f"scale[{k!r}]") for k, v in scale.items()}
+    found = _edgeproof.compare(
+        asked._native, asked.file or asked.title or "a scene", _tables(results), _pairs(columns),
+        _pairs(scale), _text_or_none(origin, "origin"), _text_or_none(tolerance, "tolerance"), of,
+        _decimal_text(edge_zone, "edge_zone"), _text_or_none(tolerance_a, "tolerance_a"),
+        _text_or_none(tolerance_P, "tolerance_P"), _text_or_none(tolerance_c0, "tolerance_c0"),
+        progress)
+    told = json.loads(found["json"])
+    return Comparison(
+        passed=told["passes"], tolerance=told["tolerance"], units=told["units"],
+        routes=told["routes"], files=tuple(map(_result_of, told["files"])), orders=told["orders"],
+        limits={k: Limit(**v) for k, v in told["limits"].items()}, text=found["text"], _told=told)

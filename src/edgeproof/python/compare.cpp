@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/comparison.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/python/bindings.hpp"
+#include "edgeproof/python/native_scene.hpp"
+#include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/report/tables/comparison_report.hpp"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace edgeproof::python {
+namespace {
+
+using comparison::Norm;
+using OptionalText = std::optional<std::string>;
+
+/// Texts of result tables, each with the name that errors call it by.
+using Results = std::vector<std::pair<std::string, std::string>>;
+
+Norm norm_named(const std::string& name) {
+    for (const Norm norm : {Norm::peak, Norm::local, Norm::l2}) {
+        if (name == norm_name(norm)) {
+            return norm;
+        }
+    }
+    throw InputError("of = '" + name + "' is no measure of an error",
+                     "write \"peak\", \"local\" or \"L2\"");
+}
+
+std::optional<double> tolerance_of(const OptionalText& text) {
+    return text ? std::optional(scene::parse_tolerance(*text).to<double>()) : std::nullopt;
+}
+
+comparison::Tolerances tolerances_of(const OptionalText& pressure, const std::string& of,
+                                     const std::string& edge_zone, const OptionalText& edges,
+                                     const OptionalText& force, const OptionalText& c0) {
+    comparison::Tolerances t;
+    if (const auto p = tolerance_of(pressure)) {
+        t.pressure = *p;
+        t.stated = true;
+    }
+    t.of = norm_named(of);
+    t.zone = comparison::parse_edge_zone(edge_zone);
+    t.edges = tolerance_of(edges);
+    t.force = tolerance_of(force);
+    t.c0 = tolerance_of(c0);
+    return t;
+}
+
+comparison::ResultReading reading_of(const scene::Scene& scene, const std::string& columns,
+                                     const std::string& scale) {
+    comparison::ResultReading reading;
+    reading.units = scene.units;
+    if (!columns.empty()) {
+        reading.columns = comparison::parse_columns(columns);
+    }
+    if (!scale.empty()) {
+        comparison::parse_scale(scale, reading);
+    }
+    return reading;
+}
+
+py::dict compare(const NativeScene& native, const std::string& name, const Results& results,
+                 const std::string& columns, const std::string& scale, const OptionalText& origin,
+                 const OptionalText& tolerance, const std::string& of, const std::string& edge_zone,
+                 const OptionalText& tolerance_a, const OptionalText& tolerance_P,
+                 const OptionalText& tolerance_c0, py::object callback) {
+    Progress progress(std::move(callback));
+    std::string json;
+    std::string text;
+    without_gil(
+        [&] {
+            const scene::Scene& scene = native.scene();
+            report::ComparisonReport report;
+            report.scene = name;
+            report.title = scene.title;
+            report.units = scene.units;
+            report.comparison.tolerances =
+                tolerances_of(tolerance, of, edge_zone, tolerance_a, tolerance_P, tolerance_c0);
+            const auto at = origin ? std::optional(parse_decimal(*origin)) : std::nullopt;
+            const comparison::ResultReading reading = reading_of(scene, columns, scale);
+            std::vector<comparison::ResultTable> tables; // all are read before any work
+            for (const auto& [written, file] : results) {
+                tables.push_back(comparison::parse_result(written, file, reading));
+            }
+            const comparison::ExactContact exact(scene);
+            report.exact = &exact;
+            auto& files = report.comparison.files;
+            for (comparison::ResultTable& table : tables) {
+                progress(files.size(), tables.size());
+                files.push_back(comparison::compare_file(std::move(table), exact,
+                                                         report.comparison.tolerances, at, &scene));
+            }
+            progress(files.size(), tables.size());
+            if (files.size() > 1) {
+                report.comparison.convergence = convergence_of(files, exact);
+            }
+            json = comparison_json(report);
+            text = comparison_text(report);
+        },
+        &progress);
+    progress.rethrow();
+    py::dict d;
+    d["json"] = json;
+    d["text"] = text;
+    return d;
+}
+
+} // namespace
+
+void bind_compare(py::module_& module) {
+    module.def("compare", &compare, py::arg("scene"), py::arg("name"), py::arg("results"),
+               py::arg("columns"), py::arg("scale"), py::arg("origin"), py::arg("tolerance"),
+               py::arg("of"), py::arg("edge_zone"), py::arg("tolerance_a"), py::arg("tolerance_P"),
+               py::arg("tolerance_c0"), py::arg("progress"));
+}
+
+} // namespace edgeproof::python

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The JSON schemas: what the program writes and reads is what they say, and what the readers refuse by
+its form they refuse."""
+import datetime
+import functools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+import edgeproof
+
+jsonschema = pytest.importorskip("jsonschema")
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCHEMAS = ROOT / "share" / "edgeproof" / "schemas"
+
+
+@functools.cache
+def validator(name):
+    return jsonschema.Draft7Validator(json.loads((SCHEMAS / f"{name}.schema.json").read_text()))
+
+
+def faults(name, document):
+    return [f"{'.'.join(map(str, e.absolute_path))}: {e.message[:300]}"
+            for e in validator(name).iter_errors(document)]
+
+
+def toml(value):
+    """Inline TOML of what tomllib read."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(k)} = {toml(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    if isinstance(value, (datetime.date, datetime.time)):
+        return value.isoformat()
+    return json.dumps(value, ensure_ascii=False)
+
+
+def written(document):
+    return "".join(f"{json.dumps(k)} = {toml(v)}\n" for k, v in document.items())
+
+
+def files_of(kind):
+    """By the section that only this kind has."""
+    section = {"scene": "profile", "design": "design", "ledger": "ledger", "recipe": "scenes"}[kind]
+    found = []
+    for folder in ("examples", "verify", "reference"):
+        for file in (ROOT / folder).rglob("*.toml"):
+            document = tomllib.loads(file.read_text(encoding="utf-8"))
+            if section in document and not (kind == "scene" and "design" in document):
+                found.append((file, document))
+    return found
+
+
+@pytest.mark.parametrize("file", sorted(SCHEMAS.glob("*.json")), ids=lambda f: f.name)
+def test_schemas_are_schemas(file):
+    schema = json.loads(file.read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    assert schema["title"]
+
+
+@pytest.mark.parametrize("kind, least", [("scene", 26), ("design", 3), ("ledger", 2), ("recipe", 6)])
+def test_every_file_that_ships_is_valid(kind, least):
+    files = files_of(kind)
+    assert len(files) >= least
+    for file, document in files:
+        assert faults(kind, document) == [], file
+
+
+def test_editors_find_them():
+    for rule in tomllib.loads((ROOT / ".taplo.toml").read_text())["rule"]:
+        kind = pathlib.Path(rule["schema"]["path"]).name.split(".")[0]
+        files = {f for p in rule["include"] for f in ROOT.glob(p)}
+        files -= {f for p in rule.get("exclude", []) for f in ROOT.glob(p)}
+        assert (ROOT / rule["schema"]["path"]).exists()
+        assert files == {file for file, _ in files_of(kind)}
+
+
+SMALL_LEDGER = """
+[ledger]
+name = "own"
+source = "a test"
+[define]
+half = "a/2"
+[[family]]
+name = "hertz"
+profile = "power-law"
+count = 2
+points = 1
+u = ["1/20"]
+[family.parameters]
+m = ["1"]
+C = ["3/7"]
+a = ["3/2"]
+Es = ["7/3"]
+[[claim]]
+id = "right"
+kind = "value"
+lines = [1, 2]
+printed = "p"
+over = "hertz"
+of = "p(x)"
+says = "Es*C/2*sqrt(a^2-x^2)"
+[[claim]]
+id = "read"
+kind = "value"
+over = "hertz"
+of = "p(x)"
+[[claim.reading]]
+text = "so"
+says = "Es*C/3*sqrt(a^2-x^2)"
+"""
+
+
+def read_scene(text, folder):
+    edgeproof.Scene.from_text(text)
+
+
+def read_ledger(text, folder):
+    file = folder / "ledger.toml"
+    file.write_text(text, encoding="utf-8")
+    edgeproof.verify(file, digits=10, only="r*")
+
+
+def read_recipe(text, folder):
+    file = folder / "recipe.toml"
+    file.write_text(text, encoding="utf-8")
+    edgeproof.questions(file)
+
+
+def read_design(text, folder):
+    pytest.skip("Python reads no design")
+
+
+def places(value, path=()):
+    """Every table and every key, by its path."""
+    yield path
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield from places(item, (*path, key))
+    elif isinstance(value, list) and value and isinstance(value[0], dict):
+        for i, item in enumerate(value):
+            yield from places(item, (*path, i))
+
+
+def changed(document, path, change):
+    if not path:
+        return change(document)
+    copy = document.copy()
+    copy[path[0]] = changed(document[path[0]], path[1:], change)
+    return copy
+
+
+MISTAKES = {
+    "true": lambda v: True,
+    "a date": lambda v: datetime.date(2026, 1, 1),
+    "a list of lists": lambda v: [[1]],
+    "a table": lambda v: {"k": {"j": "1"}},
+    "an unknown key": lambda v: {**v, "unknown_key": "1"},
+}
+
+
+def refused(reader, text, folder):
+    try:
+        reader(text, folder)
+    except edgeproof.InputError:
+        return True
+    return False
+
+
+@pytest.mark.parametrize("kind, reader, sources", [
+    ("scene", read_scene, ["examples/scenes/partial-slip.toml", "examples/scenes/piecewise.toml",
+                           "examples/scenes/fretting-pad.toml", "examples/compare/cylinder.toml",
+                           "examples/scenes/force-and-moment.toml"]),
+    ("recipe", read_recipe, ["reference/shear.toml"]),
+    ("ledger", read_ledger, [None]),
+])
+def test_mistakes_of_form_are_refused_by_both(kind, reader, sources, tmp_path):
+    """Each table with an unknown key, each value of a wrong type: the schema refuses what the reader
+    refuses, and takes what it takes."""
+    tried = refusals = 0
+    differ = []
+    for source in sources:
+        text = SMALL_LEDGER if source is None else (ROOT / source).read_text(encoding="utf-8")
+        document = tomllib.loads(text)
+        assert not refused(reader, written(document), tmp_path)
+        for path in places(document):
+            for name, change in MISTAKES.items():
+                value = document
+                for step in path:
+                    value = value[step]
+                if (name == "an unknown key") != isinstance(value, dict):
+                    continue
+                wrong = changed(document, path, change)
+                by_reader = refused(reader, written(wrong), tmp_path)
+                by_schema = bool(faults(kind, json.loads(json.dumps(wrong, default=lambda d: {}))))
+                tried += 1
+                refusals += by_reader
+                if by_schema != by_reader:
+                    differ.append((source, path, name, by_reader))
+    assert differ == []
+    assert tried > 40 and refusals > tried / 2
+
+
+def run(*arguments, code=0, **options):
+    program = pathlib.Path(os.environ.get("EDGEPROOF_BUILD", "")) / "bin" / "edgeproof"
+    if not program.exists():
+        pytest.skip("no program: run by ctest")
+    done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, cwd=ROOT, **options)
+    assert done.returncode == code, done.stderr
+    return done.stdout
+
+
+SCENE = "examples/scenes/partial-slip.toml"
+
+
+@pytest.mark.parametrize("command", [
+    ["pressure", SCENE], ["expand", SCENE], ["slip", SCENE, "--tolerance", "5%"],
+    ["extent", "examples/scenes/fretting-pad.toml", "--binary64"],
+    pytest.param(["design", "examples/design/pad.toml", "--digits", "10", "--gap", "1e-2"],
+                 marks=pytest.mark.slow),
+    pytest.param(["slip-table", "--terms", "1", "--digits", "4"], marks=pytest.mark.slow),
+], ids=lambda c: c[0])
+def test_tables_that_are_written(command):
+    told = json.loads(run(*command, "--format", "json"))
+    assert faults("table", told) == [] and told["rows"]
+
+
+def test_a_reference_table(tmp_path):
+    recipe = tmp_path / "own.toml"
+    recipe.write_text('title = "own"\n[scenes.one]\nu = "1/2"\nquantities = ["p"]\n'
+                      'profile = {kind = "power-law", m = "1", C = ["1", "2"]}\n'
+                      'load = {a = "1", contact_modulus = "1"}\n')
+    assert faults("recipe", tomllib.loads(recipe.read_text())) == []
+    told = json.loads(run("table", recipe, "--format", "json"))
+    assert faults("table", told) == [] and len(told["rows"]) == 2
+    # What a program is asked line by line, and what it may answer.
+    program = tmp_path / "program.py"
+    program.write_text("import json, pathlib, sys\n"
+                       "for line in sys.stdin:\n"
+                       "    pathlib.Path(__file__).with_suffix('.asked').open('a').write(line)\n"
+                       "    print(json.dumps({'id': json.loads(line)['id'], 'value': 0.5}))\n")
+    run("check", recipe, "--exec", f"{sys.executable} {program}", "--lines", "json", code=1)
+    asked = program.with_suffix(".asked").read_text().splitlines()
+    assert len(asked) == 2
+    for line in asked:
+        assert faults("question", json.loads(line)) == []
+    assert faults("answer", {"id": "one", "value": 0.5}) == [] and faults("answer", {"id": "one"})
+
+
+def test_verdicts(tmp_path):
+    ledger = tmp_path / "own.toml"
+    ledger.write_text(SMALL_LEDGER + '[[claim]]\nid = "odd"\nkind = "value"\nover = "hertz"\n'
+                      'of = "p(x)"\nsays = "nonsense("\n')
+    run("verify", ledger, "--digits", "20", "--out", tmp_path / "out", code=2)
+    file = tmp_path / "out" / "verdicts.json"
+    if file.exists():
+        assert faults("verdicts", json.loads(file.read_text())) == []
+    ledger.write_text(SMALL_LEDGER)
+    run("verify", ledger, "--digits", "20", "--out", tmp_path / "two")
+    told = json.loads((tmp_path / "two" / "verdicts.json").read_text())
+    assert faults("verdicts", told) == [] and len(told["claims"]) == 2
+    told["claims"][0]["verdict"] = "likely"
+    assert faults("verdicts", told)
+
+
+def test_comparisons():
+    folder = ROOT / "examples/compare"
+    told = json.loads(run("compare", folder / "cylinder.toml",
+                          *(folder / f"mesh-{n}.csv" for n in (24, 48, 96, 192)), "--json"))
+    assert faults("comparison", told) == [] and len(told["files"]) == 4 and told["limits"]
+
+
+def test_costs():
+    told = json.loads(run("cost", "examples/scenes/fretting-pad.toml", "--digits", "16", "--points",
+                          "1", "--json"))
+    assert faults("cost", told) == [] and told["cells"]

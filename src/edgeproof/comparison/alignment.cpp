@@ -257,16 +257,51 @@ private:
             if (node.exact.p) {
                 const Real p = Real(row.p) * Real(result_.sign);
                 node.error = Real(p - node.exact.exact_p).convert_to<double>();
-                node.rounding += moved_by_rounding(i, x, node.exact);
+                node.rounding += moved_by_rounding(
+                    i, x, node.exact, [](const Real&, const auto& place) { return place.p; });
+            }
+            if (row.q && exact_.shear() != nullptr) {
+                NodeShear shear;
+                shear.q = row.q->convert_to<double>();
+                shear.exact = exact_.traction(x, node.exact);
+                shear.rounding = row.q_rounding;
+                if (shear.exact && node.exact.inside()) {
+                    shear.rounding += moved_by_rounding(i, x, node.exact,
+                                                        [this](const Real& at, const auto& place) {
+                                                            return exact_.traction(at, place);
+                                                        });
+                }
+                node.shear = shear;
             }
             result_.nodes.push_back(std::move(node));
         }
+        find_shear_sign();
     }
 
-    /// How far the exact pressure moves when x is moved by half a unit of its last digit. A grid of
-    /// few decimals is taken to be exact: its step is no rounding.
+    /// Programs give q on either body: the scene's direction is the one that agrees more.
+    void find_shear_sign() {
+        double agreement = 0;
+        for (const Node& node : result_.nodes) {
+            agreement += node.shear && node.shear->exact ? node.shear->q * *node.shear->exact : 0.0;
+        }
+        if (agreement < 0) {
+            result_.shear_sign = -1;
+            result_.findings.emplace_back("q counts the other way in the data");
+        }
+        for (Node& node : result_.nodes) {
+            if (node.shear) {
+                node.shear->q *= result_.shear_sign;
+                node.shear->error = node.shear->exact ? node.shear->q - *node.shear->exact : 0;
+            }
+        }
+    }
+
+    /// How far an exact value moves when x is moved by half a unit of its last digit. A grid of few
+    /// decimals is taken to be exact: its step is no rounding.
+    template <class Value>
     [[nodiscard]] double moved_by_rounding(std::size_t i, const Real& x,
-                                           const ExactContact::Place& here) const {
+                                           const ExactContact::Place& here,
+                                           const Value& value) const {
         const double half = table_.rows[i].x_rounding + origin_uncertainty_;
         const double gap =
             std::min(i > 0 ? points_[i].x - points_[i - 1].x : exact_.length(),
@@ -277,10 +312,11 @@ private:
             return 0;
         }
         const Real step = here.nearer() == contact::Edge::right ? Real(half) : Real(-half);
+        const double value_here = *value(x, here);
         double most = 0;
         for (const Real& beside : {Real(x + step), Real(x - step)}) {
-            const auto place = exact_.at(beside);
-            most = std::max(most, place.p ? std::abs(*place.p - *here.p) : 0.0);
+            const auto moved = value(beside, exact_.at(beside));
+            most = std::max(most, moved ? std::abs(*moved - value_here) : 0.0);
         }
         return most;
     }

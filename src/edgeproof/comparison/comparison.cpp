@@ -29,6 +29,7 @@ public:
                              exact_.a().value));
         }
         pressure();
+        shear();
         if (tolerances_.edges) {
             if (file_.data.half != contact::Edge::left) {
                 edge("a", file_.contact.a, file_.of_exact.a, exact_.a().value);
@@ -58,25 +59,43 @@ private:
             fail("the edge zones leave no node");
             return;
         }
+        hold("p", errors, tolerances_.pressure,
+             exact_.scale().mean ? "of the mean pressure" : "of the peak", [](const Node& node) {
+                 return std::pair{node.p, node.exact.p.value_or(0)};
+             });
+    }
+    void shear() {
+        if (!file_.shear || file_.shear->nodes == 0) {
+            return;
+        }
+        hold("q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
+             "of |Q|/(a + b) + |bulk_tension|/4", [](const Node& node) {
+                 return std::pair{node.shear->q, node.shear->exact.value_or(0)};
+             });
+    }
+    /// `values`: data and exact value of a node.
+    template <class Values>
+    void hold(const char* symbol, const Errors& errors, double tolerance, const char* of_scale,
+              const Values& values) {
         const double error = tolerances_.of == Norm::peak    ? errors.peak
                              : tolerances_.of == Norm::local ? errors.local
                                                              : errors.l2;
-        if (error <= tolerances_.pressure) {
+        if (error <= tolerance) {
             return;
         }
         const auto worst = tolerances_.of == Norm::local ? errors.worst_local : errors.worst;
         std::string where;
         if (tolerances_.of != Norm::l2 && worst) {
             const Node& node = file_.data.nodes[*worst];
-            where = fmt::format(": line {}, x = {:.6g}, p = {:.6g}, exact {:.6g}", node.line,
-                                node.x, node.p, node.exact.p.value_or(0));
+            const auto [data, exact] = values(node);
+            where = fmt::format(": line {}, x = {:.6g}, {} = {:.6g}, exact {:.6g}", node.line,
+                                node.x, symbol, data, exact);
         }
-        fail(fmt::format("the error of p, {} {}, is more than {}{}", percent(error),
-                         tolerances_.of == Norm::peak
-                             ? (exact_.scale().mean ? "of the mean pressure" : "of the peak")
-                         : tolerances_.of == Norm::local ? "of p itself"
-                                                         : "in the L2 norm",
-                         percent(tolerances_.pressure), where));
+        fail(fmt::format("the error of {}, {} {}, is more than {}{}", symbol, percent(error),
+                         tolerances_.of == Norm::peak    ? std::string(of_scale)
+                         : tolerances_.of == Norm::local ? fmt::format("of {} itself", symbol)
+                                                         : std::string("in the L2 norm"),
+                         percent(tolerance), where));
     }
     /// How far a value of the data is from what the same rule makes of the exact pressure, in parts
     /// of the exact value.
@@ -147,8 +166,37 @@ void count_nodes(FileComparison& file) {
     }
 }
 
+/// Q by trapezoids, of the data and of the exact q at the same nodes.
+void sum_shear(FileComparison& file) {
+    double sum = 0;
+    double of_exact = 0;
+    const Node* last = nullptr;
+    for (const Node& node : file.data.nodes) {
+        if (!node.shear || !node.shear->exact) {
+            continue;
+        }
+        if (last != nullptr) {
+            const double half_width = 0.5 * (node.x - last->x);
+            sum += half_width * (last->shear->q + node.shear->q);
+            of_exact += half_width * (*last->shear->exact + *node.shear->exact);
+        }
+        last = &node;
+    }
+    if (last != nullptr && !file.data.half) {
+        file.Q = sum;
+        file.Q_of_exact = of_exact;
+    }
+}
+
 void find_more(FileComparison& file, const ExactContact& exact) {
     auto& findings = file.data.findings;
+    if (exact.shear() == nullptr && file.table.rows.front().q) {
+        findings.emplace_back("q is not held against anything: the scene has no [shear]");
+    }
+    if (exact.shear() != nullptr && !file.table.rows.front().q) {
+        findings.emplace_back("the scene has shear, and the data have no q (CSHEAR1, or "
+                              "--columns q=3)");
+    }
     if (file.outside > 0) {
         findings.push_back(fmt::format(
             "{} of {} nodes lie outside the exact contact{}", file.outside, file.data.nodes.size(),
@@ -205,6 +253,8 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     find_more(file, exact);
     file.errors = measure(file.data, exact, file.contact, tolerances.zone);
     file.all = measure(file.data, exact, file.contact, {});
+    file.shear = measure_shear(file.data, exact, file.contact, tolerances.zone);
+    sum_shear(file);
     file.distances = by_distance(file.data, exact);
     file.knots = beside_knots(file.data, exact, file.contact);
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {

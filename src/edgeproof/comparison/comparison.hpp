@@ -42,6 +42,7 @@ struct Tolerances {
     std::optional<double> edges; ///< of a and b, each relative to itself
     std::optional<double> force;
     std::optional<double> c0; ///< at both edges
+    std::optional<double> q;  ///< in the norm of `of`; without it, as the pressure
 };
 
 /// A result held against a scene.
@@ -52,6 +53,9 @@ struct FileComparison {
     DataContact of_exact; ///< what the same rules make of the exact pressure at the same nodes
     Errors errors;        ///< outside the edge zones
     Errors all;           ///< of all nodes
+    std::optional<Errors> shear; ///< of q, outside the edge zones, where there is one
+    std::optional<double> Q;     ///< by trapezoids, over nodes that have an exact q
+    std::optional<double> Q_of_exact;
     std::vector<DistanceErrors> distances;
     std::vector<KnotErrors> knots;
     std::array<std::optional<EdgeFit>, 2> fits; ///< by index_of(edge)

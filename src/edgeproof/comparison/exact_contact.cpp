@@ -67,6 +67,9 @@ struct ExactContact::Solved {
         }
         const PrecisionScope scope(place_digits);
         const contact::Profile& profile = contact.profile();
+        if (scene.shear) {
+            shear.emplace(scene, profile, contact::Extent<Real>{right, left}, contact.force());
+        }
         for (std::size_t i = 0; i < profile.knots().size(); ++i) {
             const Real x = profile.knots()[i].to<Real>();
             if (x < right && x > -left && bends(profile, i)) {
@@ -88,6 +91,7 @@ struct ExactContact::Solved {
     std::vector<ContactKnot> knots;
     std::vector<Real> exact_knots;
     Scale scale;
+    std::optional<ExactShear> shear;
 };
 
 ExactContact::ExactContact(const scene::Scene& scene)
@@ -177,6 +181,31 @@ ExactContact::Place ExactContact::at(const Real& x) const {
         place.p.reset();
     }
     return place;
+}
+
+const ExactShear* ExactContact::shear() const {
+    return solved_->shear ? &*solved_->shear : nullptr;
+}
+
+std::optional<double> ExactContact::traction(const Real& x, const Place& place) const {
+    if (!solved_->shear) {
+        return {};
+    }
+    const PrecisionScope scope(place_digits);
+    const Real right = solved_->right - x;
+    const Real left = solved_->left + x;
+    const bool singular = solved_->shear->singular();
+    const Real at_edge = length() * 1e-12; // a place in binary64 is on the edge no nearer than that
+    if (singular && std::min(Real(abs(right)), Real(abs(left))) < at_edge) {
+        return {};
+    }
+    if (!(right > 0) || !(left > 0)) {
+        return 0.0;
+    }
+    if (!place.p && !singular) {
+        return {};
+    }
+    return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
 }
 
 double ExactContact::pressure(double x) const {

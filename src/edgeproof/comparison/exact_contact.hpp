@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/comparison/exact_shear.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
@@ -29,8 +30,8 @@ struct ExactValue {
 /// is bounded by Bernstein's ellipse but for roundoff. One object belongs to one thread.
 class ExactContact {
 public:
-    /// Throws what run_scene and NormalContact throw for a load that no contact carries, or an
-    /// outer slope that ends inside it.
+    /// Keeps no reference to the scene. Throws what run_scene and NormalContact throw for a load
+    /// that no contact carries, or an outer slope that ends inside it, and what ExactShear throws.
     explicit ExactContact(const scene::Scene& scene);
     ~ExactContact();
     ExactContact(ExactContact&&) noexcept;
@@ -72,6 +73,12 @@ public:
     };
     [[nodiscard]] Place at(const Real& x) const;
     [[nodiscard]] double pressure(double x) const; ///< the scale's value on a corner
+
+    /// The shear of a scene that has one.
+    [[nodiscard]] const ExactShear* shear() const;
+    /// The exact q at the place of x: 0 outside; nothing where it is infinite (an edge under full
+    /// stick, a corner where q goes with p), and without shear.
+    [[nodiscard]] std::optional<double> traction(const Real& x, const Place& place) const;
 
     /// Digits that places are to be given with.
     static constexpr unsigned place_digits = 60;

@@ -13,33 +13,53 @@ namespace {
 
 constexpr double most_digits = 16;
 
-Errors errors_of(const AlignedResult& data, const ExactContact& exact,
-                 const std::function<bool(const Node&)>& counts) {
+/// What is held of a node: its pressure, or its traction.
+struct HeldValue {
+    std::optional<double> exact;
+    double error = 0;
+    double rounding = 0;
+
+    [[nodiscard]] double counted() const { return std::max(0.0, std::abs(error) - rounding); }
+};
+
+HeldValue held_pressure(const Node& node) { return {node.exact.p, node.error, node.rounding}; }
+HeldValue held_traction(const Node& node) {
+    return node.shear ? HeldValue{node.shear->exact, node.shear->error, node.shear->rounding}
+                      : HeldValue{};
+}
+
+/// `whole`: the norm is of the exact value at all nodes, not of those counted alone.
+Errors errors_of(const AlignedResult& data, double scale,
+                 const std::function<bool(const Node&)>& counts,
+                 HeldValue (*held)(const Node&) = held_pressure, bool whole = true) {
     Errors errors;
     std::vector<double> local;
     double square = 0;
     double exact_square = 0;
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const Node& node = data.nodes[i];
-        if (!node.exact.p) {
+        const HeldValue value = held(node);
+        if (!value.exact) {
             continue;
         }
         const double width = 0.5 * ((i + 1 < data.nodes.size() ? data.nodes[i + 1].x : node.x) -
                                     (i > 0 ? data.nodes[i - 1].x : node.x));
-        exact_square += width * *node.exact.p * *node.exact.p;
-        if (!counts(node)) {
+        const bool counted = counts(node);
+        exact_square += whole || counted ? width * *value.exact * *value.exact : 0;
+        if (!counted) {
             continue;
         }
         ++errors.nodes;
-        const double error = counted_error(node);
+        const double error = value.counted();
         square += width * error * error;
-        if (error / exact.scale().value > errors.peak || !errors.worst) {
-            errors.peak = error / exact.scale().value;
+        if (error / scale > errors.peak || !errors.worst) {
+            errors.peak = error / scale;
             errors.worst = i;
         }
-        if (node.exact.inside() && *node.exact.p > 0) {
-            local.push_back(error / *node.exact.p);
-            errors.as_written = std::max(errors.as_written, std::abs(node.error) / *node.exact.p);
+        if (node.exact.inside() && *value.exact != 0) {
+            const double size = std::abs(*value.exact);
+            local.push_back(error / size);
+            errors.as_written = std::max(errors.as_written, std::abs(value.error) / size);
             if (local.back() > errors.local || !errors.worst_local) {
                 errors.local = local.back();
                 errors.worst_local = i;
@@ -76,10 +96,6 @@ EdgeZone parse_edge_zone(std::string_view text) {
     return elements || value == 0 ? EdgeZone{value, {}} : EdgeZone{0, value};
 }
 
-double counted_error(const Node& node) {
-    return std::max(0.0, std::abs(node.error) - node.rounding);
-}
-
 bool is_counted(const Node& node, const EdgeZone& zone, const DataContact& contact) {
     // A node on the zone's own end counts, however its place is rounded.
     constexpr double almost = 1 - 1e-9;
@@ -91,8 +107,18 @@ bool is_counted(const Node& node, const EdgeZone& zone, const DataContact& conta
 
 Errors measure(const AlignedResult& data, const ExactContact& exact, const DataContact& contact,
                const EdgeZone& zone) {
-    return errors_of(data, exact,
+    return errors_of(data, exact.scale().value,
                      [&](const Node& node) { return is_counted(node, zone, contact); });
+}
+
+std::optional<Errors> measure_shear(const AlignedResult& data, const ExactContact& exact,
+                                    const DataContact& contact, const EdgeZone& zone) {
+    if (data.nodes.empty() || !data.nodes.front().shear) {
+        return {};
+    }
+    return errors_of(
+        data, exact.shear()->scale(),
+        [&](const Node& node) { return is_counted(node, zone, contact); }, held_traction, false);
 }
 
 std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactContact& exact) {
@@ -102,7 +128,7 @@ std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactCo
         for (int k = 0; k < decades; ++k) {
             const double to = k == 0 ? 0.5 : std::pow(10.0, -k);
             const double from = k + 1 == decades ? 0 : std::pow(10.0, -k - 1);
-            const Errors errors = errors_of(data, exact, [&](const Node& node) {
+            const Errors errors = errors_of(data, exact.scale().value, [&](const Node& node) {
                 const double part = node.exact.u() / exact.length();
                 return node.exact.inside() && node.exact.nearer() == edge && part > from &&
                        part <= (k == 0 ? 1 : to);
@@ -120,7 +146,7 @@ std::vector<KnotErrors> beside_knots(const AlignedResult& data, const ExactConta
     std::vector<KnotErrors> list;
     const double near = std::max(0.01 * exact.length(), 2 * contact.mean_element);
     for (const ContactKnot& knot : exact.knots()) {
-        const Errors errors = errors_of(data, exact, [&](const Node& node) {
+        const Errors errors = errors_of(data, exact.scale().value, [&](const Node& node) {
             return node.exact.inside() && std::abs(node.x - knot.x) <= near;
         });
         if (errors.nodes > 0) {

@@ -23,13 +23,13 @@ struct EdgeZone {
 /// "2e", "0.5e", "0.01". Throws InputError for another form, or a negative one.
 [[nodiscard]] EdgeZone parse_edge_zone(std::string_view text);
 
-/// How far data are from the exact pressure. What the digits explain to which x and p are written
-/// is not counted.
+/// How far data are from the exact p, or q. What the digits explain to which they are written is
+/// not counted.
 struct Errors {
     std::size_t nodes = 0;
-    double peak = 0;  ///< the largest |error|, relative to the exact contact's scale
-    double local = 0; ///< the largest |error/p|, over nodes inside
-    double l2 = 0;    ///< the root of the integral of its square, relative to that of p
+    double peak = 0;  ///< the largest |error|, relative to the scale of p, or of q
+    double local = 0; ///< the largest |error/exact|, over nodes inside
+    double l2 = 0;    ///< the root of the integral of its square, relative to that of the exact one
     double median_local = 0;
     std::optional<std::size_t> worst; ///< the node of `peak`
     std::optional<std::size_t> worst_local;
@@ -54,8 +54,6 @@ struct KnotErrors {
     Errors errors;
 };
 
-/// The error of a node that its written digits leave over.
-[[nodiscard]] double counted_error(const Node& node);
 /// Whether a node lies outside the zones beside the edges, and off every corner.
 [[nodiscard]] bool is_counted(const Node& node, const EdgeZone& zone, const DataContact& contact);
 
@@ -63,6 +61,11 @@ struct KnotErrors {
 /// is 0 there).
 [[nodiscard]] Errors measure(const AlignedResult& data, const ExactContact& exact,
                              const DataContact& contact, const EdgeZone& zone);
+/// The same of q, over nodes that have an exact one: none without shear. Relative to the scale of
+/// ExactShear; L2 over the nodes counted, as under full stick the integral of q^2 is infinite.
+[[nodiscard]] std::optional<Errors> measure_shear(const AlignedResult& data,
+                                                  const ExactContact& exact,
+                                                  const DataContact& contact, const EdgeZone& zone);
 /// By decades, each edge from there to the middle; decades without a node are left out.
 [[nodiscard]] std::vector<DistanceErrors> by_distance(const AlignedResult& data,
                                                       const ExactContact& exact);

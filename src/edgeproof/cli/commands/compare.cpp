@@ -28,6 +28,7 @@ struct CompareOptions {
     std::string tolerance_a;
     std::string tolerance_P;
     std::string tolerance_c0;
+    std::string tolerance_q;
     bool json = false;
     std::string junit;
     std::string html;
@@ -64,6 +65,7 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
     t.edges = optional_tolerance("--tolerance-a", o.tolerance_a);
     t.force = optional_tolerance("--tolerance-P", o.tolerance_P);
     t.c0 = optional_tolerance("--tolerance-c0", o.tolerance_c0);
+    t.q = optional_tolerance("--tolerance-q", o.tolerance_q);
     return t;
 }
 
@@ -156,6 +158,8 @@ void add_compare(CLI::App& app, int& code) {
     sub->add_option("--tolerance-a", o->tolerance_a, "pass with a and b within this");
     sub->add_option("--tolerance-P", o->tolerance_P, "pass with P within this");
     sub->add_option("--tolerance-c0", o->tolerance_c0, "pass with c_0 within this");
+    sub->add_option("--tolerance-q", o->tolerance_q,
+                    "pass with an error of q within this (default: as --tolerance)");
     sub->add_flag("--json", o->json, "write JSON to standard output");
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--html", o->html, "write a page to this file");

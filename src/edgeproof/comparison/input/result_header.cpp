@@ -154,11 +154,10 @@ private:
                    "name them by --columns x=1,p=2");
         }
         find_units();
-        found_.findings.push_back(fmt::format(
-            "columns: x is {}, p is {}{}; {} separate them", column_text(found_.x),
-            column_text(found_.p),
-            found_.q ? ", q is " + column_text(*found_.q) + ", read and not compared" : "",
-            separator_name(separator_)));
+        found_.findings.push_back(fmt::format("columns: x is {}, p is {}{}; {} separate them",
+                                              column_text(found_.x), column_text(found_.p),
+                                              found_.q ? ", q is " + column_text(*found_.q) : "",
+                                              separator_name(separator_)));
     }
     [[nodiscard]] std::string column_text(const UsedColumn& c) const {
         return fmt::format("column {}", c.index + 1) +

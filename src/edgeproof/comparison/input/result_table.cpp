@@ -174,7 +174,8 @@ private:
         row.x = value(line, x_texts_.back(), x_factor_);
         row.p = value(line, p_texts_.back(), p_factor_);
         if (q_) {
-            row.q = value(line, *number_of(cells[q_->index], separator_), p_factor_);
+            q_texts_.push_back(*number_of(cells[q_->index], separator_));
+            row.q = value(line, q_texts_.back(), p_factor_);
         }
         table_.rows.push_back(std::move(row));
     }
@@ -207,9 +208,11 @@ private:
         };
         const auto x_half = rounding(x_texts_);
         const auto p_half = rounding(p_texts_);
+        const auto q_half = rounding(q_texts_);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             rows[i].x_rounding = x_half[i] * x_factor_.convert_to<double>();
             rows[i].p_rounding = p_half[i] * p_factor_.convert_to<double>();
+            rows[i].q_rounding = q_ ? q_half[i] * p_factor_.convert_to<double>() : 0;
         }
         const auto by_x = [](const ResultRow& s, const ResultRow& t) { return s.x < t.x; };
         if (!std::ranges::is_sorted(rows, by_x)) {
@@ -250,6 +253,7 @@ private:
     Rational p_factor_ = 1;
     std::vector<std::string> x_texts_;
     std::vector<std::string> p_texts_;
+    std::vector<std::string> q_texts_;
     std::size_t skipped_ = 0;
     std::size_t first_skipped_ = 0;
 };

@@ -22,6 +22,7 @@ struct ResultRow {
     /// exact.
     double x_rounding = 0;
     double p_rounding = 0;
+    double q_rounding = 0;
 };
 
 /// What a program wrote, read.

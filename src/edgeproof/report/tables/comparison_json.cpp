@@ -79,6 +79,16 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
                 coefficient_json(exact, edge, k, file.fits[index_of(edge)]);
         }
     }
+    if (file.Q) {
+        j["Q"] = {{"data", number_json(file.Q)},
+                  {"of_exact_traction", number_json(file.Q_of_exact)},
+                  {"exact", exact.shear()->force()}};
+        j["shear_sign"] = file.data.shear_sign < 0 ? -1 : 1;
+        j["shear_scale"] = exact.shear()->scale();
+    }
+    if (file.shear) {
+        j["errors_of_q"] = errors_json(*file.shear);
+    }
     j["element"] = {{"right", file.contact.element[0]},
                     {"left", file.contact.element[1]},
                     {"mean", file.contact.mean_element}};

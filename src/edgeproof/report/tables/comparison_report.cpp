@@ -97,6 +97,12 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
                                       all.nodes, file.all.nodes),
                     percent_text(all.peak), report.exact->scale().mean ? "mean pressure" : "peak",
                     percent_text(all.local), percent_text(all.l2));
+    if (file.shear) {
+        out += fmt::format("  error of q, {} nodes: {} of |Q|/(a + b) + |bulk_tension|/4, {} of q "
+                           "itself, {} in the L2 norm\n",
+                           file.shear->nodes, percent_text(file.shear->peak),
+                           percent_text(file.shear->local), percent_text(file.shear->l2));
+    }
     const double element = file.contact.element[0];
     out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "
                        "left {:.4g}\n",
@@ -156,6 +162,9 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
     if (!exact.scale().mean) {
         add({"largest p", pressure, file.contact.largest, 0, file.of_exact.largest,
              exact.scale().value, "batch (estimate)", ""});
+    }
+    if (file.Q) {
+        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force(), "given", ""});
     }
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         const auto& fit = file.fits[index_of(edge)];
@@ -233,6 +242,7 @@ std::string tolerance_text(const comparison::Tolerances& t) {
     add("a and b", t.edges);
     add("P", t.force);
     add("c_0", t.c0);
+    add("q", t.q);
     return out + (t.stated ? "" : " (none is stated: --tolerance)");
 }
 

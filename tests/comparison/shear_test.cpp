@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/comparison/hertz_data.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::hertz_data;
+
+namespace {
+
+/// Hertz with P = 1, a = 1: E*/R = 4/pi (Johnson, eq. 4.43), p_0 = 2/pi.
+std::string sheared_scene(const std::string& shear) {
+    return "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
+           "contact_modulus = \"4/pi\"\n[shear]\n" +
+           shear;
+}
+
+const double unit_p0 = 2 / std::numbers::pi;
+double unit_p(double x) { return std::abs(x) < 1 ? unit_p0 * std::sqrt(1 - x * x) : 0; }
+
+/// Rows of x, p and q between the edges, and on them 0.
+std::string shear_rows(const std::function<double(double)>& q, double from = -1.2) {
+    std::string text = "x,CPRESS,CSHEAR1\n";
+    for (const double x : even_places(from, 1.2, 96)) {
+        text += number(x) + "," + number(unit_p(x)) + "," +
+                number(std::abs(x) < 1 - 1e-12 ? q(x) : 0) + "\n";
+    }
+    return text;
+}
+
+FileComparison shear_held(const std::string& shear, const std::string& rows, Tolerances t = {}) {
+    const Scene scene = parse_scene(sheared_scene(shear), "s.toml");
+    return compare_file(parse_result(rows, "r.csv"), ExactContact(scene), t, {}, &scene);
+}
+
+Tolerances shear_within(double tolerance) {
+    Tolerances t;
+    t.pressure = tolerance;
+    t.zone = parse_edge_zone("0.001");
+    return t;
+}
+
+} // namespace
+
+TEST_CASE("shear: full stick by the textbook, in either direction of q; its errors at their size") {
+    // q = (Q/pi + sigma_0 x/4)/sqrt(1 - x^2) with a = b = 1 (Johnson, eq. 7.22, and src/edgeproof/
+    // contact/law/shear.hpp, whose signs these are).
+    const std::string shear = "Q = \"0.2\"\nbulk_tension = \"0.1\"\n";
+    const auto q = [](double x) {
+        return (0.2 / std::numbers::pi + 0.1 * x / 4) / std::sqrt(1 - x * x);
+    };
+    const FileComparison right = shear_held(shear, shear_rows(q), shear_within(1e-10));
+    CHECK_MESSAGE(right.passes(), right.failures[0]);
+    REQUIRE(right.shear);
+    CHECK(right.shear->local < 1e-11);
+    REQUIRE(right.Q);
+    CHECK(*right.Q == doctest::Approx(*right.Q_of_exact).epsilon(1e-12));
+    CHECK(*right.Q == doctest::Approx(0.2).epsilon(0.1)); // q is infinite at the edges
+    const FileComparison turned =
+        shear_held(shear, shear_rows([&](double x) { return -q(x); }), shear_within(1e-10));
+    CHECK(turned.passes());
+    CHECK(has_finding(turned, "q counts the other way"));
+    // An error of 0.01 at one node: of |Q|/2 + |sigma_0|/4 = 0.125.
+    const FileComparison off = shear_held(
+        shear, shear_rows([&](double x) { return q(x) + (std::abs(x) < 1e-9 ? 0.01 : 0); }),
+        shear_within(0.079));
+    CHECK_FALSE(off.passes());
+    CHECK(off.shear->peak == doctest::Approx(0.08).epsilon(1e-9));
+    CHECK(off.failures[0].find("the error of q, 8 %") != std::string::npos);
+    Tolerances apart = shear_within(1e-10);
+    apart.q = 0.081;
+    CHECK(shear_held(shear,
+                     shear_rows([&](double x) { return q(x) + (std::abs(x) < 1e-9 ? 0.01 : 0); }),
+                     apart)
+              .passes());
+}
+
+TEST_CASE("shear: partial slip by Cattaneo and Mindlin, with a tension by Nowell and Hills") {
+    // f = 0.5, Q = 0.315: c^2 = 1 - Q/(f P) = 0.37. A tension moves the stick zone by
+    // sigma_0 a/(4 f p_0) (D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, section 4.4): to
+    // the left, as a positive one draws the right edge the way of Q, so that more slips there.
+    const double f = 0.5;
+    const double c = std::sqrt(0.37);
+    for (const double tension : {0.0, 0.06, -0.03}) {
+        CAPTURE(tension);
+        const double e = -tension / (4 * f * unit_p0);
+        const auto q = [&](double x) {
+            const double y = (x - e) / c;
+            return f * (unit_p(x) - (std::abs(y) < 1 ? unit_p0 * c * std::sqrt(1 - y * y) : 0));
+        };
+        const std::string shear =
+            "Q = \"0.315\"\nfriction = \"0.5\"\nbulk_tension = \"" + number(tension) + "\"\n";
+        const FileComparison file = shear_held(shear, shear_rows(q), shear_within(1e-8));
+        CHECK_MESSAGE(file.passes(), file.failures[0]);
+        REQUIRE(file.shear);
+        CHECK(file.shear->nodes > 75);
+        CHECK(file.shear->peak < 1e-9);
+        CHECK(*file.Q == doctest::Approx(0.315).epsilon(0.01));
+        // Mirrored, it is another one where there is a tension.
+        const FileComparison mirrored =
+            shear_held(shear, shear_rows([&](double x) { return q(-x); }), shear_within(1e-8));
+        CHECK(mirrored.passes() == (tension == 0));
+    }
+}
+
+TEST_CASE("shear: loads that grow together; q without shear, and shear without q") {
+    const FileComparison together =
+        shear_held("Q = \"0.3\"\npath = \"together\"\n",
+                   shear_rows([](double x) { return 0.3 * unit_p(x); }), shear_within(1e-10));
+    CHECK(together.passes());
+    CHECK(together.shear->nodes > 80);
+    const FileComparison none =
+        shear_held("Q = \"0.3\"\n", table(even_places(-1.2, 1.2, 96), unit_p), shear_within(1e-10));
+    CHECK(none.passes());
+    CHECK_FALSE(none.shear);
+    CHECK(has_finding(none, "the data have no q"));
+    const FileComparison unasked =
+        compared("x,p,q\n-2,0,0\n-1,0.8385254915624212,1\n0,1.125,1\n1,0.8385254915624212,1\n");
+    CHECK_FALSE(unasked.shear);
+    CHECK(has_finding(unasked, "the scene has no [shear]"));
+}

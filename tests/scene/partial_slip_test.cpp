@@ -5,7 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 using namespace edgeproof::scenes;
 
@@ -107,6 +110,34 @@ TEST_CASE("slip zones of a scene next to no load and next to full sliding") {
     CHECK(full.stick->a.proved);
 }
 
+// mpmath, 90 digits. Power laws: P = m a^(m + 1) B(m/2, 3/2)/2, stick zone a (1 - tau)^(1/(m + 1)).
+// Flat-and-rounded punch: s^2 arccos(t/s) - t sqrt(s^2 - t^2) = 2 (1 - tau) by findroot: all of the
+// flat sticks, however little force is left.
+TEST_CASE("extreme profiles next to no load and next to full sliding") {
+    const std::string power = "kind = \"power-law\"\nC = \"1\"\nm = ";
+    const std::string flat = "kind = \"flat-and-rounded\"\nR = \"1\"\nt = ";
+    const std::vector<std::array<std::string, 4>> cases{
+        {power + "\"1/10\"", "6e-31", "9.340804060330132364904440e-31",
+         "1.027488446636314560139488"},
+        {power + "\"1/10\"", "3/5*(1 - 1e-30)", "1.027488446636314560139488",
+         "5.483396803237385239952919e-28"},
+        {power + "\"20\"", "6e-31", "5.068024457514661459491724e-32", "1.064285136078078906493262"},
+        {power + "\"20\"", "3/5*(1 - 1e-30)", "1.024612910179387121502061",
+         "0.03967222589869178499120092"},
+        {flat + "\"4/5\"", "3/5*(1 - 1e-30)", "0.9205969505191793168275062",
+         "0.8000000000000000000112035"},
+    };
+    for (const auto& [profile, Q, size, stick] : cases) {
+        const auto result =
+            run_scene(parsed(slip_scene("[profile]\n" + profile + "\n[load]\nP = \"1\"\n",
+                                        "Q = \"" + Q + "\"\nfriction = \"0.6\"")));
+        CHECK(result.slips.at(0).size.proved);
+        CHECK(result.stick->a.proved);
+        CHECK(text_of(result.slips.at(0).size, 25) == size);
+        CHECK(text_of(result.stick->a, 25) == stick);
+    }
+}
+
 // mpmath 1.3 at 55 digits, as in tests/contact/slip_scenes.hpp; q = f (p - p*) with both pressures
 // by the regularised integral over theta.
 TEST_CASE("q and slip zones of a scene hold values from elsewhere") {
@@ -147,6 +178,35 @@ TEST_CASE("a stick zone that ends on a knot exactly") {
         CHECK(text_of(result.stick->a, 30) == "1.00000000000000000000000000000");
         CHECK(text_of(result.stick->b, 30) == "1.00000000000000000000000000000");
     }
+}
+
+// F(1/2) = pi/16 within the parabola. The edges: mpmath, 40 digits, findroot of force and
+// consistency by quadrature.
+TEST_CASE("a stick zone of a tilted contact that ends on a knot exactly") {
+    const auto result = run_scene(parsed(
+        slip_scene("[profile]\nkind = \"piecewise\"\nknots = [\"1/2\"]\nslopes = [\"x\", \"1/2 + "
+                   "3*(x - 1/2)\"]\n[load]\nP = \"1\"\n",
+                   "Q = \"3/5*(1 - pi/16)\"\nfriction = \"0.6\"")));
+    CHECK(text_of(result.stick->a, 25) == "0.5000000000000000000000000");
+    CHECK(text_of(result.stick->b, 25) == "0.5000000000000000000000000");
+    CHECK(text_of(result.slips.at(0).size, 25) == "0.3707355456826686726145390");
+    CHECK(text_of(result.slips.at(1).size, 25) == "0.6458749358604694503912972");
+}
+
+// Hertz, a = 1, P = pi/4, tau = 3/4: the bound is 2 f E* (a - a/2)/R = 3/5.
+TEST_CASE("a bulk tension at its bound exactly") {
+    const std::string by_a = hertz_under("a = \"1\"");
+    const auto shear = [](const std::string& tension) {
+        return "Q = \"9*pi/80\"\nbulk_tension = \"" + tension + "\"\nfriction = \"0.6\"";
+    };
+    slip_refused(slip_scene(by_a, shear("0.6")),
+                 "scene.toml:10: bulk_tension = 0.6 draws the stick zone to the left edge");
+    slip_refused(slip_scene(by_a, shear("-0.6")),
+                 "scene.toml:10: bulk_tension = -0.6 draws the stick zone to the right edge");
+    slip_refused(slip_scene(by_a, shear("0.6 + 1e-40")), "beyond the left edge");
+    const auto within = run_scene(parsed(slip_scene(by_a, shear("0.6 - 6e-41"))));
+    // c = 1/2 about -(1/2 - 5e-41)
+    CHECK(text_of(within.slips.at(1).size, 20) == "5.0000000000000000000e-41");
 }
 
 TEST_CASE("the route in Real gives the same slip, and calls it an estimate") {

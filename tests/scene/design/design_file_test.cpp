@@ -60,6 +60,30 @@ TEST_CASE("a design scene: its ranges, and the scene for a value of them") {
     CHECK(why.find("curved") != std::string::npos);
 }
 
+TEST_CASE("a design scene of a slip load") {
+    const auto slip_design = [](const std::string& shear, const std::string& design,
+                                const std::string& profile = flat_of_range) {
+        return "[profile]\n" + profile + "[load]\na = \"1\"\ncontact_modulus = \"1\"\n[shear]\n" +
+               "Q = \"0.01\"\n" + shear +
+               "[design]\nmaximise = \"slip_load\"\ntolerance = \"5%\"\n" + design;
+    };
+    const std::string friction = "friction = \"0.6\"\n";
+    const auto design = edgeproof::scene::parse_design(slip_design(friction, ""), "pad.toml");
+    CHECK(design.objective == edgeproof::scene::DesignObjective::slip_load);
+    std::string why;
+    CHECK(design.errors(why).size() == 1);
+    CHECK(problem_of(slip_design("", "")).find("nothing slips") != std::string::npos);
+    CHECK(problem_of(slip_design(friction, "unit = \"distance\"\n"))
+              .find("unit is of distances, slip_load of Q/(f P)") != std::string::npos);
+    // The stick zones of a power law under a tension are no closed form.
+    const auto tense = edgeproof::scene::parse_design(
+        slip_design(friction + "bulk_tension = \"0.001\"\n", "",
+                    "kind = \"power-law\"\nm = { from = \"1\", to = \"2\" }\nC = \"1\"\n"),
+        "pad.toml");
+    CHECK(tense.errors(why).empty());
+    CHECK(why.find("no closed form") != std::string::npos);
+}
+
 TEST_CASE("a design scene: what is wrong, with its line") {
     CHECK(problem_of(pad_design("kind = \"flat-and-rounded\"\nt = \"0\"\nR = \"10\"\n", ""))
               .find("0 numbers of the scene are ranges") != std::string::npos);

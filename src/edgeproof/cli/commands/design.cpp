@@ -46,6 +46,18 @@ const char* text_of(contact::BestReach::Kind kind) {
     return "the best of the values tried";
 }
 
+std::string reach_note(const scene::DesignScene& design) {
+    if (design.objective == scene::DesignObjective::slip_load) {
+        return "the Q/(f P) up to which the terms of the slip zone's size are within the tolerance "
+               "of it, P and bulk_tension/Q held; 1: up to full sliding";
+    }
+    return std::string(design.objective == scene::DesignObjective::measure
+                           ? "the length of all places at which the terms are within the tolerance"
+                           : "the first distance from the edge at which the terms are off by the "
+                             "tolerance") +
+           (design.unit == contact::ReachUnit::fraction ? ", as a fraction of a + b" : "");
+}
+
 int run(const DesignCommandOptions& o) {
     const scene::DesignScene design = scene::read_design(o.scene);
     scene::Digits digits;
@@ -100,12 +112,7 @@ int run(const DesignCommandOptions& o) {
         table.facts.push_back({"falls short by", text(*result.falls_short).text});
     }
     table.notes = {
-        std::string("reach: ") +
-            (design.objective == scene::DesignObjective::measure
-                 ? "the length of all places at which the terms are within the tolerance"
-                 : "the first distance from the edge at which the terms are off by the "
-                   "tolerance") +
-            (design.unit == contact::ReachUnit::fraction ? ", as a fraction of a + b" : ""),
+        "reach: " + reach_note(design),
         proved ? "gap: no other value in the range reaches farther by more than this: proved by "
                  "branch and bound"
                : "value and reach are estimates, and no gap is proved"};

@@ -12,6 +12,9 @@ namespace {
 
 constexpr long reach_bits = 192;
 constexpr double bits_a_digit = 3.3219281;
+constexpr int most_second_looks = 4;
+constexpr int nearest_look = 46; ///< binary places of the range, from what was not decided
+constexpr int farthest_look = 12;
 constexpr double jump_of_reach = 1e-5;        ///< beside it, a difference of reaches is a jump
 constexpr double touching_excess = 1e-2;      ///< of the tolerance: an extremum that may touch it
 constexpr double farthest_from_sample = 1e-4; ///< of the range: the best value from that sampled
@@ -39,7 +42,18 @@ public:
         if (sampled_.value.empty()) {
             throw BudgetError("no reach is found anywhere in the range");
         }
+        BestReach best = from_sample();
+        // What branch and bound does not decide may reach farther, between two samples.
+        for (int k = 0; k < most_second_looks && higher_near(undecided_); ++k) {
+            best = from_sample();
+        }
+        return best;
+    }
+
+private:
+    [[nodiscard]] BestReach from_sample() {
         BestReach best;
+        undecided_.clear();
         if (ranges_.size() == 1) {
             one_parameter(best);
         }
@@ -51,8 +65,25 @@ public:
         }
         return best;
     }
-
-private:
+    /// Samples towards a place from both sides; whether one is better than all before.
+    [[nodiscard]] bool higher_near(const std::vector<double>& place) {
+        bool found = false;
+        for (int k = nearest_look; place.size() == 1 && k >= farthest_look; --k) {
+            for (const double side : {-1.0, 1.0}) {
+                const double off = std::ldexp(span(), -k);
+                const double x = place[0] + side * off;
+                if (!in_range(Ball(real_of(x), bits_))) {
+                    continue;
+                }
+                const double reach = sampled_reach(problem_, {x}).reach;
+                if (reach > sampled_.score * (1 + jump_of_reach)) {
+                    sampled_ = {{x}, {off}, reach};
+                    found = true;
+                }
+            }
+        }
+        return found;
+    }
     [[nodiscard]] double span() const {
         return Rational(ranges_[0].to - ranges_[0].from).convert_to<double>();
     }
@@ -196,13 +227,14 @@ private:
         }
         best.reach = best.shown_reach;
     }
-    void prove(BestReach& best) const {
+    void prove(BestReach& best) {
         const Ball lowest(best.shown_reach.lower(), best.shown_reach.bits());
         const Rational target = exact_value(lowest.with_bits(96).lower()) + options_.gap;
         const CoveredRange cover = covered_by_exits(problem_, ranges_, target, options_);
         best.boxes = cover.boxes;
         best.proved = cover.covered;
         if (!cover.covered) {
+            undecided_ = cover.middle;
             best.missing =
                 "that nothing reaches farther is not proved for the values " + cover.where;
         }
@@ -213,6 +245,7 @@ private:
     const DesignOptions& options_;
     long bits_;
     SampledBest sampled_;
+    std::vector<double> undecided_;
 };
 
 } // namespace

@@ -63,9 +63,17 @@ struct SampledBest {
 struct SampleGrid {
     int first = 96;
     int later = 16;
-    int rounds = 11;
+    int rounds = 14; ///< to what binary64 tells apart: beside a root of the parameter it counts
     [[nodiscard]] static SampleGrid of(std::size_t parameters) {
         return parameters == 1 ? SampleGrid{} : SampleGrid{24, 6, 14};
+    }
+    /// All of them, ends of cells included.
+    [[nodiscard]] std::size_t count(std::size_t parameters) const {
+        const auto cells = [&](int per_side) {
+            const auto n = static_cast<std::size_t>(per_side) + 1;
+            return parameters == 1 ? n : n * n;
+        };
+        return cells(first) + static_cast<std::size_t>(rounds) * cells(later);
     }
     /// Where a value takes long.
     [[nodiscard]] static SampleGrid coarse(std::size_t parameters) {
@@ -81,7 +89,8 @@ sampled_best(const std::function<double(const std::vector<double>&)>& score,
 struct CoveredRange {
     bool covered = false;
     std::size_t boxes = 0;
-    std::string where; ///< not covered
+    std::string where;          ///< not covered
+    std::vector<double> middle; ///< of the box there
 };
 [[nodiscard]] CoveredRange covered_by_exits(const ReachProblem& problem,
                                             const std::vector<ParameterRange>& ranges,

@@ -10,7 +10,8 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long cover_bits = 128;
-constexpr std::size_t trial_places = 48;
+constexpr long even_places = 28;
+constexpr unsigned places_by_the_edge = 20;
 constexpr std::size_t places_kept = 3;
 constexpr unsigned finest_box = 70; ///< halvings of a range
 
@@ -52,6 +53,10 @@ public:
             if (result.boxes > options_.most_boxes ||
                 box.depth > finest_box * static_cast<unsigned>(ranges_.size())) {
                 result.where = text_of(box);
+                for (std::size_t i = 0; i < box.lo.size(); ++i) {
+                    result.middle.push_back(
+                        Rational((box.lo[i] + box.hi[i]) / 2).convert_to<double>());
+                }
                 return result;
             }
             split(box, left);
@@ -121,9 +126,15 @@ private:
             };
             std::vector<Rational> at;
             std::vector<double> e;
-            for (std::size_t k = 1; k <= trial_places; ++k) {
-                at.emplace_back(target_ * static_cast<long>(k) / static_cast<long>(trial_places));
-                e.push_back(excess(at.back()));
+            // A knot by the edge may lift the error there only.
+            for (unsigned k = places_by_the_edge; k > 0; --k) {
+                at.emplace_back(target_ / (even_places * pow(Integer(2), k)));
+            }
+            for (long k = 1; k <= even_places; ++k) {
+                at.emplace_back(target_ * k / even_places);
+            }
+            for (const Rational& u : at) {
+                e.push_back(excess(u));
             }
             for (std::size_t k = 0; k < at.size(); ++k) {
                 if (e[k] > 0) {

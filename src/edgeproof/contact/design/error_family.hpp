@@ -110,6 +110,15 @@ power_law_errors(const formula::Expr& m, const std::optional<formula::Expr>& hal
 [[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
                                                                const ParametricLoad& load,
                                                                const ErrorQuestion& question);
+/// d_n/d - 1 of a slip zone as a function of the load ratio |Q|/(f P), which stands for the
+/// distance; its range is 1 (docs/partial-slip.md). Of a power law without a tension.
+[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_slip_errors(const formula::Expr& m,
+                                                                 const ErrorQuestion& question);
+/// Of a piecewise linear profile; `tension`: sigma_0/Q. Nothing is known where sigma_0 cannot grow
+/// in proportion to Q, and where the stick zone leaves the origin.
+[[nodiscard]] std::unique_ptr<ErrorFamily>
+linear_slip_errors(const ParametricSlope& slope, const ParametricLoad& load,
+                   const std::optional<formula::Expr>& tension, const ErrorQuestion& question);
 
 /// Evaluates formulas in the parameters, over Ball or Jet.
 template <class T> class ParameterValues {

@@ -1,7 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/linear_contact.hpp"
 
+#include "edgeproof/contact/enclosure/fields.hpp"
+
 namespace edgeproof::contact {
+namespace {
+
+/// Of a knot inside for some parameters of the box and outside for others: every member is
+/// continuous there, that of a knot outside being that of the edge, at 0 and a + b from the edges.
+/// Not so derivatives: of jets nothing is known then.
+LinearContact<Ball>::Mark mark_by_an_edge(const Ball& length, Ball right, Ball left) {
+    Ball& far = contains_zero(left) ? right : left;
+    far = Ball::hull(far, length);
+    return {right,
+            left,
+            (left - right) / 2,
+            Field<Ball>::root(right * left),
+            Field<Ball>::angle(right, left),
+            false};
+}
+
+} // namespace
 
 template <class T>
 typename LinearContact<T>::Mark LinearContact<T>::right_end(const T& a, const T& b) const {
@@ -11,7 +30,6 @@ template <class T>
 typename LinearContact<T>::Mark LinearContact<T>::left_end(const T& a, const T& b) const {
     return {a + b, constant(0), -((a + b) / 2), constant(0), T(Ball::pi(bits)), true};
 }
-/// A knot that may lie on an edge has roots of balls that may be negative: nothing is known.
 template <class T>
 typename LinearContact<T>::Mark LinearContact<T>::mark(const T& a, const T& b, const T& v) const {
     const T right = a - v;
@@ -21,6 +39,11 @@ typename LinearContact<T>::Mark LinearContact<T>::mark(const T& a, const T& b, c
     }
     if (certainly_negative(value_in(left))) {
         return left_end(a, b);
+    }
+    if constexpr (std::is_same_v<T, Ball>) {
+        if (!certainly_positive(right) || !certainly_positive(left)) {
+            return mark_by_an_edge(a + b, right, left);
+        }
     }
     return {right, left, (left - right) / 2, sqrt(right * left), atan(sqrt(right / left)) * 2,
             false};

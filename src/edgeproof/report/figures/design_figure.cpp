@@ -23,12 +23,15 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
     const std::string reach = measure ? "measure" : "reach";
     Plot plot;
     plot.id = "design";
+    const bool slip = design.objective == scene::DesignObjective::slip_load;
     plot.title = design.title.empty() ? "Reach of the approximation" : design.title;
     plot.description = "The " + reach + " of " + std::to_string(design.terms) +
                        " term(s) against " + name + ", its best value marked";
     plot.x = {name, false, {}};
-    plot.y = {reach + (design.unit == contact::ReachUnit::fraction ? ", fraction of a + b"
-                                                                   : ", distance from the edge"),
+    plot.y = {slip ? "slip load, Q/(f P)"
+                   : reach + (design.unit == contact::ReachUnit::fraction ? ", fraction of a + b"
+                                                                          : ", distance from the "
+                                                                            "edge"),
               false,
               {}};
     plot.columns = {name, "reach", "best", "printed"};

@@ -277,6 +277,22 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
     if (!load) {
         return all;
     }
+    const bool slip = objective == DesignObjective::slip_load;
+    std::optional<Expr> tension; // over Q
+    if (slip) {
+        tension = of.number_or_none("shear", "bulk_tension");
+        if (tension && tension->rational() != nullptr && *tension->rational() == 0) {
+            tension.reset();
+        }
+        if (tension) {
+            tension = *tension / of.number("shear", "Q");
+        }
+        if (tension && kind == "power-law") {
+            why_not = "the stick zones of a power law under a tension have no closed form: write "
+                      "m = 1 as a piecewise slope";
+            return all;
+        }
+    }
     const bool symmetric_kind = kind == "power-law" || kind == "flat-and-rounded" ||
                                 (kind == "piecewise" && of.flag("symmetric"));
     std::optional<Expr> length;
@@ -309,6 +325,10 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
             all.push_back(contact::full_stick_errors(
                 of.number_or_none("shear", "Q").value_or(num(0)),
                 of.number_or_none("shear", "bulk_tension").value_or(num(0)), *length, question));
+        } else if (slip) {
+            all.push_back(
+                slope ? contact::linear_slip_errors(*slope, *load, tension, question)
+                      : contact::power_law_slip_errors(of.number("profile", "m"), question));
         } else if (kind == "power-law") {
             if (unit == contact::ReachUnit::distance && !load->a) {
                 why_not = "the half-width of a power law under a given load is not enclosed over a "

@@ -91,8 +91,17 @@ void read_objective(const io::TomlSection& section, DesignScene& design) {
     const std::string maximise = section.text("maximise");
     if (maximise == "measure") {
         design.objective = DesignObjective::measure;
+    } else if (maximise == "slip_load") {
+        design.objective = DesignObjective::slip_load;
+        for (const char* key : {"of", "unit", "part"}) {
+            if (section.has(key)) {
+                section.reject(key, std::string(key) + " is of distances, slip_load of Q/(f P)",
+                               "leave it out");
+            }
+        }
     } else if (maximise != "first_exit") {
-        static constexpr std::array<std::string_view, 2> names{"first_exit", "measure"};
+        static constexpr std::array<std::string_view, 3> names{"first_exit", "measure",
+                                                               "slip_load"};
         section.reject("maximise", "nothing is known of '" + maximise + "'",
                        one_of(maximise, names));
     }
@@ -169,7 +178,8 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
     scene.ask.terms = {terms};
     scene.ask.tolerance = tolerance;
     scene.ask.part = {formula::Exact(), formula::Exact::of(part)};
-    scene.ask.quantities = {QuantityGroup::extent};
+    const bool slip = objective == DesignObjective::slip_load;
+    scene.ask.quantities = {slip ? QuantityGroup::slip : QuantityGroup::extent};
     return scene;
 }
 
@@ -196,6 +206,10 @@ DesignScene parse_design(std::string_view text, const std::string& file) {
     }
     const Scene one = design.at(lo);
     (void)design.at(hi);
+    if (design.objective == DesignObjective::slip_load && !one.slips()) {
+        top.reject(top.section("design").line(), "slip_load is asked for and nothing slips",
+                   "add [shear] with Q and friction");
+    }
     if (design.shear && !one.shear) {
         top.reject(top.section("design").line(), "shear is asked for and there is no [shear]",
                    "add [shear] with Q or bulk_tension");

@@ -14,7 +14,8 @@ namespace edgeproof::scene {
 /// What a design makes as large as it can be.
 enum class DesignObjective {
     first_exit, ///< the first distance at which n terms are off by the tolerance
-    measure     ///< the length of all places at which they are not
+    measure,    ///< the length of all places at which they are not
+    slip_load   ///< the Q/(f P) up to which n terms of a slip zone's size are within the tolerance
 };
 
 /// A scene in which one or two numbers are ranges, and the question which values are best

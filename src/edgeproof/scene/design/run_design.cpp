@@ -133,14 +133,27 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
         return measure ? r.measure : r.reach;
     };
     if (errors.empty() || measure) {
-        if (errors.empty() && design.shear) {
-            throw InputError("nothing is known of the shear traction over this range: " + why_not,
-                             "write of = \"pressure\", or change the scene")
+        if (errors.empty() && (design.shear || design.objective == DesignObjective::slip_load)) {
+            const bool shear = design.shear;
+            throw InputError(
+                std::string("nothing is known of the ") +
+                    (shear ? "shear traction" : "slip zones") + " over this range: " + why_not,
+                shear ? "write of = \"pressure\", or change the scene" : "change the scene")
                 .at(design.file, 0);
         }
-        result = estimated_design(ranges, score,
-                                  errors.empty() ? contact::SampleGrid::coarse(ranges.size())
-                                                 : contact::SampleGrid::of(ranges.size()));
+        const contact::SampleGrid samples = errors.empty()
+                                                ? contact::SampleGrid::coarse(ranges.size())
+                                                : contact::SampleGrid::of(ranges.size());
+        const std::size_t total = samples.count(ranges.size());
+        std::size_t done = 0;
+        const auto counted = [&](const std::vector<double>& x) {
+            const double s = score(x);
+            if (options.search.progress) {
+                options.search.progress(++done * 1000 / total, 1000);
+            }
+            return s;
+        };
+        result = estimated_design(ranges, counted, samples);
         result.missing =
             errors.empty() ? why_not
                            : "the measure is found by samples: branch and bound is for first_exit";

@@ -19,10 +19,13 @@ void refuse_sliding(const Scene& scene, const Real& force) {
         .at(scene.file, scene.friction_line);
 }
 
-void refuse_tension(const Scene& scene, contact::Edge beyond, const Real& least, const Real& most) {
+void refuse_tension(const Scene& scene, contact::Edge edge, bool reached, const Real& least,
+                    const Real& most) {
     throw InputError("bulk_tension = " + scene.shear->bulk_tension.text() +
-                         " draws the stick zone beyond the " + edge_name(beyond) +
-                         " edge, which would slip against Q",
+                         " draws the stick zone " + (reached ? "to the " : "beyond the ") +
+                         edge_name(edge) +
+                         (reached ? " edge, where nothing slips then, as far as all digits tell"
+                                  : " edge, which would slip against Q"),
                      "give a bulk_tension between " + least.str(told_digits) + " and " +
                          most.str(told_digits) + ", the bounds for this Q")
         .at(scene.file, scene.tension_line);

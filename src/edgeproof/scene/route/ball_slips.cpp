@@ -36,6 +36,11 @@ void BallSlips::check() {
         }
     }
     bool looked = false;
+    const auto refuse = [&](const contact::BallSlip& slip, contact::Edge edge, bool reached) {
+        const Real one = slip.tension_limit(contact::Edge::right).midpoint();
+        const Real other = slip.tension_limit(contact::Edge::left).midpoint();
+        refuse_tension(scene_, edge, reached, std::min(one, other), std::max(one, other));
+    };
     for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
         BallLevel* level = balls_.at_level(bits);
         const contact::BallSlip* slip = level != nullptr ? level->slip() : nullptr;
@@ -51,16 +56,18 @@ void BallSlips::check() {
         const Ball right = slip->size(contact::Edge::right);
         const Ball left = slip->size(contact::Edge::left);
         if (certainly_negative(right) || certainly_negative(left)) {
-            const Real one = slip->tension_limit(contact::Edge::right).midpoint();
-            const Real other = slip->tension_limit(contact::Edge::left).midpoint();
-            refuse_tension(scene_,
-                           certainly_negative(right) ? contact::Edge::right : contact::Edge::left,
-                           std::min(one, other), std::max(one, other));
+            refuse(*slip, certainly_negative(right) ? contact::Edge::right : contact::Edge::left,
+                   false);
         }
         level_ = level;
         if (certainly_positive(right) && certainly_positive(left)) {
             return;
         }
+    }
+    if (level_ != nullptr && shear.bulk_tension.sign() != 0) { // no number of bits tells d from 0
+        const contact::BallSlip& slip = *level_->slip();
+        const bool right = !certainly_positive(slip.size(contact::Edge::right));
+        refuse(slip, right ? contact::Edge::right : contact::Edge::left, true);
     }
 }
 

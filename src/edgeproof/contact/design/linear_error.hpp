@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/design/error_family.hpp"
+#include "edgeproof/contact/design/linear_edges.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
+
+namespace edgeproof::contact {
+
+/// artanh(sqrt(x))/sqrt(x), whose power series has positive terms: it grows. 0 <= x < 1.
+inline Ball arc_over_root(const Ball& x) {
+    const auto at = [&](const Real& end) {
+        const Ball e(end, x.bits());
+        if (!certainly_positive(e)) {
+            return Ball(1, x.bits());
+        }
+        const Ball root = sqrt(e);
+        return atanh(root) / root;
+    };
+    return Ball::hull(at(x.lower()), at(x.upper()));
+}
+
+/// p/sqrt(u) at an edge, times 2 pi/E*: the sum of arc sqrt(D - u) and of (jump + drop (v - x))
+/// G/sqrt(u) over the knots inside, where G = ln((1 + s)/|1 - s|), s^2 = u (D - u_v)/((D - u) u_v),
+/// u_v the distance of a knot from the edge (docs/pressure.md).
+template <class T> struct LinearError {
+    struct Knot {
+        T distance; ///< u_v
+        T jump;
+        T drop; ///< of g'' across it, times the sign of v - x beyond it
+        bool corner;
+    };
+    T length;
+    T arc;
+    std::vector<Knot> knots;
+    std::vector<T> coefficients; ///< c_k times 2 pi/E*
+    bool fraction = true;
+    long bits = 64;
+
+    LinearError(const LinearContact<T>& contact, const LinearEdges<T>& edges,
+                const ErrorQuestion& question)
+        : length(edges.a + edges.b), arc(contact.arc(edges.a, edges.b)),
+          fraction(question.unit == ReachUnit::fraction), bits(contact.bits) {
+        const bool right = question.edge == Edge::right;
+        for (std::size_t i = 0; i < contact.knots.size(); ++i) {
+            const T from_right = edges.a - contact.knots[i];
+            const T from_left = edges.b + contact.knots[i];
+            if (certainly_negative(value_in(from_right)) ||
+                certainly_negative(value_in(from_left))) {
+                continue;
+            }
+            T drop = contact.pieces[i].rate - contact.pieces[i + 1].rate;
+            drop *= right ? 1 : -1;
+            knots.push_back({right ? from_right : from_left, contact.jumps[i], drop,
+                             static_cast<bool>(contact.corner[i])});
+        }
+        for (std::size_t k = 0; k < question.terms; ++k) {
+            coefficients.push_back(coefficient(k));
+        }
+    }
+
+    /// Of w^i in (1 - w)^(-s), s = j + half.
+    [[nodiscard]] static Rational rising(const Rational& s, std::size_t i) {
+        Rational q(1);
+        for (std::size_t k = 0; k < i; ++k) {
+            q *= (s + static_cast<long>(k)) / Rational(static_cast<long>(k) + 1);
+        }
+        return q;
+    }
+    [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits)); }
+    [[nodiscard]] T power(const T& x, std::size_t n) const {
+        T y = number(Rational(1));
+        for (std::size_t i = 0; i < n; ++i) {
+            y *= x;
+        }
+        return y;
+    }
+    /// Of u^k in G/sqrt(u): 2 sqrt(kappa) times the sum of kappa^j (1 - u/D)^(-j-1/2) u^j/(2j + 1),
+    /// kappa = (D - u_v)/(D u_v).
+    [[nodiscard]] T green_coefficient(const Knot& knot, std::size_t k) const {
+        const T kappa = kappa_of(knot);
+        T sum = number(Rational(0));
+        for (std::size_t j = 0; j <= k; ++j) {
+            const Rational s(2 * static_cast<long>(j) + 1, 2);
+            sum += power(kappa, j) * number(rising(s, k - j) / (2 * s)) / power(length, k - j);
+        }
+        return sum * root(kappa) * 2;
+    }
+    [[nodiscard]] T kappa_of(const Knot& knot) const {
+        return (length - knot.distance) / (length * knot.distance);
+    }
+    /// Of what is not negative, though its ball may reach below zero: a knot by an edge.
+    [[nodiscard]] static T root(const T& x) {
+        if constexpr (std::is_same_v<T, Ball>) {
+            return Field<Ball>::root(x);
+        } else {
+            return sqrt(x);
+        }
+    }
+    [[nodiscard]] T coefficient(std::size_t k) const {
+        // sqrt(D - u) = sqrt(D) (1 - u/D)^(1/2)
+        T sum = arc * sqrt(length) * number(rising(Rational(-1, 2), k)) / power(length, k);
+        for (const Knot& knot : knots) {
+            if (k == 0) { // u_v sqrt(kappa), which a knot by the edge leaves small
+                sum -= knot.drop * root(knot.distance * (length - knot.distance) / length) * 2;
+                if (knot.corner) {
+                    sum += knot.jump * root(kappa_of(knot)) * 2;
+                }
+                continue;
+            }
+            sum += (knot.jump - knot.drop * knot.distance) * green_coefficient(knot, k);
+            sum += knot.drop * green_coefficient(knot, k - 1);
+        }
+        return sum;
+    }
+
+    [[nodiscard]] T error(const T& given) const {
+        const T u = fraction ? given * length : given;
+        T sum = arc * sqrt(length - u);
+        for (const Knot& knot : knots) {
+            sum += part_of(knot, u);
+        }
+        T local = coefficients.back();
+        for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+            local = local * u + coefficients[k];
+        }
+        return local / sum - 1;
+    }
+
+private:
+    [[nodiscard]] T part_of(const Knot& knot, const T& u) const {
+        const T offset = u - knot.distance;
+        const T weight = knot.jump + knot.drop * offset;
+        const T knot_in = (length - u) * knot.distance;
+        if (certainly_positive(value_in(offset))) {
+            const T s = root(knot_in / ((length - knot.distance) * u)); // 1/s
+            return weight * log1p(s * 2 / (1 - s)) / sqrt(u);
+        }
+        const T ratio = (length - knot.distance) / knot_in;
+        const T z = ratio * u;
+        if constexpr (std::is_same_v<T, Ball>) {
+            if (certainly_less(z, Ball(Rational(1, 4), bits))) {
+                return weight * root(ratio) * arc_over_root(clamped(z)) * 2;
+            }
+            if (contains_zero(offset) && !knot.corner) {
+                return across(knot, u, offset);
+            }
+        }
+        const T s = root(z);
+        return weight * log1p(s * 2 / (1 - s)) / sqrt(u);
+    }
+    /// By |t ln(C/t)|, which grows with t up to C/e (ball_marks.cpp).
+    [[nodiscard]] Ball across(const Knot& knot, const Ball& u, const Ball& offset) const {
+        const Ball sum = Field<Ball>::root(knot.distance * (length - u)) +
+                         Field<Ball>::root(u * (length - knot.distance));
+        const Ball C(Ball(sum * sum / length).upper(), bits);
+        const Ball t(abs(offset).upper(), bits);
+        const Ball largest = t * log(C / t);
+        if (!certainly_less(t * 3, C) || !largest.is_finite()) {
+            return unknown_ball(bits);
+        }
+        return knot.drop * Ball::around(Real(0), largest.upper(), bits) / sqrt(u);
+    }
+};
+
+/// Nothing is known.
+class UnknownOverBox : public ErrorOverBox {
+public:
+    explicit UnknownOverBox(long bits) : bits_(bits) {}
+    [[nodiscard]] Ball at(const Ball&) const override { return unknown_ball(bits_); }
+    [[nodiscard]] Jet jet(const Ball&) const override {
+        Jet j(unknown_ball(bits_));
+        j.g.fill(j.v);
+        j.h.fill(j.v);
+        return j;
+    }
+    [[nodiscard]] Ball length() const override { return unknown_ball(bits_); }
+
+private:
+    long bits_;
+};
+
+} // namespace edgeproof::contact

@@ -22,6 +22,44 @@ std::optional<std::string> browser() {
     return std::nullopt;
 }
 
+/// Measures the page as it is laid out, and leaves what it found in an element that the dumped
+/// document has: one line a finding.
+const std::string measuring = R"js(<script>
+addEventListener("load", () => {
+  const found = [];
+  const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
+  for (const id of new Set(ids)) {
+    if (ids.filter((other) => other === id).length > 1) found.push("id twice: " + id);
+  }
+  if (document.documentElement.scrollWidth > innerWidth) {
+    found.push("wider than the window: " + document.documentElement.scrollWidth);
+  }
+  for (const svg of document.querySelectorAll(".panel svg")) {
+    const panel = svg.parentElement.getBoundingClientRect().width;
+    if (svg.getBoundingClientRect().width < 0.9 * panel) found.push("plot does not fill its panel");
+    const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+    for (const text of svg.querySelectorAll("text")) {
+      const shown = parseFloat(getComputedStyle(text).fontSize) * scale;
+      if (text.textContent.trim() && shown < 11) found.push("text of " + shown.toFixed(1) + " px");
+    }
+  }
+  for (const claim of document.querySelectorAll("details.claim")) {
+    if (claim.querySelector(".said").getBoundingClientRect().height < 8) {
+      found.push("no sentence: " + claim.id);
+    }
+  }
+  const walk = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+  for (let node = walk.nextNode(); node; node = walk.nextNode()) {
+    if (node.parentElement.closest("code, script, style")) continue;
+    if (/[$\\]|\bEQ\d\d\b.* prints/.test(node.data)) found.push("raw TeX: " + node.data.trim().slice(0, 60));
+  }
+  const out = document.createElement("pre");
+  out.id = "measured";
+  out.textContent = "width " + innerWidth + "\n" + [...new Set(found)].join("\n") + "\nend";
+  document.body.append(out);
+});
+</script>)js";
+
 struct Opened {
     std::string page;     ///< the document once its scripts have run
     std::string messages; ///< what the browser said, its console among it
@@ -36,6 +74,30 @@ Opened open_page(const Folder& folder, const std::string& fragment, const std::s
         "' >page.txt 2>messages.txt </dev/null";
     REQUIRE(std::system(command.c_str()) == 0);
     return {file_text(folder.path() / "page.txt"), file_text(folder.path() / "messages.txt")};
+}
+
+/// What the page, laid out in a window so wide, is found to have wrong; empty if nothing is.
+std::string faults_of(const Folder& folder, const std::string& width) {
+    const auto page = folder.path() / "out" / "report.html";
+    const std::string kept = file_text(page);
+    (void)folder.write("out/report.html", kept + measuring);
+    const Opened opened = open_page(folder, "", "--window-size=" + width + ",900");
+    (void)folder.write("out/report.html", kept);
+    const std::size_t at = opened.page.find("<pre id=\"measured\">");
+    REQUIRE(at != std::string::npos);
+    const std::size_t begin = opened.page.find('\n', at) + 1;
+    return opened.page.substr(begin, opened.page.find("\nend", begin - 1) - begin + 1);
+}
+
+/// Pages of the page in print, as its style sheet has it.
+std::size_t pages_in_print(const Folder& folder) {
+    open_page(folder, "", "--no-pdf-header-footer --print-to-pdf=page.pdf");
+    const std::string pdf = file_text(folder.path() / "page.pdf");
+    std::size_t pages = 0;
+    for (std::size_t at = 0; (at = pdf.find("/Type /Page", at)) != std::string::npos; at += 11) {
+        pages += pdf[at + 11] == 's' ? 0 : 1;
+    }
+    return pages;
 }
 
 /// The start tag of the claim's element.
@@ -94,6 +156,39 @@ TEST_SUITE("slow") {
 
         open_page(folder, "", "--window-size=400,800 --screenshot=picture.png");
         CHECK(std::filesystem::file_size(folder.path() / "picture.png") > 10000);
+    }
+
+    TEST_CASE(
+        "the paper's page: nothing raw, nothing cut off, a short print, errata that compile") {
+        if (!browser()) {
+            MESSAGE("skipped: no Chromium here");
+            return;
+        }
+        const Folder folder;
+        const Outcome verified =
+            run(folder,
+                "verify '" + (source_dir() / "verify/moore-hills.toml").string() + "' --out out");
+        REQUIRE(verified.code == 0);
+        CHECK(faults_of(folder, "1200") == "");
+        CHECK(faults_of(folder, "390") == "");
+        const std::size_t pages = pages_in_print(folder);
+        CHECK(pages > 2);
+        CHECK(pages < 20);
+        const std::string page = file_text(folder.path() / "out/report.html");
+        for (const char* shown : {"Eq. (39)", "Section 2.1.1, line 164", "class=\"side printed\"",
+                                  "To check by hand", "What rests on it", "SHA-256"}) {
+            CAPTURE(shown);
+            CHECK(page.find(shown) != std::string::npos);
+        }
+        if (std::system("command -v pdflatex >/dev/null") != 0) {
+            MESSAGE("errata.tex was not compiled: no pdflatex here");
+            return;
+        }
+        const std::string compile = "cd '" + (folder.path() / "out").string() +
+                                    "' && pdflatex -interaction=nonstopmode -halt-on-error "
+                                    "errata.tex >errata.said";
+        CHECK(std::system(compile.c_str()) == 0);
+        CHECK(file_text(folder.path() / "out/errata.log").find("(1 page,") != std::string::npos);
     }
 
     TEST_CASE("without gnuplot the audit runs, and the page says what is missing") {

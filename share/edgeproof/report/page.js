@@ -86,11 +86,34 @@
   apply();
   follow();
 
-  // On paper everything is open, and shut again afterwards.
+  // On paper the errata, or everything, opened, and shut again afterwards.
+  const whole = byId("print-all");
+  whole.parentElement.hidden = false;
+  whole.addEventListener("change", () => {
+    if (whole.checked) root.dataset.print = "all";
+    else delete root.dataset.print;
+  });
   let shut = [];
   window.addEventListener("beforeprint", () => {
-    shut = claims.filter((claim) => !claim.open);
+    shut = whole.checked ? claims.filter((claim) => !claim.open) : [];
     for (const claim of shut) claim.open = true;
   });
   window.addEventListener("afterprint", () => { for (const claim of shut) claim.open = false; });
+
+  // A line of LaTeX to the clipboard; where there is none, it is selected.
+  for (const copy of document.querySelectorAll(".copy-button")) {
+    const line = copy.parentElement.querySelector("code");
+    const words = copy.firstChild.textContent;
+    copy.hidden = false;
+    copy.addEventListener("click", async () => {
+      try {
+        await navigator.clipboard.writeText(line.textContent);
+        copy.firstChild.textContent = "Copied";
+      } catch (_) {
+        getSelection().selectAllChildren(line);
+        copy.firstChild.textContent = "Selected";
+      }
+      setTimeout(() => { copy.firstChild.textContent = words; }, 2000);
+    });
+  }
 })();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 
+#include "edgeproof/audit/counterexample.hpp"
+#include "edgeproof/audit/later_results.hpp"
 #include "edgeproof/audit/ledger/claim_kind.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -160,6 +162,9 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             }
             r.outcome = combined(claim, r.readings);
         }
+        if (auto clearest = clearest_counterexample(r, context)) {
+            r.outcome.evidence.add("clearest", std::move(*clearest));
+        }
     };
     const auto run_claim = [&](std::size_t i) {
         check_interruption();
@@ -195,6 +200,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         return x.error.line() < y.error.line();
     });
     result.errors = std::move(errors);
+    add_later_results(result, context);
     return result;
 }
 

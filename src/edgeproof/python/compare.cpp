@@ -27,8 +27,9 @@ using OptionalText = std::optional<std::string>;
 using Results = std::vector<std::pair<std::string, std::string>>;
 
 Norm norm_named(const std::string& name) {
-    for (const Norm norm : {Norm::peak, Norm::local, Norm::l2}) {
-        if (name == norm_name(norm)) {
+    for (const auto& [norm, text] :
+         {std::pair{Norm::peak, "peak"}, {Norm::local, "local"}, {Norm::l2, "L2"}}) {
+        if (name == text) {
             return norm;
         }
     }

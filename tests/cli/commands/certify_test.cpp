@@ -18,8 +18,8 @@ std::string ledger(const std::string& says) {
            "of = \"right.c0\"\nsays = \"" +
            says + "\"\n";
 }
-const std::string wrong = "2*Es*phi/(Pi*sqrt(1+gam)*sqrt(a))";
-const std::string right = "2*Es*phi*sqrt(gam)/(Pi*sqrt(1+gam)*sqrt(a))";
+const std::string printed_formula = "2*Es*phi/(Pi*sqrt(1+gam)*sqrt(a))";
+const std::string right_formula = "2*Es*phi*sqrt(gam)/(Pi*sqrt(1+gam)*sqrt(a))";
 
 /// The claim as `verify` writes it.
 nlohmann::json verified(const Folder& folder, const std::string& more = "") {

@@ -49,11 +49,12 @@ public:
     Ledger read() {
         ledger_.file = file_;
         expect_file_kind(top_, scene::FileKind::ledger);
-        top_.allow({"ledger", "define", "family", "claim"});
+        top_.allow({"ledger", "define", "family", "claim", "later", "print", "notation"});
         const io::TomlSection head = top_.section("ledger");
-        head.allow({"name", "source"});
+        head.allow({"name", "source", "doi", "arxiv", "version"});
         ledger_.name = head.written("name");
         ledger_.source = head.written_or("source", "");
+        ledger_.print = read_printed_source(top_);
         for (const io::TomlSection& family : top_.sections("family")) {
             io::at_place(file_, family.line(), [&] {
                 ledger_.families.push_back(read_family(family, file_, ledger_.families));
@@ -83,10 +84,60 @@ public:
                 ledger_.errors.push_back({id_of(claim), error});
             }
         }
+        for (const io::TomlSection& later : top_.sections_or_none("later")) {
+            io::at_place(file_, later.line(), [&] { read_later(later); });
+        }
         return std::move(ledger_);
     }
 
 private:
+    /// The claim that a key names; nullptr where that one could not be read.
+    const Claim* named_claim(const io::TomlSection& table, std::string_view key) const {
+        const std::string id = table.written(key);
+        for (const Claim& claim : ledger_.claims) {
+            if (claim.id == id) {
+                return &claim;
+            }
+        }
+        if (std::ranges::none_of(ledger_.errors, [&](const auto& e) { return e.id == id; })) {
+            table.reject(key, "the ledger has no claim '" + id + "'", "write the id of a claim");
+        }
+        return nullptr;
+    }
+
+    void read_later(const io::TomlSection& table) {
+        table.allow({"from", "claim", "words", "says", "with"});
+        const Claim* from = named_claim(table, "from");
+        const Claim* claim = named_claim(table, "claim");
+        if (from == nullptr || claim == nullptr) {
+            return;
+        }
+        Vocabulary vocabulary = claim->vocabulary;
+        const auto define = [&](const std::string& name, const formula::Expr& body) {
+            vocabulary.symbols.add(name);
+            vocabulary.definitions.insert(vocabulary.definitions.begin(), {name, {}, body});
+        };
+        const auto formula_at = [&](const io::TomlSection& where, const std::string& key,
+                                    const std::string& text) {
+            try {
+                return parse_formula(text, vocabulary);
+            } catch (const formula::FormulaError& error) {
+                where.reject(key, error.problem(), error.instead());
+            }
+        };
+        if (table.has("with")) {
+            const io::TomlSection with = table.section("with");
+            for (const std::string& name : with.keys()) {
+                define(name, formula_at(with, name, with.written(name)));
+            }
+        }
+        define("printed", from->written("says"));
+        ledger_.later.push_back(
+            {from->id, claim->id, table.text("words"),
+             expand_definitions(formula_at(table, "says", table.text("says")), vocabulary),
+             table.line()});
+    }
+
     static std::string id_of(const io::TomlSection& table) {
         try {
             return table.written_or("id", "");

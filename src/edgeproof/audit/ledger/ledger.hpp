@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/audit/ledger/printed_source.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <filesystem>
@@ -17,6 +18,15 @@ struct ClaimError {
     InputError error;
 };
 
+/// A later result of the source, computed with an earlier line as it is printed there.
+struct LaterResult {
+    std::string from;   ///< the claim whose printed line is put in
+    std::string claim;  ///< the later one
+    std::string words;  ///< what it is: "the two-term error at the distance quoted"
+    formula::Expr says; ///< what the later one then comes to; all definitions are put in
+    std::size_t line = 0;
+};
+
 /// A file of printed claims and the families of scenes that they are held against.
 struct Ledger {
     std::string name;
@@ -25,6 +35,8 @@ struct Ledger {
     std::vector<Family> families;
     std::vector<Vocabulary::Definition> definitions;
     std::vector<Claim> claims;
+    std::vector<LaterResult> later;
+    PrintedSource print;
     std::vector<ClaimError> errors; ///< of claims that are left out, in the order of the file
 
     /// Throws Error if there is none.

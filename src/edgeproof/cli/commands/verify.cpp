@@ -56,15 +56,21 @@ void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
                                      fs::proximate(folder, beside.empty() ? "." : beside).string());
 }
 
+/// What the report says it was made by.
+std::string command_text(const VerifyOptions& o) {
+    return "edgeproof verify " + o.ledger + " --digits " + std::to_string(o.digits) +
+           (o.only == "*" ? "" : " --only '" + o.only + "'") + " --out " + o.out;
+}
+
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
-                 io::StagedFolder& staged, int threads) {
+                 io::StagedFolder& staged, const VerifyOptions& o) {
     try {
         const std::filesystem::path& out = staged.path();
         io::write_whole(out / "verdicts.json", report::verdicts_json(result));
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
-        report::write_html_report(result, ledger, out, threads);
+        report::write_html_report(result, ledger, out, o.threads, command_text(o));
     } catch (const InputError& error) {
         throw staged.told(error);
     }
@@ -94,7 +100,7 @@ int verify(const VerifyOptions& o) {
         judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only);
     attach_certificates(o, ledger, result);
     if (staged) {
-        write_files(result, ledger, *staged, o.threads);
+        write_files(result, ledger, *staged, o);
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
                stdout);
@@ -132,7 +138,8 @@ void add_verify(CLI::App& app, int& code) {
     auto o = std::make_shared<VerifyOptions>();
     sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
     sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
-    sub->add_option("--out", o->out, "folder for verdicts.json, .csv, .md, .tex and report.html");
+    sub->add_option("--out", o->out,
+                    "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
     sub->add_option("--certificates", o->certificates,
                     "folder of theorems made by certify (certificates beside the ledger)");

@@ -121,22 +121,4 @@ std::vector<NamedScene> paper_scenes(const std::string& name) {
              tilted_flat(), tilted_flat_half_width, both}};
 }
 
-std::vector<std::pair<std::size_t, std::string>> paper_sections(const std::string& name) {
-    if (name != moore_hills) {
-        return {};
-    }
-    return {{1, "Title and abstract"},
-            {47, "1 Introduction"},
-            {60, "2 Asymptotic approximations of the contact pressure"},
-            {107, "2.1 Local expansion of the pressure"},
-            {133, "2.1.1 A power-law body profile"},
-            {188, "2.1.2 A flat-and-rounded body profile"},
-            {237, "2.2 Extension to non-symmetric contacts"},
-            {286, "2.2.1 Tilted wedge"},
-            {336, "2.2.2 Tilted flat-and-rounded"},
-            {365, "3 Shear asymptotes"},
-            {415, "4 Summary and discussion"},
-            {424, "Appendix A: expansion at the left-hand edge"}};
-}
-
 } // namespace edgeproof::report

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::report {
@@ -51,9 +50,5 @@ struct NamedScene {
     std::vector<contact::Edge> edges;
 };
 [[nodiscard]] std::vector<NamedScene> paper_scenes(const std::string& name);
-
-/// The sections of the paper by the first line of each in its source, in ascending order.
-[[nodiscard]] std::vector<std::pair<std::size_t, std::string>>
-paper_sections(const std::string& name);
 
 } // namespace edgeproof::report

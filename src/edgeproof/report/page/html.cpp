@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html.hpp"
 
-#include "edgeproof/report/figures/figures_paper.hpp"
+#include "edgeproof/report/page/errata.hpp"
+#include "edgeproof/report/page/evidence_words.hpp"
 #include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -12,24 +13,12 @@
 namespace edgeproof::report {
 namespace {
 
-/// Where in the paper a line is.
-class Sections {
-public:
-    explicit Sections(const std::string& ledger) : list_(paper_sections(ledger)) {}
-    /// Index + 1 of the section; 0 if the paper's sections are not known.
-    [[nodiscard]] std::size_t of(std::size_t line) const {
-        const auto next = std::ranges::upper_bound(
-            list_, line, {}, [](const auto& section) { return section.first; });
-        return static_cast<std::size_t>(next - list_.begin());
-    }
-    [[nodiscard]] std::string title(std::size_t index) const {
-        return index == 0 ? "" : list_[index - 1].second;
-    }
-    static std::string key(std::size_t index) { return "s" + std::to_string(index); }
-
-private:
-    std::vector<std::pair<std::size_t, std::string>> list_;
-};
+/// A key of the filter for a section: its place in the list, 0 where sections are not known.
+std::string section_key(const audit::PrintedSource& source, const audit::Claim& claim) {
+    const auto next = std::ranges::upper_bound(source.sections, claim.lines.first, {},
+                                               [](const auto& section) { return section.first; });
+    return "s" + std::to_string(next - source.sections.begin());
+}
 
 std::size_t count_of(const audit::AuditResult& result, audit::Verdict verdict) {
     return static_cast<std::size_t>(std::ranges::count(
@@ -71,42 +60,73 @@ std::string summary(const audit::AuditResult& result) {
            std::to_string(result.digits) + " digits</td></tr>\n</tbody></table>\n";
 }
 
-std::string errata(const audit::AuditResult& result, const PageFigures& figures,
-                   const Sections& sections) {
+std::string fact(const char* name, const std::string& value) {
+    return value.empty() ? "" : std::string("<dt>") + name + "</dt><dd>" + value + "</dd>\n";
+}
+
+/// Paper, ledger, program: what a referee asks first.
+std::string facts(const audit::AuditResult& result, const PageHead& head) {
+    const audit::PrintedSource& source = head.source;
+    std::string libraries;
+    for (const auto& [name, version] : library_versions()) {
+        libraries += (libraries.empty() ? "" : ", ") + name + ' ' + version;
+    }
+    std::string paper = escape_html(result.source);
+    if (!source.doi.empty()) {
+        const std::string doi = escape_html(source.doi);
+        paper += "; <a href=\"https://doi.org/" + doi + "\">doi:" + doi + "</a>";
+    }
+    if (!source.arxiv.empty()) {
+        const std::string arxiv = escape_html(source.arxiv);
+        paper += "; <a href=\"https://arxiv.org/abs/" + arxiv + "\">arXiv:" + arxiv + "</a>";
+    }
+    return "<dl class=\"facts\">\n" + fact("Paper", paper) +
+           fact("Version read", escape_html(source.version)) +
+           fact("Ledger",
+                escape_html(head.ledger_file) +
+                    (head.ledger_sha256.empty() ? ""
+                                                : " <span class=\"soft\">SHA-256</span> <code>" +
+                                                      head.ledger_sha256 + "</code>")) +
+           fact("Program", "Edgeproof " + escape_html(program_version) +
+                               (program_commit.empty()
+                                    ? ""
+                                    : ", commit <code>" + escape_html(program_commit) + "</code>") +
+                               " (" + escape_html(libraries) + ")") +
+           fact("Made", escape_html(head.date)) +
+           fact("Command",
+                head.command.empty() ? "" : "<code>" + escape_html(head.command) + "</code>") +
+           fact("To cite", "Edgeproof " + escape_html(program_version) + ", report on: " +
+                               escape_html(result.source) + ". " + escape_html(head.date) +
+                               ". CITATION.cff of the program has the entry.") +
+           "</dl>\n";
+}
+
+std::string errata_list(const std::vector<Erratum>& errata, const audit::AuditResult& result,
+                        const PageFigures& figures, const PageHead& head) {
     std::string out;
-    for (const audit::ClaimResult& r : result.claims) {
-        if (r.outcome.verdict == audit::Verdict::refuted) {
-            const auto plot = figures.errata.find(r.claim.id);
-            out += erratum_html(r, sections.title(sections.of(r.claim.lines.first)),
-                                plot == figures.errata.end() ? nullptr : &plot->second);
-        }
+    for (const Erratum& erratum : errata) {
+        out += erratum_html(erratum, result, head, figures);
     }
     return out.empty() ? "<p>No claim is refuted.</p>\n" : out;
 }
 
-std::string doubtful(const audit::AuditResult& result) {
+std::string doubtful(const audit::AuditResult& result, const PageHead& head) {
     std::string rows;
     for (const audit::ClaimResult& r : result.claims) {
         if (!holds(r.outcome.verdict) && r.outcome.verdict != audit::Verdict::refuted) {
-            const std::string id = escape_html(r.claim.id);
-            rows.append("<tr><th scope=\"row\"><a href=\"#")
-                .append(id)
-                .append("\">")
-                .append(id)
-                .append("</a></th><td>")
-                .append(verdict_mark(r.outcome.verdict))
-                .append("</td><td>")
-                .append(lines_words(r.claim))
-                .append("</td><td>")
-                .append(escape_html(r.outcome.note))
-                .append("</td></tr>\n");
+            rows += "<tr><th scope=\"row\"><a href=\"#" + escape_html(r.claim.id) + "\">" +
+                    escape_html(place_words(r.claim, head.source)) + "</a></th><td>" +
+                    verdict_mark(r.outcome.verdict) + "</td><td><div class=\"said\">" +
+                    printed_html(r.claim, head.source) + "</div></td><td>" +
+                    note_html(r.outcome.note, r.claim, head.source) + "</td></tr>\n";
         }
     }
     if (rows.empty()) {
         return "<p>None.</p>\n";
     }
-    return "<table class=\"stack\"><thead><tr><th scope=\"col\">Claim</th><th scope=\"col\">Verdict"
-           "</th><th scope=\"col\">Source</th><th scope=\"col\">Note</th></tr></thead><tbody>\n" +
+    return "<table class=\"stack doubtful\"><thead><tr><th scope=\"col\">Place</th><th "
+           "scope=\"col\">Verdict</th><th scope=\"col\">Printed</th><th scope=\"col\">Found</th>"
+           "</tr></thead><tbody>\n" +
            rows + "</tbody></table>\n";
 }
 
@@ -142,36 +162,40 @@ std::string option(const std::string& value, const std::string& text) {
 
 } // namespace
 
-std::string html_page(const audit::AuditResult& result, const PageFigures& figures) {
-    const Sections sections(result.ledger);
+std::string html_page(const audit::AuditResult& result, const PageFigures& figures,
+                      const PageHead& head) {
     std::string claims;
     std::string verdict_options;
     std::string section_options;
-    std::set<std::size_t> used;
+    std::set<std::string> used;
     for (const audit::ClaimResult& r : result.claims) {
-        const std::size_t section = sections.of(r.claim.lines.first);
-        used.insert(section);
-        claims += claim_html(r, sections.title(section), Sections::key(section));
+        const std::string key = section_key(head.source, r.claim);
+        used.insert(key);
+        claims += claim_html(r, head, key);
     }
     for (const audit::Verdict verdict : audit::all_verdicts) {
         if (count_of(result, verdict) > 0) {
             verdict_options += option(std::string(name_of(verdict)), std::string(name_of(verdict)));
         }
     }
-    for (const std::size_t section : used) {
-        if (section > 0) {
-            section_options += option(Sections::key(section), sections.title(section));
+    for (std::size_t i = 0; i < head.source.sections.size(); ++i) {
+        if (const std::string key = "s" + std::to_string(i + 1); used.contains(key)) {
+            section_options += option(key, head.source.sections[i].second);
         }
     }
+    const std::vector<Erratum> errata = errata_of(result, head.source);
     return fill_template(
         report_template::page_html,
-        {{"title", "Edgeproof: " + escape_html(result.ledger)},
+        {{"title", "Report: " + escape_html(result.ledger)},
          {"source", escape_html(result.source)},
          {"css", std::string(report_template::page_css)},
          {"js", std::string(report_template::page_js)},
+         {"facts", facts(result, head)},
+         {"count", escape_html(errata_count(errata))},
+         {"digits", std::to_string(result.digits)},
          {"summary", summary(result)},
-         {"errata", errata(result, figures, sections)},
-         {"doubtful", doubtful(result)},
+         {"errata", errata_list(errata, result, figures, head)},
+         {"doubtful", doubtful(result, head)},
          {"figures", figures_html(figures.paper, figures.missing)},
          {"residuals", figures_html(figures.residuals, figures.missing)},
          {"claims", claims},

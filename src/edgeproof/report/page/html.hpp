@@ -3,6 +3,7 @@
 #include "edgeproof/audit/run.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,8 +33,21 @@ struct PageFigures {
     std::string missing; ///< why there are no figures, if there are none
 };
 
+/// What the head of the page says beside the results.
+struct PageHead {
+    audit::PrintedSource source;
+    std::string ledger_file;
+    std::string ledger_sha256;
+    std::string command; ///< that makes the page anew
+    std::string date;    ///< 2026-11-23
+    /// Files with the verdicts as theorems, beside the ledger, by the claim's id.
+    std::map<std::string, std::string, std::less<>> certificates;
+};
+
 /// report.html: one file that needs nothing else. Every claim is an element whose id is the claim's
-/// id, so that `report.html#EQ09.M` stays a link to it. The same to the byte for the same input.
-[[nodiscard]] std::string html_page(const audit::AuditResult& result, const PageFigures& figures);
+/// id, so that `report.html#EQ09.M` stays a link to it; no id stands twice. The same to the byte
+/// for the same input.
+[[nodiscard]] std::string html_page(const audit::AuditResult& result, const PageFigures& figures,
+                                    const PageHead& head = {});
 
 } // namespace edgeproof::report

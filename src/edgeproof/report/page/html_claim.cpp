@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html_claim.hpp"
 
-#include "edgeproof/report/page/html_mathml.hpp"
+#include "edgeproof/report/page/correction.hpp"
+#include "edgeproof/report/page/evidence_words.hpp"
+#include "edgeproof/report/text/formula_tex.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/tex_math.hpp"
 
+#include <algorithm>
 #include <optional>
-#include <variant>
 
 namespace edgeproof::report {
 namespace {
 
-std::string code(std::string_view text) { return "<code>" + escape_html(text) + "</code>"; }
+using audit::PrintedSource;
 
 /// A wide thing that scrolls within the page; reachable by keyboard.
 std::string scroll(const std::string& label, const std::string& content) {
@@ -18,108 +21,119 @@ std::string scroll(const std::string& label, const std::string& content) {
            escape_html(label) + "\">" + content + "</div>";
 }
 
-std::optional<formula::Expr> parsed(std::string_view text, const audit::Claim& claim) {
-    try {
-        return parse_formula(text, claim.vocabulary);
-    } catch (const Error&) { // words, a list, a relation
-        return std::nullopt;
-    }
+std::string link_to(const std::string& id, const audit::AuditResult& result,
+                    const PrintedSource& source) {
+    const auto it = std::ranges::find(result.claims, id, [](const auto& r) { return r.claim.id; });
+    const std::string words = it == result.claims.end() ? id : place_words(it->claim, source);
+    return "<a href=\"#" + escape_html(id) + "\">" + escape_html(words) + "</a>";
 }
 
-/// A field of text: as it was parsed, or else if it can be.
-std::optional<formula::Expr> parsed_field(std::string_view key, const audit::Claim& claim) {
-    const formula::Expr* e = claim.find_written(key);
-    return e != nullptr ? std::optional(*e) : parsed(claim.text(key), claim);
+std::string with_left(const std::string& left, const std::string& right) {
+    return left.empty() ? right : left + " = " + right;
 }
 
-/// The formula typeset, with what the claim is of on its left; words in a <code>.
-std::string formula(const std::string& text, const std::optional<formula::Expr>& e,
-                    const audit::Claim& claim, const std::string& label) {
-    if (!e) {
-        return "<p>" + code(text) + "</p>";
-    }
-    std::string content = to_mathml(*e);
-    if (claim.has("of")) {
-        if (const auto left = parsed_field("of", claim)) {
-            content = "<mrow>" + to_mathml(*left) + "<mo>=</mo>" + content + "</mrow>";
-        }
-    }
-    return scroll(label, math_element(content, label + ": " + text));
-}
-
-const std::string* text_field(const audit::Claim& claim, std::string_view key) {
-    const audit::Field* field = claim.find(key);
-    return field == nullptr ? nullptr : std::get_if<std::string>(&field->value);
-}
-
-void term(std::string& out, const std::string& name, const std::string& content) {
-    out += "<dt>" + name + "</dt><dd>" + content + "</dd>\n";
-}
-
-/// printed, said, quoted, computed, corrected: what both the errata and the claims show.
-std::string description(const audit::ClaimResult& result) {
-    const audit::Claim& claim = result.claim;
+/// Printed beside corrected, what differs marked in both; below it a line of LaTeX to copy.
+std::string sides_html(const Correction& correction, const audit::Claim& claim,
+                       const PrintedSource& source) {
+    MathNode printed = math_of_tex(with_left(correction.left, correction.printed), source);
+    MathNode corrected = math_of_tex(with_left(correction.left, correction.corrected), source);
+    mark_changes(printed, corrected);
+    const std::string id = escape_html(claim.id);
     std::string out;
-    if (!claim.printed.empty()) {
-        term(out, "Printed (TeX)", "<p>" + code(claim.printed) + "</p>");
+    if (!correction.what.empty()) {
+        out += "<p class=\"what\">In " + sentence_html(correction.what, source) + ":</p>\n";
     }
-    if (const std::string* says = text_field(claim, "says")) {
-        term(out, "Printed", formula(*says, parsed_field("says", claim), claim, "printed"));
-    }
-    if (result.outcome.correct) {
-        term(out, "Corrected",
-             formula(*result.outcome.correct, parsed(*result.outcome.correct, claim), claim,
-                     "corrected") +
-                 "<p>" + code(*result.outcome.correct) + "</p>");
-    }
-    if (const std::string* quoted = text_field(claim, "quoted")) {
-        term(out, "Quoted", "<p>" + code(*quoted) + "</p>");
-    }
-    if (result.outcome.computed) {
-        term(out, "Computed", "<p>" + code(*result.outcome.computed) + "</p>");
-    }
-    return out.empty() ? out : "<dl>\n" + out + "</dl>\n";
+    out += "<div class=\"sides\"><div class=\"side printed\"><h4>Printed</h4>" +
+           scroll("printed", block_math(printed, "printed, " + claim.id)) +
+           "</div><div class=\"side corrected\"><h4>Corrected</h4>" +
+           scroll("corrected", block_math(corrected, "corrected, " + claim.id)) + "</div></div>\n";
+    return out + "<div class=\"copy\"><code>" +
+           escape_html(with_left(correction.left, correction.corrected)) +
+           "</code><button type=\"button\" class=\"copy-button\" hidden>Copy LaTeX<span "
+           "class=\"away\"> of " +
+           id + "</span></button></div>\n";
 }
 
-std::string item_html(const audit::EvidenceItem& item) {
-    struct Visitor {
-        std::string operator()(const std::string& text) const {
-            return "<span class=\"value\">" + escape_html(text) + "</span>";
-        }
-        std::string operator()(long count) const {
-            return "<span class=\"value\">" + std::to_string(count) + "</span>";
-        }
-        std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
-        std::string operator()(const std::vector<audit::EvidenceItem>& list) const {
-            if (list.empty()) {
-                return "none";
-            }
-            std::string out = "<ul>";
-            for (const audit::EvidenceItem& part : list) {
-                out += "<li>" + item_html(part) + "</li>";
-            }
-            return out + "</ul>";
-        }
-        std::string operator()(const audit::Evidence& nested) const {
-            return evidence_html(nested);
-        }
-    };
-    return std::visit(Visitor(), item.value());
+std::string steps_html(const audit::ClaimResult& result, const PrintedSource& source) {
+    std::string out;
+    for (const std::string& step : counterexample_steps(result, source)) {
+        out += "<li>" + sentence_html(step, source) + "</li>\n";
+    }
+    return out.empty()
+               ? out
+               : "<div class=\"example\"><h4>To check by hand</h4>\n<ol>\n" + out + "</ol></div>\n";
 }
 
-/// The first item of that key, however deep.
-const audit::EvidenceItem* find_deep(const audit::Evidence& evidence, std::string_view key) {
-    for (const auto& [name, item] : evidence.entries()) {
-        if (name == key) {
-            return &item;
-        }
-        if (const auto* nested = std::get_if<audit::Evidence>(&item.value())) {
-            if (const audit::EvidenceItem* found = find_deep(*nested, key)) {
-                return found;
+std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
+                       const PrintedSource& source) {
+    std::string out;
+    for (const audit::ClaimResult* part : erratum.parts) {
+        for (const LaterWords& later : later_results_of(*part)) {
+            const auto it = std::ranges::find(result.claims, later.claim,
+                                              [](const auto& r) { return r.claim.id; });
+            const bool right = it != result.claims.end() && holds(it->outcome.verdict);
+            const char* verdict =
+                later.as_printed && right
+                    ? "comes out as printed there, and that is right: the error does not show"
+                : later.as_printed ? "comes out as printed there, and that is not right: the error was "
+                                     "carried on"
+                : right ? "would come out otherwise than it is printed there, and what is printed "
+                          "is right: it was not computed with this line"
+                        : "would come out otherwise than it is printed there: this line does not "
+                          "explain that error";
+            std::string what = sentence_html(later.what, source);
+            for (const audit::ClaimResult& r : result.claims) { // "EQ44" of as_if, as in print
+                const std::string number = source.number_of(r.claim.id);
+                const std::string row = r.claim.id.substr(0, r.claim.id.find('.'));
+                const std::size_t at = number.empty() ? std::string::npos : what.find(row + ' ');
+                if (at != std::string::npos) {
+                    what.replace(at, row.size(), "Eq. (" + number + ")");
+                }
             }
+            out += "<li>" + link_to(later.claim, result, source) + ", " + what + ": " + verdict;
+            if (later.comes_to.find("printed") == std::string::npos) {
+                out +=
+                    " (" + escape_html(later.comes_to.substr(0, later.comes_to.find(", "))) + ")";
+            }
+            out += ".</li>\n";
         }
     }
-    return nullptr;
+    if (!out.empty()) {
+        return "<div class=\"rests\"><h4>What rests on it, computed with the line as printed</h4>"
+               "\n<ul>\n" +
+               out + "</ul></div>\n";
+    }
+    return "";
+}
+
+std::string weight_words(Weight weight) {
+    switch (weight) {
+    case Weight::conclusion:
+        return "changes a conclusion";
+    case Weight::figure:
+        return "changes a figure quoted";
+    case Weight::carried:
+        return "a wrong conclusion rests on it";
+    case Weight::slip:
+        break;
+    }
+    return "slip of print";
+}
+
+std::string where_html(const audit::Claim& claim, const PageHead& head) {
+    std::string out;
+    const std::string section = head.source.section_of(claim.lines.first);
+    const std::string lines = lines_words(claim);
+    const bool appendix = !section.empty() && section[0] >= 'A' && section[0] <= 'Z';
+    out += section.empty() ? "" : (appendix ? "Appendix " : "Section ") + escape_html(section);
+    if (!lines.empty()) {
+        out += (out.empty() ? "" : ", ") + lines + " of the source";
+    }
+    if (const auto it = head.certificates.find(claim.id); it != head.certificates.end()) {
+        out += (out.empty() ? "" : " · ") + std::string("<a href=\"") + escape_html(it->second) +
+               "\">certificate</a>";
+    }
+    return out;
 }
 
 } // namespace
@@ -138,74 +152,111 @@ std::string lines_words(const audit::Claim& claim) {
                          : "lines " + std::to_string(first) + "–" + std::to_string(last);
 }
 
-std::string evidence_html(const audit::Evidence& evidence) {
-    std::string out = "<table class=\"evidence stack\"><tbody>\n";
-    for (const auto& [key, item] : evidence.entries()) {
-        out += "<tr><th scope=\"row\">" + escape_html(key) + "</th><td>" + item_html(item) +
-               "</td></tr>\n";
+std::string printed_html(const audit::Claim& claim, const PrintedSource& source) {
+    if (claim.printed.empty()) {
+        const formula::Expr* says = claim.find_written("says");
+        return says == nullptr
+                   ? ""
+                   : inline_math(math_of_tex(formula_tex(*says, source, claim.text_or("over", "")),
+                                             source));
     }
-    return out + "</tbody></table>\n";
+    return is_sentence(claim.printed) ? "<q>" + sentence_html(claim.printed, source) + "</q>"
+                                      : inline_math(math_of_tex(claim.printed, source));
 }
 
-std::string erratum_html(const audit::ClaimResult& result, const std::string& section,
-                         const DrawnFigure::Panel* plot) {
-    const std::string id = escape_html(result.claim.id);
-    const bool drawn = plot != nullptr && !plot->svg.empty();
-    std::string out = "<article class=\"erratum" + std::string(drawn ? " with-plot" : "") +
-                      "\" id=\"erratum-" + id + "\" aria-labelledby=\"erratum-" + id +
-                      "-title\">\n<div>\n<h3 id=\"erratum-" + id + "-title\"><a href=\"#" + id +
-                      "\">" + id + "</a> " + verdict_mark(result.outcome.verdict) + "</h3>\n";
-    const std::string lines = lines_words(result.claim);
-    if (!lines.empty()) {
-        out += "<p class=\"where\">" + lines + " of the source" +
-               (section.empty() ? "" : " · " + escape_html(section)) + "</p>\n";
-    }
-    if (!result.outcome.note.empty()) {
-        out += "<p>" + escape_html(result.outcome.note) + "</p>\n";
-    }
-    out += description(result);
-    const audit::EvidenceItem* ratio = find_deep(result.outcome.evidence, "ratio");
-    const audit::EvidenceItem* range = find_deep(result.outcome.evidence, "ratio_range");
-    if (ratio != nullptr || range != nullptr) {
-        std::string list;
-        if (const auto* text = ratio ? std::get_if<std::string>(&ratio->value()) : nullptr) {
-            const auto e = parsed(*text, result.claim);
-            term(list, "Printed over exact",
-                 e ? scroll("ratio", math_element(to_mathml(*e), "ratio: " + *text))
-                   : item_html(*ratio));
+std::string erratum_html(const Erratum& erratum, const audit::AuditResult& result,
+                         const PageHead& head, const PageFigures& figures) {
+    const audit::ClaimResult& first = *erratum.parts.front();
+    const std::string id = escape_html(first.claim.id);
+    const DrawnFigure::Panel* plot = nullptr;
+    for (const audit::ClaimResult* part : erratum.parts) {
+        const auto drawn = figures.errata.find(part->claim.id);
+        if (plot == nullptr && drawn != figures.errata.end() && !drawn->second.svg.empty()) {
+            plot = &drawn->second;
         }
-        if (range != nullptr) {
-            term(list, "Over the family, the ratio runs from and to", item_html(*range));
-        }
-        out += "<dl>\n" + list + "</dl>\n";
     }
-    out += "</div>\n";
-    if (drawn) {
+    std::string out = "<article class=\"erratum\" id=\"erratum-" + id +
+                      "\" aria-labelledby=\"erratum-" + id + "-title\">\n<h3 id=\"erratum-" + id +
+                      "-title\">" + escape_html(place_words(first.claim, head.source)) + " " +
+                      verdict_mark(first.outcome.verdict) + " <span class=\"weight\">" +
+                      weight_words(erratum.weight) + "</span></h3>\n<p class=\"where\">" +
+                      where_html(first.claim, head) + (first.claim.lines.first == 0 ? "" : " · ") +
+                      "evidence:";
+    for (const audit::ClaimResult* part : erratum.parts) {
+        out += " <a href=\"#" + escape_html(part->claim.id) + "\">" + escape_html(part->claim.id) +
+               "</a>";
+    }
+    out += "</p>\n";
+    const bool sentence = is_sentence(first.claim.printed);
+    if (sentence) {
+        out += "<blockquote><p>" + sentence_html(first.claim.printed, head.source) +
+               "</p></blockquote>\n";
+    }
+    for (const audit::ClaimResult* part : erratum.parts) {
+        if (part != &first) {
+            out += "<span class=\"anchor\" id=\"erratum-" + escape_html(part->claim.id) +
+                   "\"></span>\n";
+        }
+        if (const auto correction = correction_of(*part, head.source)) {
+            out += sides_html(*correction, part->claim, head.source);
+        } else {
+            out += "<p class=\"instead\"><strong>Found:</strong> " +
+                   sentence_html(correction_in_words(*part, head.source), head.source) + "</p>\n";
+        }
+        const bool repeats = !sentence && part != &first && plot != nullptr;
+        out += repeats ? "" : steps_html(*part, head.source);
+    }
+    out += later_html(erratum, result, head.source);
+    if (plot != nullptr) {
         out += "<figure class=\"single\"><div class=\"panel\">" + plot->svg + "</div><figcaption>" +
                escape_html(plot->title) + "</figcaption></figure>\n";
     }
     return out + "</article>\n";
 }
 
-std::string claim_html(const audit::ClaimResult& result, const std::string& section,
+std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
                        const std::string& section_key) {
     const audit::Claim& claim = result.claim;
+    const PrintedSource& source = head.source;
     const std::string id = escape_html(claim.id);
     std::string out = "<details class=\"claim\" id=\"" + id + "\" data-verdict=\"" +
                       std::string(name_of(result.outcome.verdict)) + "\" data-section=\"" +
-                      section_key + "\">\n<summary><span class=\"id\">" + id + "</span> " +
-                      verdict_mark(result.outcome.verdict) + " <span class=\"note\">" +
-                      escape_html(result.outcome.note) +
-                      "</span></summary>\n<div class=\"body\">\n";
-    out += "<p class=\"where\"><a href=\"#" + id + "\">#" + id + "</a>";
+                      section_key + "\">\n<summary><span class=\"id\">" +
+                      escape_html(place_words(claim, source)) + "</span> " +
+                      verdict_mark(result.outcome.verdict) + " <span class=\"said\">" +
+                      printed_html(claim, source) + "</span></summary>\n<div class=\"body\">\n";
+    out += "<p class=\"where\"><a href=\"#" + id + "\">" + id + "</a>";
     for (const std::string& part :
-         {lines_words(claim), escape_html(section), escape_html(claim.kind)}) {
+         {where_html(claim, head), "a check of kind " + escape_html(claim.kind)}) {
         out += part.empty() ? "" : " · " + part;
     }
     out += "</p>\n";
-    out += description(result);
+    if (!result.outcome.note.empty()) {
+        out += "<p>" + note_html(result.outcome.note, claim, source) + "</p>\n";
+    }
+    if (claim.has("quoted")) {
+        out += "<p>Quoted: " + escape_html(claim.text("quoted")) +
+               (result.outcome.computed
+                    ? "; computed: " + note_html(*result.outcome.computed, claim, source)
+                    : "") +
+               "</p>\n";
+    }
+    if (result.outcome.verdict != audit::Verdict::proved &&
+        result.outcome.verdict != audit::Verdict::confirmed) {
+        if (const auto correction = correction_of(result, source)) {
+            out += sides_html(*correction, claim, source);
+        }
+    }
+    if (claim.has("remark")) {
+        out += "<p class=\"remark\">" + note_html(claim.text("remark"), claim, source) + "</p>\n";
+    }
+    if (!claim.printed.empty()) {
+        out += "<details class=\"tex\"><summary>TeX of the source</summary><code>" +
+               escape_html(claim.printed) + "</code></details>\n";
+    }
     if (!result.outcome.evidence.empty()) {
-        out += scroll("evidence for " + claim.id, evidence_html(result.outcome.evidence));
+        out += scroll("evidence for " + claim.id,
+                      evidence_html(result.outcome.evidence, claim, source));
     }
     return out + "</div>\n</details>\n";
 }

@@ -3,14 +3,22 @@
 
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/scratch.hpp"
+#include "edgeproof/io/sha256.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml_limits.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_residual.hpp"
+#include "edgeproof/report/page/errata.hpp"
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -74,10 +82,46 @@ DrawnFigure::Panel panel_of(const Job& job, const std::filesystem::path& folder)
     return {plot.id, plot.title, inline_svg(job.svg, plot)};
 }
 
+/// Today, or the day of SOURCE_DATE_EPOCH (reproducible-builds.org), in universal time.
+std::string date_text() {
+    const char* set = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t now = set == nullptr
+                                ? std::time(nullptr)
+                                : static_cast<std::time_t>(std::strtoll(set, nullptr, 10));
+    std::tm day{};
+    gmtime_r(&now, &day);
+    return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
+}
+
+PageHead head_of(const audit::Ledger& ledger, const std::filesystem::path& folder,
+                 const std::string& command) {
+    PageHead head;
+    const std::filesystem::path file = ledger.file;
+    head.source = ledger.print;
+    head.ledger_file = file.filename().string();
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored)) {
+        head.ledger_sha256 = io::sha256(io::read_text(file, "ledger (TOML)", io::most_toml_bytes));
+    }
+    head.command = command;
+    head.date = date_text();
+    for (const audit::Claim& claim : ledger.claims) {
+        std::string name = claim.id;
+        std::ranges::replace(name, '.', '_');
+        const auto theory = file.parent_path() / "certificates" / (name + ".v");
+        if (std::filesystem::is_regular_file(theory, ignored)) {
+            head.certificates.emplace(claim.id,
+                                      std::filesystem::relative(theory, folder, ignored).string());
+        }
+    }
+    return head;
+}
+
 } // namespace
 
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
-                       const std::filesystem::path& folder, int threads) {
+                       const std::filesystem::path& folder, int threads,
+                       const std::string& command) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
     const auto gnuplot = find_gnuplot();
@@ -131,7 +175,9 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
             page.errata.emplace(refuted[i]->claim.id, panel_of(job, figures_folder));
         }
     }
-    io::write_whole(folder / "report.html", html_page(result, page));
+    io::write_whole(folder / "errata.tex", errata_tex(result, ledger.print));
+    io::write_whole(folder / "report.html",
+                    html_page(result, page, head_of(ledger, folder, command)));
 }
 
 } // namespace edgeproof::report

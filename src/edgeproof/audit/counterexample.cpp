@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/counterexample_parts.hpp"
+#include "edgeproof/audit/sample/formal_values.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace edgeproof::audit {
+namespace {
+
+using formula::Expr;
+
+struct FormulaPair {
+    std::string what; ///< empty: the formulas themselves
+    Expr printed;
+    Expr correct;
+};
+
+const std::string* text_at(const Evidence& evidence, std::string_view key) {
+    const EvidenceItem* item = evidence.find(key);
+    return item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
+}
+
+/// Of an expansion: the first coefficient that is wrong.
+std::optional<FormulaPair> wrong_coefficient(const RefutedReading& refuted) {
+    const EvidenceItem* terms = refuted.outcome->evidence.find("terms");
+    const auto* list =
+        terms == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&terms->value());
+    if (list == nullptr) {
+        return std::nullopt;
+    }
+    for (const EvidenceItem& item : *list) {
+        const Evidence& term = std::get<Evidence>(item.value());
+        const std::string* printed = text_at(term, "printed");
+        const std::string* derived = text_at(term, "derived");
+        if (printed != nullptr && derived != nullptr) {
+            return FormulaPair{*text_at(term, "power"),
+                               parse_formula(*printed, refuted.claim->vocabulary),
+                               parse_formula(*derived, refuted.claim->vocabulary)};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<FormulaPair> formulas_of(const RefutedReading& refuted) {
+    if (auto coefficient = wrong_coefficient(refuted)) {
+        return coefficient;
+    }
+    const Expr* printed = refuted.claim->find_written("says");
+    if (printed == nullptr || !refuted.outcome->correct) {
+        return std::nullopt;
+    }
+    return FormulaPair{"", *printed,
+                       parse_formula(*refuted.outcome->correct, refuted.claim->vocabulary)};
+}
+
+std::vector<Rational> candidates_for(const std::string& name) {
+    static const std::set<std::string, std::less<>> may_vanish{"P2", "P3", "P4", "b2",
+                                                               "b3", "b4", "x",  "xhat"};
+    if (name == "gam") { // b/a < 1, with a root that is rational
+        return {Rational(1, 4), Rational(4, 9)};
+    }
+    if (name == "sigma" || name == "delta") { // in 0 ... 1
+        return {Rational(1, 2), Rational(3, 4), Rational(1, 4)};
+    }
+    std::vector<Rational> values{1, 2, 3, 4, 5};
+    if (may_vanish.contains(name)) {
+        values.insert(values.begin(), 0);
+    }
+    if (name == "x" || name == "xhat") {
+        for (const Rational& fraction : {Rational(1, 2), Rational(3, 2), Rational(3, 5)}) {
+            values.push_back(fraction);
+        }
+    } else if (name == "b") {
+        values.push_back(Rational(1, 4));
+    } else {
+        values.resize(std::min<std::size_t>(values.size(), name.size() == 2 ? 3 : 5));
+    }
+    return values;
+}
+
+using Assignment = std::map<std::string, Rational, std::less<>>;
+
+const Rational* value_in(const Assignment& values, std::string_view name) {
+    const auto it = values.find(name);
+    return it == values.end() ? nullptr : &it->second;
+}
+
+/// What a contact asks of the numbers.
+bool admissible(const Assignment& v) {
+    const auto less = [&](std::string_view x, std::string_view y) {
+        const Rational* left = value_in(v, x);
+        const Rational* right = value_in(v, y);
+        return left == nullptr || right == nullptr || *left < *right;
+    };
+    const Rational* a = value_in(v, "a");
+    const Rational* b = value_in(v, "b");
+    const Rational* gam = value_in(v, "gam");
+    const Rational* S = value_in(v, "S");
+    const Rational* X = value_in(v, "X");
+    return less("x", "a") && less("t", "a") && less("xhat", "d") &&
+           (a == nullptr || b == nullptr || gam == nullptr || *b == *gam * *a) &&
+           (S == nullptr || X == nullptr || *S <= *X);
+}
+
+/// All assignments, those of least effort first.
+std::vector<std::pair<double, Assignment>> assignments(const std::set<std::string>& names) {
+    constexpr std::size_t most = 20'000;
+    std::vector<std::pair<double, Assignment>> all{{0.0, {}}};
+    for (const std::string& name : names) {
+        std::vector<std::pair<double, Assignment>> next;
+        for (const auto& [effort, values] : all) {
+            for (const Rational& value : candidates_for(name)) {
+                Assignment more = values;
+                more.insert_or_assign(name, value);
+                if (admissible(more)) {
+                    next.emplace_back(effort + effort_of(value), std::move(more));
+                }
+            }
+        }
+        std::ranges::stable_sort(next, {}, [](const auto& entry) { return entry.first; });
+        next.resize(std::min(next.size(), most));
+        all = std::move(next);
+    }
+    return all;
+}
+
+Expr with_values(Expr e, const Assignment& values) {
+    for (const auto& [name, value] : values) {
+        e = substitute(e, name, Expr::number(value));
+    }
+    return e;
+}
+
+std::optional<Ball> constant_ball(const Expr& e) {
+    constexpr long bits = 200;
+    try {
+        Ball ball = formula::enclosed_constant(e, bits);
+        return ball.is_finite() ? std::optional(std::move(ball)) : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt; // not defined there
+    }
+}
+
+/// The simplest exact form, checked against the ball of what it comes from.
+std::optional<std::string> exact_form(const Expr& constant, const Ball& ball) {
+    try {
+        const Expr simple = derive(constant, {});
+        const std::optional<Ball> same = constant_ball(simple);
+        std::string text = to_text(simple);
+        constexpr std::size_t most = 40; // more is no value that a reader compares
+        return same && overlaps(*same, ball) && text.size() <= most ? std::optional(std::move(text))
+                                                                    : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Whether the two are far enough apart to be told by a glance.
+bool clearly_apart(const Ball& x, const Ball& y) {
+    const Real larger = std::max(Real(abs(x.midpoint())), Real(abs(y.midpoint())));
+    return disjoint(x, y) && abs(x.midpoint() - y.midpoint()) * 5 > larger;
+}
+
+double effort_to_read(const std::string& exact) {
+    double effort = static_cast<double>(exact.size()) / 3;
+    for (const std::string_view hard : {"sqrt", "log", "asin", "^("}) {
+        for (std::size_t at = 0; (at = exact.find(hard, at)) != std::string::npos; ++at) {
+            effort += 3;
+        }
+    }
+    return effort;
+}
+
+} // namespace
+
+double effort_of(const Rational& value) {
+    const Rational size = abs(value);
+    const double top = Integer(numerator(size)).convert_to<double>();
+    const double below = Integer(denominator(size)).convert_to<double>();
+    return top + (below == 1 ? 0 : 2 * below);
+}
+
+RefutedReading kindest_refuted(const ClaimResult& result) {
+    RefutedReading kindest{&result.claim, &result.outcome};
+    for (std::size_t i = 0; i < result.readings.size(); ++i) {
+        if (result.readings[i].second.verdict == Verdict::refuted) {
+            kindest = {&result.claim.readings[i], &result.readings[i].second};
+        }
+    }
+    return kindest;
+}
+
+std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
+    const std::optional<FormulaPair> pair = formulas_of(refuted);
+    if (!pair || has_binder(pair->printed) || has_binder(pair->correct)) {
+        return std::nullopt;
+    }
+    std::set<std::string> names = free_symbols(pair->printed);
+    names.merge(free_symbols(pair->correct));
+    constexpr std::size_t enough = 24; // candidates of least effort, among which the clearest is
+    std::size_t seen = 0;
+    double least = 0;
+    std::optional<Evidence> clearest;
+    for (const auto& [effort, values] : assignments(names)) {
+        const Expr printed = with_values(pair->printed, values);
+        const Expr correct = with_values(pair->correct, values);
+        const std::optional<Ball> x = constant_ball(printed);
+        const std::optional<Ball> y = constant_ball(correct);
+        if (!x || !y || !clearly_apart(*x, *y)) {
+            continue;
+        }
+        const std::optional<std::string> printed_value = exact_form(printed, *x);
+        const std::optional<std::string> correct_value = exact_form(correct, *y);
+        constexpr double effort_without = 30; // only decimals
+        const double total = effort +
+                             (printed_value ? effort_to_read(*printed_value) : effort_without) +
+                             (correct_value ? effort_to_read(*correct_value) : effort_without);
+        if (!clearest || total < least) {
+            constexpr unsigned digits = 8;
+            least = total;
+            Evidence with;
+            for (const auto& [name, value] : values) {
+                with.add(name, exact_text(value));
+            }
+            Evidence found;
+            if (!pair->what.empty()) {
+                found.add("coefficient_of", pair->what);
+            }
+            found.add("with", std::move(with))
+                .add("printed", to_text(pair->printed))
+                .add("correct", to_text(pair->correct));
+            if (printed_value && correct_value) {
+                found.add("printed_value", *printed_value).add("correct_value", *correct_value);
+            }
+            found.add("printed_decimal", round_ball(*x, digits).text)
+                .add("correct_decimal", round_ball(*y, digits).text);
+            clearest = std::move(found);
+        }
+        if (++seen == enough) {
+            break;
+        }
+    }
+    return clearest;
+}
+
+std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
+                                                const AuditContext& context) {
+    if (result.outcome.verdict != Verdict::refuted) {
+        return std::nullopt;
+    }
+    const RefutedReading refuted = kindest_refuted(result);
+    try {
+        if (refuted.claim->kind == "extent") {
+            return reach_counterexample(refuted, context);
+        }
+        if (refuted.claim->kind == "vanishing") {
+            return vanishing_counterexample(refuted);
+        }
+        if (refuted.claim->kind == "monotone") {
+            return course_counterexample(refuted, context);
+        }
+        if (auto found = formula_counterexample(refuted)) {
+            return found;
+        }
+        return integral_counterexample(refuted, context);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error&) { // nothing simple is found: the evidence stands without
+        return std::nullopt;
+    }
+}
+
+} // namespace edgeproof::audit

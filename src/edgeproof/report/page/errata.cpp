@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/page/errata.hpp"
+
+#include "edgeproof/report/text/tex_math.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace edgeproof::report {
+namespace {
+
+using ById = std::map<std::string, const audit::ClaimResult*, std::less<>>;
+
+bool of_sentence(const audit::Claim& claim) { return is_sentence(claim.printed); }
+
+/// Whether a wrong sentence or figure comes out as printed when it is computed with the line.
+bool reaches_conclusion(const audit::ClaimResult& result, const ById& all,
+                        std::set<std::string>& seen) {
+    if (!seen.insert(result.claim.id).second) {
+        return false;
+    }
+    return std::ranges::any_of(later_results_of(result), [&](const LaterWords& later) {
+        const auto next = all.find(later.claim);
+        if (!later.as_printed || next == all.end() ||
+            next->second->outcome.verdict != audit::Verdict::refuted) {
+            return false;
+        }
+        return of_sentence(next->second->claim) || reaches_conclusion(*next->second, all, seen);
+    });
+}
+
+Weight weight_of(const audit::ClaimResult& result, const ById& all) {
+    if (of_sentence(result.claim)) {
+        return result.claim.has("quoted") ? Weight::figure : Weight::conclusion;
+    }
+    std::set<std::string> seen;
+    return reaches_conclusion(result, all, seen) ? Weight::carried : Weight::slip;
+}
+
+const std::string& text_or_empty(const audit::Evidence& evidence, std::string_view key) {
+    static const std::string none;
+    const audit::EvidenceItem* item = evidence.find(key);
+    const auto* text = item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
+    return text == nullptr ? none : *text;
+}
+
+} // namespace
+
+std::vector<LaterWords> later_results_of(const audit::ClaimResult& result) {
+    std::vector<LaterWords> all;
+    const audit::EvidenceItem* item = result.outcome.evidence.find("later_results");
+    const auto* list =
+        item == nullptr ? nullptr : std::get_if<std::vector<audit::EvidenceItem>>(&item->value());
+    if (list == nullptr) {
+        return all;
+    }
+    for (const audit::EvidenceItem& entry : *list) {
+        const auto& one = std::get<audit::Evidence>(entry.value());
+        const audit::EvidenceItem* printed = one.find("as_printed");
+        if (printed != nullptr) {
+            all.push_back({text_or_empty(one, "claim"), text_or_empty(one, "what"),
+                           text_or_empty(one, "comes_to"), std::get<bool>(printed->value())});
+        }
+    }
+    return all;
+}
+
+std::vector<Erratum> errata_of(const audit::AuditResult& result,
+                               const audit::PrintedSource& source) {
+    ById all;
+    for (const audit::ClaimResult& r : result.claims) {
+        all.emplace(r.claim.id, &r);
+    }
+    std::vector<Erratum> errata;
+    std::map<std::string, std::size_t> places;
+    for (const audit::ClaimResult& r : result.claims) {
+        if (r.outcome.verdict != audit::Verdict::refuted) {
+            continue;
+        }
+        const bool sentence = of_sentence(r.claim);
+        const std::string number = sentence ? "" : source.number_of(r.claim.id);
+        const std::string place = !number.empty() ? "(" + number
+                                  : sentence      ? r.claim.printed
+                                                  : r.claim.id;
+        const Weight weight = weight_of(r, all);
+        // A sentence that quotes two figures has two errors.
+        const auto [at, fresh] =
+            places.try_emplace(weight == Weight::figure ? r.claim.id : place, errata.size());
+        if (fresh) {
+            errata.push_back({{}, number, weight});
+        }
+        Erratum& erratum = errata[at->second];
+        erratum.parts.push_back(&r);
+        erratum.weight = std::min(erratum.weight, weight);
+    }
+    std::ranges::stable_sort(errata, {}, &Erratum::weight);
+    return errata;
+}
+
+std::string errata_count(const std::vector<Erratum>& errata) {
+    std::array<std::size_t, 4> counts{};
+    for (const Erratum& erratum : errata) {
+        ++counts[static_cast<std::size_t>(erratum.weight)];
+    }
+    const auto& [conclusions, figures, carried, slips] = counts;
+    if (errata.empty()) {
+        return "No error was found.";
+    }
+    std::string out =
+        fmt::format("{} error{} found. {} matter{}", errata.size(), errata.size() == 1 ? "" : "s",
+                    errata.size() - slips, errata.size() - slips == 1 ? "s" : "");
+    std::string parts;
+    const auto part = [&](std::size_t n, const char* words) {
+        if (n > 0) {
+            parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", n, words);
+        }
+    };
+    part(conclusions, conclusions == 1 ? "changes a conclusion" : "change a conclusion");
+    part(figures,
+         figures == 1 ? "changes a figure that is quoted" : "change a figure that is quoted");
+    part(carried, carried == 1 ? "is a line that a wrong conclusion rests on"
+                               : "are lines that a wrong conclusion rests on");
+    return out + (parts.empty() ? "" : " (" + parts + ")") +
+           fmt::format("; {} {}.", slips, slips == 1 ? "is a slip of print" : "are slips of print");
+}
+
+std::string place_words(const audit::Claim& claim, const audit::PrintedSource& source) {
+    if (const std::string number = source.number_of(claim.id);
+        !number.empty() && !of_sentence(claim)) {
+        return "Eq. (" + number + ")";
+    }
+    const std::string section = source.section_of(claim.lines.first);
+    if (!section.empty()) {
+        const bool appendix = section[0] >= 'A' && section[0] <= 'Z';
+        return fmt::format("{} {}, line {}", appendix ? "Appendix" : "Section",
+                           section.substr(0, section.find(' ')), claim.lines.first);
+    }
+    return claim.id;
+}
+
+} // namespace edgeproof::report

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/run.hpp"
+
+#include <string>
+#include <vector>
+
+namespace edgeproof::report {
+
+/// What hangs on an erratum, the gravest first.
+enum class Weight {
+    conclusion, ///< a sentence of the source is wrong
+    figure,     ///< a number that it quotes is wrong
+    carried,    ///< a wrong line that a wrong conclusion or figure was computed with
+    slip,       ///< of print: what comes after was not computed with the line as printed
+};
+
+/// One place of the source that is wrong: the refuted claims about one equation or one sentence.
+struct Erratum {
+    std::vector<const audit::ClaimResult*> parts;
+    std::string number; ///< of the equation; empty for a sentence, or where it is not known
+    Weight weight = Weight::slip;
+};
+
+/// The refuted claims by place, ordered by weight, then as in the ledger.
+[[nodiscard]] std::vector<Erratum> errata_of(const audit::AuditResult& result,
+                                             const audit::PrintedSource& source);
+
+/// "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are slips of print."
+[[nodiscard]] std::string errata_count(const std::vector<Erratum>& errata);
+
+/// A later result computed with a line as printed (audit/later_results.hpp).
+struct LaterWords {
+    std::string claim;
+    std::string what;
+    std::string comes_to;
+    bool as_printed = false;
+};
+[[nodiscard]] std::vector<LaterWords> later_results_of(const audit::ClaimResult& result);
+
+/// "Eq. (39)", "Section 2.1, line 164", or the claim's id where nothing better is known.
+[[nodiscard]] std::string place_words(const audit::Claim& claim,
+                                      const audit::PrintedSource& source);
+
+/// errata.tex: one page to send to a journal, complete in itself.
+[[nodiscard]] std::string errata_tex(const audit::AuditResult& result,
+                                     const audit::PrintedSource& source);
+
+} // namespace edgeproof::report

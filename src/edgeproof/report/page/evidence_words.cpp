@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/page/evidence_words.hpp"
+
+#include "edgeproof/report/page/correction.hpp"
+#include "edgeproof/report/text/formula_tex.hpp"
+#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/tex_math.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace edgeproof::report {
+namespace {
+
+using audit::Claim;
+using audit::Evidence;
+using audit::EvidenceItem;
+using audit::PrintedSource;
+
+bool shown_elsewhere(std::string_view key) {
+    static const std::set<std::string_view> keys{
+        "clearest",    "later_results",   "edit",        "correct_tex",     "ratio_tex",
+        "derived_tex", "correct_verdict", "edits_tried", "derived_instead", "values_taken"};
+    return keys.contains(key);
+}
+
+bool all_numbers(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789.-+e %") == std::string_view::npos &&
+           std::isdigit(static_cast<unsigned char>(text.back() == '%' ? '0' : text.back())) != 0;
+}
+
+/// "0.172989720236940..." to so many digits that a reader compares; the others are in
+/// verdicts.json.
+std::string rounded_for_reading(const std::string& number) {
+    constexpr std::size_t most = 12;
+    const std::size_t e = number.find('e');
+    const std::string mantissa = number.substr(0, e);
+    const std::string power = e == std::string::npos ? "" : number.substr(e);
+    const std::size_t first = mantissa.find_first_of("123456789");
+    if (mantissa.find('.') == std::string::npos || first == std::string::npos ||
+        mantissa.size() - first <= most + 1) {
+        return number;
+    }
+    return mantissa.substr(0, std::max(first + most, mantissa.find('.') + 2)) + "…" + power;
+}
+
+std::string number_html(const std::string& number) {
+    const std::string shown = rounded_for_reading(number);
+    const std::size_t e = shown.find('e');
+    if (e == std::string::npos) {
+        return "<span class=\"value\">" + escape_html(shown) + "</span>";
+    }
+    std::string power = shown.substr(e + 1);
+    power = power[0] == '+' ? power.substr(1) : power[0] == '-' ? "−" + power.substr(1) : power;
+    return "<span class=\"value\">" + escape_html(shown.substr(0, e)) + "·10<sup>" +
+           escape_html(power) + "</sup></span>";
+}
+
+/// "0.17 +- 3.8e-51": a value with its bound.
+std::string text_html(const std::string& text, const Claim& claim, const PrintedSource& source) {
+    if (const std::size_t at = text.find(" +- ");
+        at != std::string::npos && all_numbers(text.substr(0, at))) {
+        return number_html(text.substr(0, at)) + " <span class=\"soft\">±&nbsp;" +
+               number_html(text.substr(at + 4)) + "</span>";
+    }
+    if (all_numbers(text)) {
+        return number_html(text);
+    }
+    if (text.find(' ') == std::string::npos || text.find_first_of("*^/") != std::string::npos) {
+        if (const auto e = formula_of(text, claim); e && text.size() > 1) {
+            return inline_math(
+                math_of_tex(formula_tex(gathered(*e), source, claim.text_or("over", "")), source));
+        }
+    }
+    return note_html(text, claim, source);
+}
+
+std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source);
+
+/// A list of tables with the same keys: one table with a column each.
+std::string rows_html(const std::vector<EvidenceItem>& list, const Claim& claim,
+                      const PrintedSource& source) {
+    std::vector<std::string> keys;
+    for (const EvidenceItem& item : list) {
+        for (const auto& [key, part] : std::get<Evidence>(item.value()).entries()) {
+            if (std::ranges::find(keys, key) == keys.end()) {
+                keys.push_back(key);
+            }
+        }
+    }
+    std::string out = "<table class=\"columns\"><thead><tr>";
+    for (const std::string& key : keys) {
+        out += "<th scope=\"col\">" + key_words(key) + "</th>";
+    }
+    out += "</tr></thead><tbody>";
+    for (const EvidenceItem& item : list) {
+        const auto& row = std::get<Evidence>(item.value());
+        out += "<tr>";
+        for (const std::string& key : keys) {
+            const EvidenceItem* cell = row.find(key);
+            out += "<td>" + (cell == nullptr ? "" : item_html(*cell, claim, source)) + "</td>";
+        }
+        out += "</tr>";
+    }
+    return out + "</tbody></table>";
+}
+
+std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source) {
+    struct Visitor {
+        const Claim& claim;
+        const PrintedSource& source;
+        std::string operator()(const std::string& text) const {
+            return text_html(text, claim, source);
+        }
+        std::string operator()(long count) const { return std::to_string(count); }
+        std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
+        std::string operator()(const std::vector<EvidenceItem>& list) const {
+            if (list.empty()) {
+                return "none";
+            }
+            const bool tables = std::ranges::all_of(list, [](const EvidenceItem& part) {
+                return std::holds_alternative<Evidence>(part.value());
+            });
+            if (tables) {
+                return rows_html(list, claim, source);
+            }
+            std::string out;
+            for (const EvidenceItem& part : list) {
+                out += (out.empty() ? "" : "; ") + item_html(part, claim, source);
+            }
+            return out;
+        }
+        std::string operator()(const Evidence& nested) const {
+            return evidence_html(nested, claim, source);
+        }
+    };
+    return std::visit(Visitor{claim, source}, item.value());
+}
+
+/// Values of a parameter and what was found at each, side by side.
+std::string course_html(const Evidence& evidence, const Claim& claim, const PrintedSource& source) {
+    const EvidenceItem* taken = evidence.find("values_taken");
+    const EvidenceItem* values = evidence.find("values");
+    const auto* x =
+        taken == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&taken->value());
+    const auto* y =
+        values == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&values->value());
+    if (x == nullptr || y == nullptr || x->size() != y->size()) {
+        return "";
+    }
+    std::string out = "<table class=\"columns\"><tbody>";
+    for (std::size_t i = 0; i < x->size(); ++i) {
+        out += "<tr><td>" + item_html((*x)[i], claim, source) + "</td><td>" +
+               item_html((*y)[i], claim, source) + "</td></tr>";
+    }
+    return out + "</tbody></table>";
+}
+
+} // namespace
+
+std::string key_words(std::string_view key) {
+    static const std::map<std::string_view, std::string_view> words{
+        {"of", "held against"},
+        {"says", "as printed"},
+        {"at", "where"},
+        {"samples", "samples (scene, place, values)"},
+        {"scenes", "scenes"},
+        {"digits", "digits that agree, at worst"},
+        {"digits_proved", "digits that agree, proved"},
+        {"worst_at", "where they differ most"},
+        {"printed_there", "as printed, there"},
+        {"exact_there", "exact, there"},
+        {"printed_coefficient", "printed coefficient"},
+        {"derived_coefficient", "exact coefficient"},
+        {"enclosures", "enclosures (proved)"},
+        {"disjoint", "the enclosures are disjoint"},
+        {"ratio", "printed over exact"},
+        {"ratio_range", "printed over exact runs from; to"},
+        {"printed_over_exact", "printed over exact"},
+        {"terms", "power by power"},
+        {"both", "printed and exact"},
+        {"derived", "exact"},
+        {"equal", "equal"},
+        {"order_of_the_rest", "order of what is left"},
+        {"first_departure", "first wrong power"},
+        {"as_if", "computed instead from"},
+        {"readings", "ways to take the words"},
+        {"rounds_to", "rounds to"},
+        {"units_off", "units of the last quoted place off"},
+        {"crossings", "times the error crosses the tolerance"},
+        {"first_exit_of_base", "up to where the tolerance is first reached"},
+        {"measure_of_base", "all that is within the tolerance"},
+        {"first_exit_of_whole_contact", "the same first exit, of the whole contact"},
+        {"measure_of_whole_contact", "the same total, of the whole contact"},
+        {"error_at_the_quoted_distance", "error at the distance quoted"},
+        {"steps_as_claimed", "steps as claimed"},
+        {"steps_against", "steps against it"},
+        {"against", "the steps against it"},
+        {"against_at", "in the scene"},
+        {"values", "values"},
+        {"along", "parameter"},
+        {"narrowest_margin", "narrowest margin"},
+        {"narrowest_at", "where it is narrowest"},
+        {"narrowest_at_u_over_L", "narrowest at u/(a + b)"},
+        {"scenes_failing", "scenes in which it fails"},
+        {"fails_in", "fails for"},
+        {"holds_in", "holds for"},
+        {"vanishes_at", "vanishes at"},
+        {"elsewhere", "other coefficients"},
+        {"loads_of_one_sign", "scenes with loads of one sign"},
+        {"break_down", "scenes in which it breaks down"},
+        {"uniform", "scenes in which it stays bounded"},
+        {"growth_by_decade", "growth a decade"},
+        {"growth_of_the_printed_term", "growth of the printed term"},
+        {"samples_left_out", "samples left out"},
+        {"scenes_left_out", "scenes left out"},
+    };
+    if (const auto it = words.find(key); it != words.end()) {
+        return std::string(it->second);
+    }
+    std::string text(key);
+    std::ranges::replace(text, '_', ' ');
+    return escape_html(text);
+}
+
+std::string note_html(const std::string& note, const Claim& claim, const PrintedSource& source) {
+    return sentence_html(note_tex(note, claim, source), source);
+}
+
+std::string evidence_html(const Evidence& evidence, const Claim& claim,
+                          const PrintedSource& source) {
+    std::string out = "<table class=\"evidence stack\"><tbody>\n";
+    const std::string course = course_html(evidence, claim, source);
+    for (const auto& [key, item] : evidence.entries()) {
+        if (shown_elsewhere(key)) {
+            continue;
+        }
+        const bool as_course = key == "values" && !course.empty();
+        out += "<tr><th scope=\"row\">" +
+               (key.find_first_of(".=*") != std::string::npos ? note_html(key, claim, source)
+                                                              : key_words(key)) +
+               "</th><td>" + (as_course ? course : item_html(item, claim, source)) + "</td></tr>\n";
+    }
+    return out + "</tbody></table>\n";
+}
+
+} // namespace edgeproof::report

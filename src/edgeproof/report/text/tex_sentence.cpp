@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/tex_math.hpp"
+#include "edgeproof/report/text/tex_tokens.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace edgeproof::report {
+namespace {
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+void put_in_place(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// Text between formulas: commands carried out, the rest escaped.
+std::string plain_html(std::string_view tex, const audit::PrintedSource& source) {
+    const std::vector<std::string> tokens = tex_tokens(tex);
+    std::string out;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::string& token = tokens[i];
+        const auto group = [&] {
+            std::string text;
+            if (i + 1 < tokens.size() && tokens[i + 1] == "{") {
+                for (i += 2; i < tokens.size() && tokens[i] != "}"; ++i) {
+                    text += tokens[i];
+                }
+            }
+            return text;
+        };
+        if (token == "\\ref" || token == "\\eqref") {
+            const auto number = source.labels.find(group());
+            out += number == source.labels.end() ? "?" : escape_html(number->second);
+        } else if (token == "\\cite") {
+            out += "[" + escape_html(group()) + "]";
+        } else if (token == "\\label") {
+            group();
+        } else if (token == "\\textsection") {
+            out += "§";
+        } else if (token.size() == 2 && token[0] == '\\' && !is_letter(token[1])) {
+            out += token[1] == '\\' || token[1] == ',' ? " " : escape_html(token.substr(1));
+        } else if (token[0] != '\\' && token != "{" && token != "}") {
+            out += token == "~" ? " " : escape_html(token);
+        }
+    }
+    put_in_place(out, "---", "—");
+    put_in_place(out, "--", "–");
+    put_in_place(out, "``", "“");
+    put_in_place(out, "&#39;&#39;", "”");
+    put_in_place(out, "`", "‘");
+    return out;
+}
+
+} // namespace
+
+std::string sentence_html(std::string_view tex, const audit::PrintedSource& source) {
+    static constexpr std::string_view begin = "\\begin{equation}";
+    static constexpr std::string_view end = "\\end{equation}";
+    std::string out;
+    while (!tex.empty()) {
+        const std::size_t dollar = tex.find('$');
+        const std::size_t display = tex.find(begin);
+        const std::size_t at = std::min(dollar, display);
+        out += plain_html(tex.substr(0, at), source);
+        if (at == std::string_view::npos) {
+            break;
+        }
+        const bool in_line = dollar < display;
+        tex.remove_prefix(at + (in_line ? 1 : begin.size()));
+        const std::size_t close = in_line ? tex.find('$') : tex.find(end);
+        const MathNode math = math_of_tex(tex.substr(0, close), source);
+        out += in_line ? inline_math(math) : " " + inline_math(math) + " ";
+        if (close == std::string_view::npos) {
+            break;
+        }
+        tex.remove_prefix(close + (in_line ? 1 : end.size()));
+    }
+    return out;
+}
+
+bool is_sentence(std::string_view tex) {
+    if (tex.find('$') != std::string_view::npos) {
+        return true;
+    }
+    // Three words with nothing but spaces between them, none of them a command or in braces.
+    std::size_t words = 0;
+    for (std::size_t i = 0; i < tex.size();) {
+        std::size_t n = 0;
+        while (i + n < tex.size() && is_letter(tex[i + n])) {
+            ++n;
+        }
+        const bool bound = i > 0 && (tex[i - 1] == '\\' || tex[i - 1] == '{');
+        if (n >= 2 && !bound) {
+            if (++words == 3) {
+                return true;
+            }
+            i += n;
+        } else if (n > 0) {
+            words = 0;
+            i += n;
+        } else {
+            words = tex[i] == ' ' || tex[i] == ',' || tex[i] == '\n' ? words : 0;
+            ++i;
+        }
+    }
+    return false;
+}
+
+std::string left_side(std::string_view tex) {
+    int depth = 0;
+    std::string left;
+    for (std::size_t i = 0; i < tex.size(); ++i) {
+        const char c = tex[i];
+        depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+        if (c == '=' && depth == 0) {
+            for (const std::string_view spacing : {"\\,", "\\;", "&"}) {
+                put_in_place(left, spacing, "");
+            }
+            const std::size_t first = left.find_first_not_of(" \n");
+            const std::size_t last = left.find_last_not_of(" \n");
+            return first == std::string::npos ? "" : left.substr(first, last - first + 1);
+        }
+        left += c;
+    }
+    return "";
+}
+
+} // namespace edgeproof::report

@@ -10,7 +10,7 @@ using namespace edgeproof::test;
 namespace {
 
 // c0 of a wedge is 2 calP sqrt(gam)/(Pi sqrt(1 + gam) sqrt(a)): `says` is wrong, or right.
-std::string ledger(const std::string& says) {
+std::string wedge_ledger(const std::string& says) {
     return "[ledger]\nname = \"own\"\n[[family]]\nname = \"wedges\"\nprofile = \"tilted-wedge\"\n"
            "count = 2\n[family.parameters]\ngam = [\"1/3\", \"1/2\"]\nphi = [\"1/50\"]\n"
            "alpha = [\"2*phi/pi*asin((1-gam)/(1+gam))\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\n"
@@ -18,11 +18,11 @@ std::string ledger(const std::string& says) {
            "of = \"right.c0\"\nsays = \"" +
            says + "\"\n";
 }
-const std::string printed_formula = "2*Es*phi/(Pi*sqrt(1+gam)*sqrt(a))";
-const std::string right_formula = "2*Es*phi*sqrt(gam)/(Pi*sqrt(1+gam)*sqrt(a))";
+const std::string wedge_wrong = "2*Es*phi/(Pi*sqrt(1+gam)*sqrt(a))";
+const std::string wedge_right = "2*Es*phi*sqrt(gam)/(Pi*sqrt(1+gam)*sqrt(a))";
 
 /// The claim as `verify` writes it.
-nlohmann::json verified(const Folder& folder, const std::string& more = "") {
+nlohmann::json verified_claim(const Folder& folder, const std::string& more = "") {
     REQUIRE(run(folder, "verify own.toml --digits 20 --out out" + more).code == 0);
     return nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json")).at("claims").at(0);
 }
@@ -31,13 +31,13 @@ nlohmann::json verified(const Folder& folder, const std::string& more = "") {
 
 TEST_CASE("verify names the certificate of a verdict, and what the verdict rests on") {
     const Folder folder;
-    folder.write("own.toml", ledger(wrong));
-    const auto before = verified(folder);
+    folder.write("own.toml", wedge_ledger(wedge_wrong));
+    const auto before = verified_claim(folder);
     CHECK(before.at("certificate").is_null());
     CHECK(before.at("rests_on") == "enclosures");
 
     REQUIRE(run(folder, "certify own.toml --out certificates").code == 0);
-    const auto with = verified(folder);
+    const auto with = verified_claim(folder);
     CHECK(with.at("verdict") == "refuted");
     CHECK(with.at("certificate") == "certificates/c0.v");
     CHECK(with.at("rests_on") == "theorem");
@@ -46,28 +46,29 @@ TEST_CASE("verify names the certificate of a verdict, and what the verdict rests
     CHECK(file_text(folder.path() / "out/verdicts.md").find("`certificates/c0.v`") !=
           std::string::npos);
 
-    folder.write("own.toml", ledger(right)); // the certificate is of another formula
-    CHECK(verified(folder).at("certificate").is_null());
+    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is of another formula
+    CHECK(verified_claim(folder).at("certificate").is_null());
     REQUIRE(run(folder, "certify own.toml --out certificates").code == 0);
-    const auto confirmed = verified(folder);
+    const auto confirmed = verified_claim(folder);
     CHECK(confirmed.at("certificate") == "certificates/c0.v");
     CHECK(confirmed.at("rests_on") == "enclosures"); // a theorem of one contact
 }
 
 TEST_CASE("verify shows no certificate that is stated in other definitions") {
     const Folder folder;
-    folder.write("own.toml", ledger(wrong));
+    folder.write("own.toml", wedge_ledger(wedge_wrong));
     REQUIRE(run(folder, "certify own.toml --out elsewhere").code == 0);
-    CHECK(verified(folder).at("certificate").is_null());
-    CHECK(verified(folder, " --certificates elsewhere").at("certificate") == "elsewhere/c0.v");
+    CHECK(verified_claim(folder).at("certificate").is_null());
+    CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate") ==
+          "elsewhere/c0.v");
     const auto theory = folder.path() / "elsewhere/Edges.v";
     folder.write("elsewhere/Edges.v", file_text(theory) + "\n");
-    CHECK(verified(folder, " --certificates elsewhere").at("certificate").is_null());
+    CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate").is_null());
 }
 
 TEST_CASE("verify --certificates of no folder is told in a line") {
     const Folder folder;
-    folder.write("own.toml", ledger(wrong));
+    folder.write("own.toml", wedge_ledger(wedge_wrong));
     const Outcome o = run(folder, "verify own.toml --certificates none");
     CHECK(o.code == 2);
     CHECK(o.err.find("--certificates none is no folder") != std::string::npos);

@@ -55,15 +55,27 @@ std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
     return s;
 }
 
-/// The sum of squares of p less the exact one, of the data moved by `origin`.
+/// The sum of squares of p less the exact one times what fits best, of the data moved by `origin`:
+/// a wrong factor of p is no reason to look for another origin.
 double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin) {
-    double sum = 0;
+    std::vector<double> right;
+    double products = 0;
+    double squares = 0;
+    const auto width = [&](std::size_t i) {
+        return 0.5 * ((i + 1 < points.size() ? points[i + 1].x : points[i].x) -
+                      (i > 0 ? points[i - 1].x : points[i].x));
+    };
     for (std::size_t i = 0; i < points.size(); ++i) {
         check_interruption();
-        const double width = (i + 1 < points.size() ? points[i + 1].x : points[i].x) -
-                             (i > 0 ? points[i - 1].x : points[i].x);
-        const double difference = points[i].p - exact.pressure(points[i].x - origin);
-        sum += 0.5 * width * difference * difference;
+        right.push_back(exact.pressure(points[i].x - origin));
+        products += width(i) * points[i].p * right[i];
+        squares += width(i) * right[i] * right[i];
+    }
+    const double scale = squares > 0 ? products / squares : 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double difference = points[i].p - scale * right[i];
+        sum += width(i) * difference * difference;
     }
     return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes.hpp"
 
+#include "edgeproof/comparison/digit_causes.hpp"
 #include "edgeproof/comparison/suspects.hpp"
 
 #include <algorithm>
@@ -11,23 +12,26 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr double mesh_allowance = 0.003; ///< of the largest pressure, for the mesh
+constexpr double share_for_mesh = 0.05;  ///< and no more than this of what is to be explained
 constexpr double scatter_allowance = 1.6;
 constexpr double share_left = 0.3;
 constexpr double as_little = 1.2;
 constexpr std::size_t fewest_nodes_told = 8;
+constexpr std::size_t most_nodes = 1000;
 constexpr double edge_share = 0.02; ///< of the suspect's contact
+constexpr double roundoff = 1e-12;
 
-/// How data stand to the pressures of a suspect.
+/// How data stand to the values of a suspect.
 struct Fit {
-    double left = 0;  ///< rms of data less suspect, of its largest pressure
+    double left = 0;  ///< rms of data less suspect, of its largest value
     double noise = 0; ///< rms scatter of that from node to node
-    double scale = 1; ///< of the suspect's pressures that fits the data best
+    double scale = 1; ///< of the suspect's values that fits the data best
     std::size_t nodes = 0;
 
-    [[nodiscard]] bool is_scatter() const {
+    [[nodiscard]] bool is_scatter(double allowance) const {
         const double n = static_cast<double>(nodes);
-        return left <= scatter_allowance * noise + mesh_allowance &&
-               std::abs(scale - 1) <= 4 * noise / std::sqrt(n) + mesh_allowance;
+        return left <= scatter_allowance * noise + allowance &&
+               std::abs(scale - 1) <= 4 * noise / std::sqrt(n) + allowance;
     }
 };
 
@@ -45,54 +49,84 @@ double scatter_of(const std::vector<std::optional<double>>& left) {
     return n > 0 ? std::sqrt(sum / (6 * static_cast<double>(n))) : 0;
 }
 
-std::optional<Fit> fit_of(const AlignedResult& data, const DataContact& contact,
-                          const Suspect& suspect) {
-    const double zone = std::max(2 * std::max(contact.element[0], contact.element[1]),
-                                 edge_share * (suspect.a + suspect.b));
-    double largest = 0;
-    for (const double p : suspect.p) {
-        largest = std::isfinite(p) ? std::max(largest, std::abs(p)) : largest;
-    }
-    if (!(largest > 0)) {
-        return {};
-    }
-    std::vector<std::optional<double>> left; // of nodes inside the suspect's contact
+/// Data at the nodes looked at.
+struct Observed {
+    NodesLookedAt nodes;
+    std::vector<double> values;
+    double element = 0;            ///< the widest at an edge
+    bool either_direction = false; ///< the data's sign is their own
+    std::vector<double> corners;   ///< where p is infinite
+};
+
+std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
+    const double zone = std::max(2 * data.element, edge_share * (suspect.a + suspect.b));
+    const auto told = [&](std::size_t i) {
+        const double x = data.nodes[i].x;
+        return std::isfinite(suspect.values[i]) &&
+               std::min(std::abs(x - suspect.a), std::abs(x + suspect.b)) >= zone &&
+               std::ranges::none_of(data.corners,
+                                    [=](double at) { return std::abs(x - at) < zone; });
+    };
     Fit fit;
-    double square = 0;
+    double largest = 0;
     double products = 0;
     double squares = 0;
-    std::size_t inside = 0;
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        const Node& node = data.nodes[i];
-        const bool near =
-            std::min(std::abs(node.x - suspect.a), std::abs(node.x + suspect.b)) < zone;
-        const bool told = std::isfinite(suspect.p[i]) && !near;
-        const double off = told ? (node.p - suspect.p[i]) / largest : 0;
-        const bool within = node.x < suspect.a && node.x > -suspect.b;
-        left.push_back(told && within ? std::optional(off) : std::nullopt);
-        if (told) {
-            ++fit.nodes;
-            inside += within ? 1 : 0;
-            square += off * off;
-            products += node.p * suspect.p[i];
-            squares += suspect.p[i] * suspect.p[i];
+        if (told(i)) {
+            largest = std::max(largest, std::abs(suspect.values[i]));
+            products += data.values[i] * suspect.values[i];
+            squares += suspect.values[i] * suspect.values[i];
         }
     }
-    if (inside < fewest_nodes_told || !(squares > 0)) {
+    if (!(squares > 0)) {
         return {};
     }
-    fit.left = std::sqrt(square / static_cast<double>(fit.nodes));
+    const double sign = data.either_direction && products < 0 ? -1 : 1;
+    std::vector<std::optional<double>> left; // of nodes inside the suspect's contact
+    double square = 0;
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        const double x = data.nodes[i].x;
+        const bool within = told(i) && x < suspect.a && x > -suspect.b;
+        const double off = told(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
+        left.push_back(within ? std::optional(off) : std::nullopt);
+        all += told(i) ? 1 : 0;
+        fit.nodes += within ? 1 : 0;
+        square += off * off;
+    }
+    if (fit.nodes < fewest_nodes_told) {
+        return {};
+    }
+    fit.left = std::sqrt(square / static_cast<double>(all));
     fit.noise = scatter_of(left);
-    fit.scale = products / squares;
-    fit.nodes = inside;
+    fit.scale = sign * products / squares;
     return fit;
 }
 
-double median_ratio(const AlignedResult& data) {
+NodesLookedAt looked_at(const AlignedResult& data) {
+    NodesLookedAt nodes{data, {}};
+    const std::size_t step = (data.nodes.size() + most_nodes - 1) / most_nodes;
+    for (std::size_t i = 0; i < data.nodes.size(); i += std::max<std::size_t>(1, step)) {
+        nodes.nodes.push_back(i);
+    }
+    return nodes;
+}
+
+std::vector<double> corners_of(const ExactContact& exact) {
+    std::vector<double> corners;
+    for (const ContactKnot& knot : exact.knots()) {
+        if (knot.corner) {
+            corners.push_back(knot.x);
+        }
+    }
+    return corners;
+}
+
+double median_ratio(const Observed& data, const std::vector<double>& right) {
     std::vector<double> ratios;
-    for (const Node& node : data.nodes) {
-        if (node.exact.p && *node.exact.p > 0) {
-            ratios.push_back(node.p / *node.exact.p);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        if (std::isfinite(right[i]) && right[i] != 0) {
+            ratios.push_back(data.values[i] / right[i]);
         }
     }
     if (ratios.empty()) {
@@ -103,52 +137,96 @@ double median_ratio(const AlignedResult& data) {
     return *middle;
 }
 
-} // namespace
-
-Diagnosis diagnose(const AlignedResult& data, const DataContact& contact, const scene::Scene& scene,
-                   const ExactContact& exact) {
-    Diagnosis diagnosis;
-    Suspect right{"", "", exact.a().value, exact.b().value, {}};
-    for (const Node& node : data.nodes) {
-        right.p.push_back(node.exact.p.value_or(std::nan("")));
+/// The likeliest first; what leaves clearly more is told apart from the best, and no cause.
+void rank(std::vector<Cause>& causes) {
+    std::ranges::stable_sort(causes, {}, &Cause::scatter);
+    if (causes.empty()) {
+        return;
     }
-    const auto as_it_is = fit_of(data, contact, right);
-    if (!as_it_is) {
-        return diagnosis;
-    }
-    diagnosis.unexplained = as_it_is->left;
-    diagnosis.noise = as_it_is->noise;
-    if (as_it_is->is_scatter()) {
-        diagnosis.at_edges_only = true;
-        return diagnosis;
-    }
-    const double factor = median_ratio(data);
-    for_each_suspect(data, scene, exact, [&](const Suspect& suspect) {
-        const auto fit = fit_of(data, contact, suspect);
-        if (fit && fit->is_scatter() && fit->left < share_left * as_it_is->left) {
-            diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
-        }
-    });
-    std::ranges::stable_sort(diagnosis.causes, {}, &Cause::scatter);
-    if (!diagnosis.causes.empty()) {
-        const double best = diagnosis.causes.front().scatter;
-        diagnosis.noise = best;
-        // What leaves clearly more is told apart from the best, and no cause.
-        std::erase_if(diagnosis.causes, [best](const Cause& cause) {
-            return cause.scatter > as_little * best + 1e-12;
-        });
-        for (Cause& cause : diagnosis.causes) {
-            for (const Cause& other : diagnosis.causes) {
-                const bool new_name = other.name != cause.name &&
-                                      std::ranges::find(cause.equally_likely, other.name) ==
-                                          cause.equally_likely.end();
-                if (new_name) {
-                    cause.equally_likely.push_back(other.name);
-                }
+    const double best = causes.front().scatter;
+    std::erase_if(
+        causes, [best](const Cause& cause) { return cause.scatter > as_little * best + roundoff; });
+    for (Cause& cause : causes) {
+        for (const Cause& other : causes) {
+            const bool new_name =
+                other.name != cause.name &&
+                std::ranges::find(cause.equally_likely, other.name) == cause.equally_likely.end();
+            if (new_name) {
+                cause.equally_likely.push_back(other.name);
             }
         }
     }
+}
+
+Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
+                            const std::function<void(const TakeSuspect&)>& for_each) {
+    Diagnosis diagnosis;
+    const auto as_it_is = fit_of(data, right); // none where hardly a node lies in the exact contact
+    diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
+    if (as_it_is) {
+        diagnosis.noise = as_it_is->noise;
+        diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
+        if (as_it_is->is_scatter(roundoff)) {
+            return diagnosis;
+        }
+    }
+    const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);
+    const double factor = median_ratio(data, right.values);
+    for_each([&](const Suspect& suspect) {
+        const auto fit = fit_of(data, suspect);
+        if (fit && fit->is_scatter(allowance) && fit->left < share_left * diagnosis.unexplained) {
+            diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
+        }
+    });
+    rank(diagnosis.causes);
+    if (!diagnosis.causes.empty()) {
+        diagnosis.noise = diagnosis.causes.front().scatter;
+    }
     return diagnosis;
+}
+
+} // namespace
+
+Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
+                   const scene::Scene& scene, const ExactContact& exact) {
+    Observed observed{looked_at(data),
+                      {},
+                      std::max(contact.element[0], contact.element[1]),
+                      false,
+                      corners_of(exact)};
+    Suspect right{"", "", exact.a().value, exact.b().value, {}};
+    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
+        const Node& node = observed.nodes[i];
+        observed.values.push_back(node.p);
+        right.values.push_back(node.exact.p.value_or(std::nan("")));
+    }
+    Diagnosis diagnosis = diagnose_observed(observed, right, [&](const TakeSuspect& take) {
+        for_each_suspect(observed.nodes, scene, exact, take);
+    });
+    if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
+        if (const auto cause = cause_in_digits(table, data, exact)) {
+            diagnosis.causes.push_back(*cause);
+        }
+    }
+    return diagnosis;
+}
+
+Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
+                         const scene::Scene& scene, const ExactContact& exact) {
+    Observed observed{looked_at(data),
+                      {},
+                      std::max(contact.element[0], contact.element[1]),
+                      true,
+                      corners_of(exact)};
+    Suspect right{"", "", exact.a().value, exact.b().value, {}};
+    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
+        const auto& shear = observed.nodes[i].shear;
+        observed.values.push_back(shear ? shear->q : 0);
+        right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
+    }
+    return diagnose_observed(observed, right, [&](const TakeSuspect& take) {
+        for_each_shear_suspect(observed.nodes, scene, exact, take);
+    });
 }
 
 } // namespace edgeproof::comparison

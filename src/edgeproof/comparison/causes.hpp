@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/comparison/alignment.hpp"
 #include "edgeproof/comparison/data_edges.hpp"
+#include "edgeproof/comparison/result_table.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <string>
@@ -24,19 +25,24 @@ struct Diagnosis {
     /// pressure, over nodes two elements and a fiftieth of the contact or more from an edge.
     double unexplained = 0;
     double noise = 0;
-    bool at_edges_only =
-        false;                 ///< those nodes agree: what is off lies at the edges, as a mesh's is
-    std::vector<Cause> causes; ///< the likeliest first
+    bool at_edges_only = false; ///< those nodes agree to three thousandths, as a mesh's do: what is
+                                ///< off lies at the edges
+    std::vector<Cause> causes;  ///< the likeliest first
 };
 
-/// Holds data against the pressures that a program with each known mistake would compute: another
-/// modulus, radius, force or width, a factor of p or x, a mirror, a shift, rows moved by one, terms
-/// of the expansion in place of p. A mistake explains the data where what it leaves is within the
-/// data's own scatter (of second differences from node to node) and three thousandths for the mesh,
-/// its scale is one within four standard errors and the same, and it leaves less than three tenths
-/// of what is left without it. Those that leave as little as the best, to a fifth, are equally
-/// likely: the data do not tell them apart. None is proved. Throws Interrupted.
-[[nodiscard]] Diagnosis diagnose(const AlignedResult& data, const DataContact& contact,
-                                 const scene::Scene& scene, const ExactContact& exact);
+/// Holds data against the pressures that a program with each known mistake would compute
+/// (suspects.hpp). A mistake explains the data where what it leaves is within the data's own
+/// scatter (of second differences from node to node) and an allowance for the mesh, its scale is
+/// one within four standard errors and the same, and it leaves less than three tenths of what is
+/// left without it. The allowance is three thousandths, and no more than a twentieth of what is
+/// left without the mistake. Those that leave as little as the best, to a fifth, are equally
+/// likely: the data do not tell them apart. Data that carry too few digits, or are binary32, and
+/// agree but for that, have that cause. None is proved. Throws Interrupted.
+[[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
+                                 const DataContact& contact, const scene::Scene& scene,
+                                 const ExactContact& exact);
+/// The same of the shear traction, where the pressure is right.
+[[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
+                                       const scene::Scene& scene, const ExactContact& exact);
 
 } // namespace edgeproof::comparison

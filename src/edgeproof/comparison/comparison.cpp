@@ -275,8 +275,13 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     // nodes alone nothing is to be explained.
     constexpr double worth_a_word = 0.003;
     constexpr double roundoff = 1e-9;
-    if (scene != nullptr && file.all.peak > (file.passes() ? worth_a_word : roundoff)) {
-        file.diagnosis = diagnose(file.data, file.contact, *scene, exact);
+    const double least = file.passes() ? worth_a_word : roundoff;
+    if (scene != nullptr && file.all.peak > least) {
+        file.diagnosis = diagnose(file.table, file.data, file.contact, *scene, exact);
+    }
+    const bool right = !file.diagnosis || file.diagnosis->at_edges_only;
+    if (scene != nullptr && right && file.shear && file.shear->peak > least) {
+        file.shear_diagnosis = diagnose_shear(file.data, file.contact, *scene, exact);
     }
     return file;
 }

@@ -63,7 +63,8 @@ struct FileComparison {
     std::size_t outside = 0;
     std::size_t pressing_outside = 0;   ///< of those, with more than 1/500 of the largest pressure
     std::optional<Diagnosis> diagnosis; ///< where there is something to explain
-    std::vector<std::string> failures;  ///< why it does not pass, a sentence each
+    std::optional<Diagnosis> shear_diagnosis; ///< of q, where p is right
+    std::vector<std::string> failures;        ///< why it does not pass, a sentence each
 
     [[nodiscard]] bool passes() const { return failures.empty(); }
     [[nodiscard]] std::vector<std::string> findings() const;

@@ -47,7 +47,10 @@ struct PackLanguage {
     const char* build;
     const char* hold_a;
     const char* hold_b;
+    const char* hold_c;
     const char* example;
+    /// To a code in binary64, where the example is not one.
+    std::pair<const char*, const char*> in_double;
     std::pair<const char*, const char*> slightly_wrong; ///< 1e-14: too much for level B
     std::pair<const char*, const char*> grossly_wrong;  ///< 5 %: too much for level A
 };
@@ -57,28 +60,37 @@ const std::vector<PackLanguage> pack_languages{
      "cc -std=c99 -Wall -Wextra -pedantic -Werror -O2 -o driver driver.c example.c -lm",
      "./driver A level-a.csv",
      "./driver B cases.csv hard-cases.csv",
+     "./driver C cases.csv hard-cases.csv",
      "example.c",
+     {"", ""},
      {"*value = k * sqrt(c->u", "*value = (1 + 1e-14) * k * sqrt(c->u"},
      {"*value = k * sqrt(c->u", "*value = 1.05 * k * sqrt(c->u"}},
     {"c++ --version",
      "c++ -std=c++17 -Wall -Wextra -Werror -O2 -o driver driver.cpp example.cpp",
      "./driver A level-a.csv",
      "./driver B cases.csv hard-cases.csv",
+     "./driver C cases.csv hard-cases.csv",
      "example.cpp",
+     {"", ""},
      {"return k * std::sqrt(c.u", "return (1 + 1e-14) * k * std::sqrt(c.u"},
      {"return k * std::sqrt(c.u", "return 1.05 * k * std::sqrt(c.u"}},
     {"gfortran --version",
      "gfortran -std=f2008 -O2 -o driver edgeproof_case.f90 example.f90 driver.f90",
      "./driver A level-a.csv",
      "./driver B cases.csv hard-cases.csv",
+     "./driver C cases.csv hard-cases.csv",
      "example.f90",
+     {"", ""},
      {"value = k*sqrt(c%u", "value = (1 + 1d-14)*k*sqrt(c%u"},
      {"value = k*sqrt(c%u", "value = 1.05d0*k*sqrt(c%u"}},
     {"python3 --version",
      "true",
      "python3 driver.py A level-a.csv",
      "python3 driver.py B cases.csv hard-cases.csv",
+     "python3 driver.py C cases.csv hard-cases.csv",
      "example.py",
+     {"return k * (u * (2 * a - u)).sqrt()",
+      "return float(k) * (float(u) * (2 * float(a) - float(u))) ** 0.5"},
      {"return k * (u * (2 * a - u)).sqrt()",
       "return k * (u * (2 * a - u)).sqrt() * Decimal('1.00000000000001')"},
      {"return k * (u * (2 * a - u)).sqrt()",
@@ -87,7 +99,9 @@ const std::vector<PackLanguage> pack_languages{
      "true",
      "octave-cli --eval \"exit(run_pack('A', {'level-a.csv'}))\"",
      "octave-cli --eval \"exit(run_pack('B', {'cases.csv', 'hard-cases.csv'}))\"",
+     "octave-cli --eval \"exit(run_pack('C', {'cases.csv', 'hard-cases.csv'}))\"",
      "edgeproof_answer.m",
+     {"", ""},
      {"value = k * sqrt(c.u", "value = (1 + 1e-14) * k * sqrt(c.u"},
      {"value = k * sqrt(c.u", "value = 1.05 * k * sqrt(c.u"}},
 };
@@ -127,22 +141,32 @@ TEST_SUITE("slow") {
                 continue;
             }
             const PackCopy right;
+            if (*language.in_double.first != '\0') {
+                right.edit(language.example, language.in_double.first, language.in_double.second);
+            }
             REQUIRE(right.shell(language.build) == 0);
             CHECK(right.shell(language.hold_a) == 0);
             CHECK(has(file_text(right.folder.path() / "out"), ": 104 answered, 0 wrong,"));
             CHECK(right.shell(language.hold_b) == 0);
             CHECK(has(file_text(right.folder.path() / "out"), ": 77 answered, 0 wrong,"));
+            // A few units in the last place are within level B, and not correctly rounded.
+            CHECK(right.shell(language.hold_c) == 1);
+            CHECK(has(file_text(right.folder.path() / "out"), "power:m=1:"));
+            CHECK(has(file_text(right.folder.path() / "out"), "level C: 77 answered, "));
             const PackCopy slightly;
             slightly.edit(language.example, language.slightly_wrong.first,
                           language.slightly_wrong.second);
             REQUIRE(slightly.shell(language.build) == 0);
             CHECK(slightly.shell(language.hold_a) == 0); // an engineer does not mind
             CHECK(slightly.shell(language.hold_b) == 1);
+            CHECK(has(file_text(slightly.folder.path() / "out"),
+                      "power:m=1:C=1:a=1:right:u=1e-15:p: "));
             const PackCopy grossly;
             grossly.edit(language.example, language.grossly_wrong.first,
                          language.grossly_wrong.second);
             REQUIRE(grossly.shell(language.build) == 0);
             CHECK(grossly.shell(language.hold_a) == 1);
+            CHECK(has(file_text(grossly.folder.path() / "out"), ":p: "));
             // A file of another pack, and none.
             const PackCopy cut;
             cut.edit("level-a.csv", "id,kind", "id,sort");

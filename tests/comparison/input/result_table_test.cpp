@@ -155,6 +155,8 @@ TEST_CASE("results that cannot be read: one line, with the place") {
     CHECK(begins(refusal("just some words\nand more\n"), "r.csv: there is no row of two numbers"));
     CHECK(begins(refusal("x,p\n"), "r.csv: there is no row"));
     CHECK(begins(refusal("x,p\n1,2\n"), "r.csv:2: there is one row"));
+    CHECK(begins(refusal("x,p\n1,2\n1,3\n1,1\n"), "r.csv:2: every row has the same x"));
+    CHECK(begins(refusal("x\n1\n2\n3\n"), "r.csv: there is no row of two numbers"));
     CHECK(begins(refusal("x,p\n1,2\n2,NaN\n3,1\n"), "r.csv:3: the row holds 'NaN'"));
     CHECK(begins(refusal("x,p\n1,2\ninf,1\n3,1\n"), "r.csv:3: the row holds 'inf'"));
     CHECK(begins(refusal("x,p\n1,2\n2,abc\n3,1\n"), "r.csv:3: 'abc' of p is no number"));

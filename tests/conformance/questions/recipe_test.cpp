@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -91,6 +94,56 @@ std::string pieces_against_list(const std::string& text) {
 
 } // namespace
 
+TEST_CASE("contacts by what an engineer has: radii, widths, the kinds of scenes") {
+    const Recipe recipe = parse_recipe(R"(digits = 20
+[scenes.cylinders]
+quantities = ["P"]
+[scenes.cylinders.profile]
+kind = "hertz"
+R1 = ["10", "-30"]
+R2 = "15"
+[scenes.cylinders.load]
+width = ["2", "3"]
+contact_modulus = "1"
+[scenes.roller]
+quantities = ["a"]
+[scenes.roller.profile]
+kind = "cylinder-on-flat"
+R = "7"
+[scenes.roller.load]
+P = "pi"
+contact_modulus = "1"
+[scenes.pad]
+quantities = ["b"]
+[scenes.pad.profile]
+kind = "flat-and-rounded"
+flat_width = "3"
+R = "4"
+[scenes.pad.load]
+width = "4"
+contact_modulus = "1"
+)",
+                                       "r.toml");
+    REQUIRE(recipe.questions.list.size() == 6);
+    CHECK(recipe.questions.list[1].id == "cylinders:R1=10:width=3:P");
+    CHECK(recipe.questions.columns() == std::vector<std::string>{"kind", "flat_width", "R", "R1",
+                                                                 "R2", "width", "P",
+                                                                 "contact_modulus"});
+    ReferenceOptions options;
+    options.digits = {20, Rounding::nearest, false};
+    const auto values = references(recipe.questions, options);
+    const auto value = [&](std::size_t i) {
+        return values[i].value.value.midpoint().convert_to<double>();
+    };
+    // P = pi E* a^2/(4R) (Johnson, eq. 4.43): 1/R is 1/10 + 1/15 = 1/6, and 1/15 - 1/30 = 1/30.
+    const double quarter_pi = std::acos(-1) / 4;
+    CHECK(value(0) == doctest::Approx(quarter_pi / 6).epsilon(1e-15));
+    CHECK(value(1) == doctest::Approx(quarter_pi * 2.25 / 6).epsilon(1e-15));
+    CHECK(value(3) == doctest::Approx(quarter_pi * 2.25 / 30).epsilon(1e-15));
+    CHECK(value(4) == doctest::Approx(std::sqrt(28.0)).epsilon(1e-15));
+    CHECK(value(5) == 2);
+}
+
 TEST_CASE("the pieces of a recipe hold every row once, as the whole list has it") {
     // 7 questions a contact: 2 contacts to a piece.
     CHECK(pieces_against_list(grid) == "28 rows, 2 pieces");
@@ -126,6 +179,12 @@ TEST_CASE("a recipe of a hundred million rows is read at once, and any piece of 
 }
 
 TEST_CASE("what is wrong with a recipe is told with its own line") {
+    const std::string radii = "digits = 20\n[scenes.s]\nquantities = [\"P\"]\n"
+                              "[scenes.s.profile]\nkind = \"hertz\"\nR1 = \"1\"\nR2 = \"-1\"\n"
+                              "[scenes.s.load]\na = \"1\"\ncontact_modulus = \"1\"\n";
+    CHECK(refusal(radii).starts_with("r.toml:6: the bodies do not part"));
+    CHECK(refusal(replaced(radii, "R2 = \"-1\"", "R = \"1\""))
+              .starts_with("r.toml:7: the radius is given twice"));
     CHECK(refusal(grid) == "accepted");
     CHECK(
         refusal(replaced(grid, "\"c_1\"", "\"c1\"")).rfind("r.toml:5: unknown quantity 'c1'", 0) ==

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/scratch.hpp"
@@ -9,6 +11,7 @@
 #include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
+#include "edgeproof/report/tables/self_test_table.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -30,6 +33,8 @@ struct CompareOptions {
     std::string tolerance_c0;
     std::string tolerance_q;
     bool json = false;
+    bool self_test = false;
+    std::string seed = "1";
     std::string junit;
     std::string html;
     std::string figures;
@@ -81,7 +86,30 @@ std::optional<Rational> origin_of(const std::string& text) {
     return number.value;
 }
 
+int test_the_diagnosis(const CompareOptions& o) {
+    const std::size_t seed = whole_number("--seed", o.seed, 0, 1'000'000'000);
+    comparison::SelfTest result;
+    {
+        Progress progress("contacts");
+        result = comparison::run_self_test(
+            seed, {}, [&](std::size_t done, std::size_t all) { progress(done, all); });
+    }
+    const std::string text = report::self_test_text(result);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return result.passes() ? 0 : 1;
+}
+
 int compare_results(const CompareOptions& o) {
+    if (o.self_test) {
+        if (!o.scene.empty()) {
+            throw InputError("--self-test takes no files", "write edgeproof compare --self-test");
+        }
+        return test_the_diagnosis(o);
+    }
+    if (o.scene.empty() || o.results.empty()) {
+        throw InputError(o.scene.empty() ? "no scene is given" : "no result is given",
+                         "write edgeproof compare SCENE.toml RESULT.csv");
+    }
     report::ComparisonReport report;
     report.comparison.tolerances = tolerances_of(o);
     const auto origin = origin_of(o.origin);
@@ -139,10 +167,10 @@ void add_compare(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
         "compare", "results of a mesh (x and p), held against the exact contact");
     auto o = std::make_shared<CompareOptions>();
-    sub->add_option("scene", o->scene, "the scene (TOML)")->required();
-    sub->add_option("results", o->results,
-                    "tables of x and p, as programs write them; several: of finer and finer meshes")
-        ->required();
+    sub->add_option("scene", o->scene, "the scene (TOML)");
+    sub->add_option(
+        "results", o->results,
+        "tables of x and p, as programs write them; several: of finer and finer meshes");
     sub->add_option("--columns", o->columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
     sub->add_option("--scale", o->scale, "x=1e-3,p=1e6: multiply what the files have");
     sub->add_option("--origin", o->origin,
@@ -164,6 +192,10 @@ void add_compare(CLI::App& app, int& code) {
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--html", o->html, "write a page to this file");
     sub->add_option("--figures", o->figures, "draw data and errors into this folder (SVG, CSV)");
+    sub->add_flag("--self-test", o->self_test,
+                  "inject known mistakes and noise into several contacts, and count how many are "
+                  "named; without files");
+    sub->add_option("--seed", o->seed, "of --self-test")->capture_default_str();
     sub->callback([o, &code] { code = compare_results(*o); });
 }
 

@@ -197,6 +197,10 @@ private:
                    fmt::format("there {} of numbers", rows.empty() ? "is no row" : "is one row"),
                    "give the whole contact: a row a node");
         }
+        if (std::ranges::all_of(rows, [&](const ResultRow& r) { return r.x == rows[0].x; })) {
+            reject(rows.front().line, "every row has the same x",
+                   "name the right column by --columns x=1,p=2");
+        }
         if (skipped_ > 0) {
             table_.findings.push_back(fmt::format(
                 "{} of text among or behind the rows {} not read, the first of them line {}",
@@ -206,6 +210,8 @@ private:
         const auto rounding = [](const std::vector<std::string>& texts) {
             return column_rounding({texts.begin(), texts.end()});
         };
+        table_.p_digits = carried_digits({p_texts_.begin(), p_texts_.end()});
+        table_.p_factor = p_factor_.convert_to<double>();
         const auto x_half = rounding(x_texts_);
         const auto p_half = rounding(p_texts_);
         const auto q_half = rounding(q_texts_);

@@ -25,6 +25,16 @@ struct ResultRow {
     double q_rounding = 0;
 };
 
+/// The digits that the pressures of a file carry, whatever zeros are written behind them.
+struct CarriedDigits {
+    int significant = 0; ///< the most that any has, zeros at both ends left out
+    int decimals = 0;    ///< the most behind the point, where none has an exponent
+    bool exponents = false;
+    /// Each is a number of binary32 to the digits that it is written with, and eight or more are
+    /// written with enough to tell.
+    bool binary32 = false;
+};
+
 /// What a program wrote, read.
 struct ResultTable {
     std::string file;
@@ -32,6 +42,8 @@ struct ResultTable {
     /// What was found about the file, and how it was read, a sentence each: nothing is assumed in
     /// silence.
     std::vector<std::string> findings;
+    CarriedDigits p_digits;
+    double p_factor = 1; ///< that the pressures of the file are multiplied with
 };
 
 struct ResultReading {
@@ -45,7 +57,7 @@ struct ResultReading {
 /// below it, lines at the end) and comments are told from them; columns are found by name or as
 /// `reading` says. Throws InputError, with file and line, for a row that is cut off or holds
 /// something else than numbers, NaN and infinity among them, where x or p are not found or found
-/// twice, for a unit of the wrong kind, and for fewer than two rows.
+/// twice, for a unit of the wrong kind, and for fewer than two places.
 [[nodiscard]] ResultTable parse_result(std::string_view text, const std::string& file,
                                        const ResultReading& reading = {});
 [[nodiscard]] ResultTable read_result(const std::filesystem::path& file,

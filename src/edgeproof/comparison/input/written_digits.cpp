@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/written_digits.hpp"
 
+#include "edgeproof/conformance/answers/number_text.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,8 +18,10 @@ struct DecimalForm {
     bool with_exponent = false;
     bool zero = true;
     int significant = 0; ///< digits from the first that is not 0
+    int carried = 0;     ///< of those, up to the last that is not 0
     int leading = 0;     ///< the power of ten of that one
     int decimals = 0;    ///< behind the point, where there is no exponent
+    int carried_decimals = 0;
 };
 
 DecimalForm form_of(std::string_view text) {
@@ -45,6 +51,10 @@ DecimalForm form_of(std::string_view text) {
             form.leading = place + exponent;
         }
         form.significant += form.zero ? 0 : 1;
+        if (c != '0') {
+            form.carried = form.significant;
+            form.carried_decimals = std::max(0, -place);
+        }
         --place;
     }
     form.decimals = static_cast<int>(point < text.size() ? text.size() - point - 1 : 0);
@@ -72,6 +82,34 @@ std::vector<double> column_rounding(const std::vector<std::string_view>& column)
         half.push_back(form.exact || (exponents && form.zero) ? 0 : 0.5 * std::pow(10.0, last));
     }
     return half;
+}
+
+CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
+    CarriedDigits digits;
+    const std::vector<double> half = column_rounding(column);
+    constexpr double tells = 20; // a decimal taken by chance lies so near one time in ten
+    constexpr std::size_t enough = 8;
+    std::size_t told = 0;
+    digits.binary32 = true;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        const double value = conformance::written_number(column[i]).value.convert_to<double>();
+        DecimalForm form = form_of(column[i]);
+        constexpr int digits_of_binary64 = 15; // those beyond tell how a decimal became binary
+        if (form.significant > digits_of_binary64) {
+            form = form_of(fmt::format("{:.{}e}", value, digits_of_binary64 - 1));
+        }
+        digits.significant = std::max(digits.significant, form.carried);
+        digits.decimals = std::max(digits.decimals, form.carried_decimals);
+        digits.exponents = digits.exponents || form.with_exponent || form.exact;
+        const auto single = static_cast<float>(value);
+        const double spacing = static_cast<double>(std::nextafter(std::abs(single), INFINITY)) -
+                               std::abs(static_cast<double>(single));
+        digits.binary32 =
+            digits.binary32 && std::abs(value - static_cast<double>(single)) <= half[i] * 1.0001;
+        told += value != 0 && spacing > tells * half[i] ? 1 : 0;
+    }
+    digits.binary32 = digits.binary32 && told >= enough;
+    return digits;
 }
 
 } // namespace edgeproof::comparison

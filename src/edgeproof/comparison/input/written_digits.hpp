@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/comparison/result_table.hpp"
+
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -11,5 +13,8 @@ namespace edgeproof::comparison {
 /// "0.333333" is taken to be right to six. Hexadecimal numbers, and zero with an exponent, are
 /// exact: 0.
 [[nodiscard]] std::vector<double> column_rounding(const std::vector<std::string_view>& column);
+
+/// What is carried of them.
+[[nodiscard]] CarriedDigits carried_digits(const std::vector<std::string_view>& column);
 
 } // namespace edgeproof::comparison

@@ -44,6 +44,19 @@ ordered_json coefficient_json(const comparison::ExactContact& exact, contact::Ed
             {"exact", exact.c(edge, k).value}};
 }
 
+ordered_json causes_json(const std::optional<comparison::Diagnosis>& diagnosis) {
+    ordered_json list = ordered_json::array();
+    for (const comparison::Cause& cause :
+         diagnosis ? diagnosis->causes : std::vector<comparison::Cause>{}) {
+        list.push_back({{"name", cause.name},
+                        {"what", cause.what},
+                        {"factor", cause.factor},
+                        {"scatter", cause.scatter},
+                        {"equally_likely", cause.equally_likely}});
+    }
+    return list;
+}
+
 ordered_json file_json(const ComparisonReport& report, const comparison::FileComparison& file) {
     const comparison::ExactContact& exact = *report.exact;
     const auto held = [](const std::optional<double>& data, const std::optional<double>& of_exact,
@@ -109,15 +122,9 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
         row["corner"] = k.knot.corner;
         j["knots"].push_back(std::move(row));
     }
-    j["causes"] = ordered_json::array();
-    if (file.diagnosis) {
-        for (const comparison::Cause& cause : file.diagnosis->causes) {
-            j["causes"].push_back({{"name", cause.name},
-                                   {"what", cause.what},
-                                   {"factor", cause.factor},
-                                   {"scatter", cause.scatter},
-                                   {"equally_likely", cause.equally_likely}});
-        }
+    j["causes"] = causes_json(file.diagnosis);
+    if (file.shear) {
+        j["causes_of_q"] = causes_json(file.shear_diagnosis);
     }
     j["failures"] = ordered_json::array();
     for (const std::string& failure : file.failures) {

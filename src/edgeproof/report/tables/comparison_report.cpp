@@ -135,6 +135,34 @@ std::string convergence_text(const std::vector<Convergence>& list) {
     return aligned_rows(rows);
 }
 
+std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& diagnosis,
+                                  const char* symbol) {
+    std::vector<std::string> lines;
+    if (!diagnosis) {
+        return lines;
+    }
+    const comparison::Diagnosis& d = *diagnosis;
+    if (d.at_edges_only) {
+        lines.push_back(fmt::format("away from the edges {} is right to {}: what is off lies at "
+                                    "the edges, as what a mesh does to them",
+                                    symbol, percent_text(d.unexplained)));
+    } else if (d.causes.empty()) {
+        lines.push_back(fmt::format("no cause that is known explains {}: {} are left, where the "
+                                    "nodes scatter by {}",
+                                    symbol, percent_text(d.unexplained), percent_text(d.noise)));
+    }
+    for (std::size_t i = 0; i < d.causes.size(); ++i) {
+        const comparison::Cause& cause = d.causes[i];
+        lines.push_back(fmt::format("{}: {} ({}); it leaves {} of {}",
+                                    d.causes.size() == 1 ? "likely cause"
+                                    : i == 0 ? "likely causes, not told apart by the data"
+                                             : "or",
+                                    cause.name, cause.what, percent_text(cause.scatter),
+                                    percent_text(d.unexplained)));
+    }
+    return lines;
+}
+
 std::string with_unit(const std::optional<scene::Unit>& unit, const std::string& more) {
     return unit ? unit->name + more : std::string();
 }
@@ -196,29 +224,9 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
 }
 
 std::vector<std::string> diagnosis_lines(const FileComparison& file) {
-    std::vector<std::string> lines;
-    if (!file.diagnosis) {
-        return lines;
-    }
-    const comparison::Diagnosis& d = *file.diagnosis;
-    if (d.at_edges_only) {
-        lines.push_back(fmt::format("away from the edges p is right to {}: what is off lies at the "
-                                    "edges, as what a mesh does to them",
-                                    percent_text(d.unexplained)));
-    } else if (d.causes.empty()) {
-        lines.push_back(fmt::format("no cause that is known explains it: {} are left, where the "
-                                    "nodes scatter by {}",
-                                    percent_text(d.unexplained), percent_text(d.noise)));
-    }
-    for (std::size_t i = 0; i < d.causes.size(); ++i) {
-        const comparison::Cause& cause = d.causes[i];
-        lines.push_back(fmt::format("{}: {} ({}); it leaves {} of {}",
-                                    d.causes.size() == 1 ? "likely cause"
-                                    : i == 0 ? "likely causes, not told apart by the data"
-                                             : "or",
-                                    cause.name, cause.what, percent_text(cause.scatter),
-                                    percent_text(d.unexplained)));
-    }
+    std::vector<std::string> lines = lines_of(file.diagnosis, "p");
+    const std::vector<std::string> more = lines_of(file.shear_diagnosis, "q");
+    lines.insert(lines.end(), more.begin(), more.end());
     return lines;
 }
 

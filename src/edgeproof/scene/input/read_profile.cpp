@@ -27,7 +27,8 @@ formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
 
 /// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2).
 /// A negative radius is that of a hollow; together the curvatures are to be positive.
-contact::Profile read_cylinders(const io::TomlSection& section, bool two) {
+contact::Profile read_cylinders(const io::TomlSection& section, bool two,
+                                std::optional<Radii>& radii) {
     section.allow(two ? std::vector<std::string_view>{"kind", "R", "R1", "R2"}
                       : std::vector<std::string_view>{"kind", "R"});
     const auto curvature = [&](std::string_view key) {
@@ -50,6 +51,7 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two) {
     formula::Expr sum = curvature(!pair ? "R" : section.has("R1") ? "R1" : "R2");
     if (section.has("R1") && section.has("R2")) {
         sum = sum + curvature("R2");
+        radii = Radii{section.exact("R1"), section.exact("R2")};
     }
     const formula::Exact C(sum);
     const char* const key = !pair ? "R" : section.has("R1") ? "R1" : "R2";
@@ -146,7 +148,7 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
         scene.profile =
             make({"m", "C"}, [&] { return contact::Profile::power_law(get("C"), get("m")); });
     } else if (kind == "hertz" || kind == "cylinder-on-flat") {
-        scene.profile = read_cylinders(section, kind == "hertz");
+        scene.profile = read_cylinders(section, kind == "hertz", scene.radii);
     } else if (kind == "flat-and-rounded" && section.has("flat_width")) {
         if (section.has("t")) {
             section.reject("flat_width", "the flat is given twice",

@@ -51,6 +51,12 @@ struct Bodies {
     formula::Exact nu2;
 };
 
+/// The radii of two bodies that touch; a negative one is a hollow's.
+struct Radii {
+    formula::Exact R1;
+    formula::Exact R2;
+};
+
 /// A scene as its file gives it: exact, complete, and checked as far as that goes without solving
 /// anything.
 struct Scene {
@@ -59,6 +65,7 @@ struct Scene {
     /// The profile, or (with a load of P and M) the punch whose tilt is to be found.
     std::optional<contact::Profile> profile;
     std::optional<contact::TiltedPunch> punch;
+    std::optional<Radii> radii; ///< where the profile follows from both
     formula::Exact contact_modulus;
     std::optional<Bodies> bodies;         ///< where contact_modulus follows from them
     contact::Load load;                   ///< a or P

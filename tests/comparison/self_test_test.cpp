@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/self_test.hpp"
+
+#include "edgeproof/comparison/comparison.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+void check_named(const SelfTest& test) {
+    for (const std::string& miss : test.misses) {
+        MESSAGE(miss);
+    }
+    const SelfTestCount sum = test.total();
+    CHECK(sum.wrong == 0);
+    CHECK(sum.cases > 10);
+    CHECK(100 * sum.named >= 95 * sum.cases);
+    CHECK(test.passes());
+}
+
+} // namespace
+
+TEST_CASE("self-test: mistakes in shear are named, and none wrongly") {
+    const SelfTest test = run_self_test(5, {"two cylinders, full stick"});
+    check_named(test);
+    const auto tension = std::ranges::find(test.rows, "sign-of-tension", &SelfTestRow::name);
+    REQUIRE(tension != test.rows.end());
+    CHECK(tension->at[2].named == 1);
+}
+
+TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is named") {
+    SelfTest test;
+    CHECK_FALSE(test.passes()); // nothing was tried
+    SelfTestRow row{"a", {}};
+    row.at[0] = {20, 19, 19, 3, 0};
+    test.rows.push_back(row);
+    CHECK(test.passes());
+    test.rows[0].at[1] = {1, 0, 0, 0, 0};
+    CHECK_FALSE(test.passes());
+    test.rows[0].at[1] = {40, 40, 40, 0, 1};
+    CHECK_FALSE(test.passes());
+}
+
+TEST_CASE("self-test: each mistake has a contact that it makes sense in") {
+    for (const InjectedMistake& mistake : injected_mistakes()) {
+        CAPTURE(mistake.name);
+        CHECK(std::ranges::any_of(tested_contacts(), [&](const TestedContact& contact) {
+            return contact.keys.contains("shear.Q") == mistake.of_shear &&
+                   mistake.make(contact.keys).has_value();
+        }));
+    }
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 
 #include <optional>
 #include <string_view>

@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/comparison/alignment.hpp"
 #include "edgeproof/comparison/data_edges.hpp"
-#include "edgeproof/comparison/result_table.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <string>

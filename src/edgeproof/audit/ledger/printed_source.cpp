@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/printed_source.hpp"
 
-#include "edgeproof/io/toml_section.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 
 #include <algorithm>
 #include <charconv>

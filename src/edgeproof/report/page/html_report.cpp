@@ -5,7 +5,7 @@
 #include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_limits.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_residual.hpp"

@@ -8,6 +8,7 @@ ends it at once, and nothing goes on computing unseen.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pickle
 import subprocess
@@ -34,6 +35,14 @@ def can_start() -> bool:
     return os.path.basename(sys.executable or "").startswith("python")
 
 
+def _end(child: subprocess.Popen[bytes]) -> None:
+    child.kill()
+    # What it did not read any more is no error of its own.
+    with contextlib.suppress(OSError):
+        if child.stdin is not None:
+            child.stdin.close()
+
+
 def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
     """NativeScene(text, file).run(**asked). What ends the wait ends the work."""
     # Not in our session: a terminal sends its Ctrl-C to us alone, who may want to go on.
@@ -46,11 +55,11 @@ def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
             child.stdin.flush()  # and left open: where we end, it reads the end
             found = pickle.load(child.stdout)
         except (EOFError, BrokenPipeError):
-            child.kill()
+            _end(child)
             raise Error(f"the process that computed it ended with status {child.wait()}",
                         "it may have been out of memory; ask for fewer digits") from None
         except BaseException:
-            child.kill()
+            _end(child)
             raise
     if isinstance(found, Exception):
         raise found

@@ -22,7 +22,7 @@ struct PrintedSource {
     std::string version;
     /// First line in the TeX source, and "2.1 Title"; in ascending order of the lines.
     std::vector<std::pair<std::size_t, std::string>> sections;
-    Texts labels;   ///< the number that \ref{label} comes to
+    Texts labels;   ///< the number that a label stands for
     Texts numbers;  ///< of equations, by the ids of claims
     Texts macros;   ///< of its TeX, without the backslash: "ve" = "\\varepsilon"
     Texts notation; ///< how names of formulas are written: "right.c0" = "L_{I}"

@@ -56,10 +56,11 @@ void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
                                      fs::proximate(folder, beside.empty() ? "." : beside).string());
 }
 
-/// What the report says it was made by.
+/// What the report says it was made by; where it is written is left out, so that it is the same
+/// anywhere.
 std::string command_text(const VerifyOptions& o) {
     return "edgeproof verify " + o.ledger + " --digits " + std::to_string(o.digits) +
-           (o.only == "*" ? "" : " --only '" + o.only + "'") + " --out " + o.out;
+           (o.only == "*" ? "" : " --only '" + o.only + "'");
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,

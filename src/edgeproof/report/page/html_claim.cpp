@@ -75,8 +75,9 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
             const char* verdict =
                 later.as_printed && right
                     ? "comes out as printed there, and that is right: the error does not show"
-                : later.as_printed ? "comes out as printed there, and that is not right: the error was "
-                                     "carried on"
+                : later.as_printed
+                    ? "comes out as printed there, and that is not right: the error was "
+                      "carried on"
                 : right ? "would come out otherwise than it is printed there, and what is printed "
                           "is right: it was not computed with this line"
                         : "would come out otherwise than it is printed there: this line does not "

@@ -18,8 +18,8 @@ struct MathNode {
 };
 
 /// TeX mathematics as a tree: fractions, roots, scripts, fences, cases, accents, integrals, Greek,
-/// and the source's own macros. Alignment marks and labels leave nothing; \ref gives the number in
-/// print. A command that is not known is set as its name; nothing is refused.
+/// and the source's own macros. Alignment marks and labels leave nothing; a reference gives the
+/// number in print. A command that is not known is set as its name; nothing is refused.
 [[nodiscard]] MathNode math_of_tex(std::string_view tex, const audit::PrintedSource& source);
 
 /// Marks what differs between two formulas, in both: the leaves (and roots) outside their longest
@@ -30,8 +30,8 @@ void mark_changes(MathNode& printed, MathNode& corrected);
 [[nodiscard]] std::string inline_math(const MathNode& node);
 [[nodiscard]] std::string block_math(const MathNode& node, std::string_view name);
 
-/// A sentence of the source as HTML: $...$ and displays typeset, \ref and \cite resolved, dashes
-/// and quotation marks set.
+/// A sentence of the source as HTML: $...$ and displays typeset, references and citations resolved,
+/// dashes and quotation marks set.
 [[nodiscard]] std::string sentence_html(std::string_view tex, const audit::PrintedSource& source);
 
 /// Whether a printed text is a sentence and not a formula.

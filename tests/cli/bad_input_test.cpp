@@ -194,7 +194,7 @@ TEST_CASE("the command line: what is not known is named, with the near name") {
                  "unknown option '--fromat'; did you mean --format?"},
              Bad{"verify s.toml --recrod", "unknown option '--recrod'; did you mean --record?"},
              Bad{"bounds count --value 3", "unknown option '--value'; did you mean --values?"},
-             Bad{"pressure", "scene is required; see edgeproof --help"},
+             Bad{"pressure", "no scene is given; name its file, - for standard input"},
              Bad{"pressure s.toml other", "other"},
              Bad{"pressure s.toml --format m", "--format m is no format; "},
              Bad{"pressure s.toml --digits 1e9", "--digits 1e9 is out of range; "},

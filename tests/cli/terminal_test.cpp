@@ -68,3 +68,22 @@ TEST_CASE("colours and escapes: on a terminal that obeys them, unless NO_COLOR r
     CHECK_FALSE(has(verify({"TERM", "NO_COLOR"}), "\x1b"));
     CHECK_FALSE(has(verify({"TERM=dumb", "NO_COLOR=1"}), "\x1b"));
 }
+
+TEST_CASE("a wide table is wrapped on a terminal, and nowhere else") {
+    const Folder folder;
+    folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"
+                           "contact_modulus = 1\n[ask]\nu = [\"1/10\", \"1/5\"]\nterms = 1\n");
+    const std::vector<std::string> arguments{"pressure", "s.toml", "--format", "md"};
+    std::size_t tables = 0;
+    for (const std::string& line : lines(on_terminal(folder, {}, arguments))) {
+        if (line.rfind("| edge", 0) == 0) {
+            CHECK(has(line, "| edge  |    u |"));
+            ++tables;
+        }
+        if (line.rfind('|', 0) == 0) {
+            CHECK(line.size() <= 101); // 100, and the terminal's \r
+        }
+    }
+    CHECK(tables >= 2);
+    CHECK(lines(run(folder, "pressure s.toml --format md").out).back().size() > 150);
+}

@@ -17,6 +17,7 @@ void add_pressure(CLI::App& app, int& code);
 void add_expand(CLI::App& app, int& code);
 void add_extent(CLI::App& app, int& code);
 void add_slip(CLI::App& app, int& code);
+void add_plot(CLI::App& app, int& code);
 void add_slip_table(CLI::App& app, int& code);
 void add_explain(CLI::App& app, int& code);
 void add_relations(CLI::App& app, int& code);
@@ -55,6 +56,8 @@ private:
 
 /// Columns of the terminal on stdout, 100 where it is none.
 [[nodiscard]] std::size_t terminal_width();
+/// Columns that a table on stdout has: 0, as many as it takes, where that is no terminal.
+[[nodiscard]] std::size_t width_to_wrap_at();
 /// A terminal that obeys escapes (TERM is set and not "dumb"), and colours are not refused by
 /// NO_COLOR (no-color.org).
 [[nodiscard]] bool stdout_takes_colour();

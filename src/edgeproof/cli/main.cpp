@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     cli::add_expand(app, code);
     cli::add_extent(app, code);
     cli::add_slip(app, code);
+    cli::add_plot(app, code);
     cli::add_slip_table(app, code);
     cli::add_explain(app, code);
     cli::add_relations(app, code);

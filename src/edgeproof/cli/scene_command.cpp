@@ -7,9 +7,11 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -37,6 +39,76 @@ report::TableFormat format_of(const std::string& name) {
     return *format;
 }
 
+/// The scene that the quantities on the command line stand for.
+scene::Scene stated_scene(const SceneOptions& o) {
+    scene::SceneEntries entries = o.stated.entries();
+    if (!o.edges.empty()) {
+        entries.ask.push_back({"edges", o.edges == "both"
+                                            ? std::vector<std::string>{"right", "left"}
+                                            : std::vector<std::string>{o.edges}});
+    }
+    if (!o.terms.empty()) {
+        entries.ask.push_back({"terms", parts_of(o.terms)});
+    }
+    for (const auto& [key, text] :
+         {std::pair{"tolerance", &o.tolerance}, std::pair{"digits", &o.digits}}) {
+        if (!text->empty()) {
+            entries.ask.push_back({key, *text});
+        }
+    }
+    if (!o.quantities.empty()) {
+        entries.ask.push_back({"quantities", parts_of(o.quantities)});
+    }
+    try {
+        scene::Scene scene = scene::parse_scene(scene_text(entries), "");
+        scene.file = "command line";
+        // Nobody sees the lines of what nobody wrote.
+        for (std::size_t* line : {&scene.profile_line, &scene.load_line, &scene.ask_line,
+                                  &scene.friction_line, &scene.tension_line}) {
+            *line = 0;
+        }
+        for (scene::AskedPoint& point : scene.ask.u) {
+            point.line = 0;
+        }
+        o.as_file = scene_text(entries);
+        return scene;
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead());
+    }
+}
+
+scene::Scene given_scene(const SceneOptions& o) {
+    if (o.scene.empty() && !o.stated.given()) {
+        throw InputError("no scene is given", "name its file, - for standard input, or give its "
+                                              "quantities: --hertz --R 100 --P 120 ...");
+    }
+    if (!o.scene.empty() && o.stated.given()) {
+        throw InputError("a scene is given by its file and by quantities", "give one of the two");
+    }
+    return o.scene.empty() ? stated_scene(o)
+                           : scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
+}
+
+void ask_quantities(scene::Scene& scene, const std::string& list) {
+    if (list.empty()) {
+        return;
+    }
+    scene.ask.quantities.clear();
+    for (const std::string& name : parts_of(list)) {
+        std::vector<std::string_view> names;
+        for (const scene::GroupRow& row : scene::group_rows()) {
+            names.push_back(row.name);
+            if (row.name == name) {
+                scene.ask.quantities.insert(row.group);
+            }
+        }
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            throw InputError("--quantity " + list + ": unknown quantity '" + name + "'",
+                             one_of(name, names));
+        }
+    }
+}
+
 report::Fact fact(const std::string& key, const scene::BoundedValue& value,
                   const scene::Digits& digits) {
     const scene::PrintedValue p = printed(value, digits);
@@ -52,8 +124,18 @@ void add_fact(std::vector<report::Fact>& facts, const std::string& key,
 
 } // namespace
 
+void add_given_scene(CLI::App& sub, SceneOptions& o) {
+    sub.add_option("scene", o.scene, "the scene (TOML); -: standard input");
+    sub.add_option("--edge", o.edges, "right, left or both (default: the scene's)");
+    sub.add_option("--terms", o.terms, "numbers of terms, such as 1,2,3 (default: the scene's)");
+    sub.add_option("--quantity", o.quantities,
+                   "what is asked, such as pressure,shear, as far as the command gives it "
+                   "(default: the scene's)");
+    o.stated.add_options(sub);
+}
+
 void add_scene_options(CLI::App& sub, SceneOptions& o) {
-    sub.add_option("scene", o.scene, "the scene (TOML)")->required();
+    add_given_scene(sub, o);
     sub.add_option("--digits", o.digits, "significant digits (default: the scene's, else 50)");
     sub.add_option("--format", o.format, "csv, json, md or tex")->capture_default_str();
     sub.add_option("--out", o.out, "write to this file, whole or not at all (-: standard output)");
@@ -61,8 +143,8 @@ void add_scene_options(CLI::App& sub, SceneOptions& o) {
     sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
 }
 
-void add_edge_option(CLI::App& sub, SceneOptions& o) {
-    sub.add_option("--edge", o.edges, "right, left or both (default: both)");
+void add_tolerance_option(CLI::App& sub, SceneOptions& o, const std::string& help) {
+    sub.add_option("--tolerance", o.tolerance, "1%, 0.01 or 1/100" + help);
 }
 
 std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
@@ -84,10 +166,8 @@ unsigned threads_of(const std::string& text) {
 
 std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::string& text) {
     std::vector<std::size_t> numbers;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        numbers.push_back(whole_number(option, text.substr(at, comma - at), 1, most_terms));
-        at = comma + 1;
+    for (const std::string& part : parts_of(text)) {
+        numbers.push_back(whole_number(option, part, 1, most_terms));
     }
     return numbers;
 }
@@ -106,25 +186,74 @@ void check_state(const std::string& file) {
 scene::Scene asked_scene(const SceneOptions& o) {
     (void)format_of(o.format); // before any work
     const Rounding rounding = rounding_of(o.rounding);
-    scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
+    scene::Scene scene = given_scene(o);
     if (!o.digits.empty()) {
         scene.ask.digits.count =
             static_cast<unsigned>(whole_number("--digits", o.digits, 2, most_digits_of_a_scene));
     }
     scene.ask.digits.rounding = rounding;
     scene.ask.digits.binary64 = o.binary64;
+    if (o.edges == "both") {
+        scene.ask.edges = {contact::Edge::right, contact::Edge::left};
+    } else if (!o.edges.empty()) {
+        const auto edge = scene::edge_named(o.edges);
+        if (!edge) {
+            throw InputError("--edge " + o.edges + ": there is no such edge",
+                             "write right, left or both");
+        }
+        scene.ask.edges = {*edge};
+    }
+    if (!o.terms.empty()) {
+        scene.ask.terms = numbers_of_terms("--terms", o.terms);
+    }
+    if (!o.tolerance.empty()) {
+        scene.ask.tolerance = tolerance_of(o.tolerance);
+    }
+    ask_quantities(scene, o.quantities);
     io::check_output(o.out);
     return scene;
 }
 
-std::vector<contact::Edge> asked_edges(const SceneOptions& o) {
-    if (o.edges.empty() || o.edges == "both") {
-        return {contact::Edge::right, contact::Edge::left};
+void ask_at_edges(scene::Scene& scene, const SceneOptions& o) {
+    if (o.edges.empty() && !scene.ask.edges_given) {
+        scene.ask.edges = {contact::Edge::right, contact::Edge::left};
     }
-    if (const auto edge = scene::edge_named(o.edges)) {
-        return {*edge};
+}
+
+void ask_terms(scene::Scene& scene) {
+    if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
     }
-    throw InputError("--edge " + o.edges + ": there is no such edge", "write right, left or both");
+}
+
+void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup own,
+             const std::vector<scene::QuantityGroup>& beside) {
+    std::set<scene::QuantityGroup> all{own};
+    for (const scene::QuantityGroup group : beside) {
+        if (scene.ask.wants(group)) {
+            all.insert(group);
+        }
+    }
+    for (const scene::QuantityGroup group : scene.ask.quantities) {
+        if (!o.quantities.empty() && !all.contains(group)) {
+            std::string given = group_name(own);
+            for (std::size_t i = 0; i < beside.size(); ++i) {
+                given += (i + 1 == beside.size() ? " or " : ", ") + group_name(beside[i]);
+            }
+            throw InputError("--quantity " + o.quantities + ": this command does not give the " +
+                                 group_name(group),
+                             "write " + given);
+        }
+    }
+    scene.ask.quantities = std::move(all);
+}
+
+formula::Exact tolerance_of(const std::string& text) {
+    try {
+        return scene::parse_tolerance(text);
+    } catch (const InputError& error) {
+        throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
+    }
 }
 
 scene::SceneResult done(const scene::Scene& scene) {
@@ -132,6 +261,20 @@ scene::SceneResult done(const scene::Scene& scene) {
     scene::RunOptions options;
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     return io::at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
+}
+
+report::ScenePicture picture_of(scene::Scene scene) {
+    ask_terms(scene);
+    if (!scene.ask.tolerance) {
+        scene.ask.tolerance = tolerance_of("1%");
+    }
+    Progress progress("values");
+    return io::at_place(scene.file, scene.load_line,
+                        [&] { return report::scene_picture(scene, std::ref(progress)); });
+}
+
+std::string title_of(const scene::Scene& scene) {
+    return scene.title.empty() ? scene.file : scene.title;
 }
 
 std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::SceneResult& result) {
@@ -216,9 +359,19 @@ void ValueColumns::add_none(std::vector<std::string>& row, bool route) const {
     row.resize(row.size() + 2 + (route ? 1 : 0) + (digits_.binary64 ? 1 : 0));
 }
 
+void show_as_file(const SceneOptions& o) {
+    if (!o.as_file.empty()) {
+        std::fputs(("# the scene that these quantities stand for\n" + o.as_file).c_str(), stderr);
+        std::fflush(stderr);
+    }
+}
+
 void emit(const report::Table& table, const SceneOptions& o) {
-    const std::string text = write_table(table, format_of(o.format));
-    io::write_output(o.out.empty() ? "-" : o.out, text);
+    const bool shown = o.out.empty() || o.out == "-";
+    const std::string text =
+        write_table(table, format_of(o.format), shown ? width_to_wrap_at() : 0);
+    show_as_file(o);
+    io::write_output(shown ? "-" : o.out, text);
 }
 
 } // namespace edgeproof::cli

@@ -69,4 +69,6 @@ std::size_t terminal_width() {
     return 100;
 }
 
+std::size_t width_to_wrap_at() { return ::isatty(STDOUT_FILENO) == 1 ? terminal_width() : 0; }
+
 } // namespace edgeproof::cli

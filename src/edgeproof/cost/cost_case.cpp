@@ -96,7 +96,13 @@ CostCase case_of(const scene::Scene& scene) {
                {},
                {}};
     for (const scene::AskedPoint& point : scene.ask.u) {
-        c.u.push_back(point.u);
+        const auto u = point.distance(c.edge).number();
+        if (!u) {
+            throw InputError(point.text() + " is no number as long as a is none",
+                             "give a, or u as numbers")
+                .at(scene.file, point.line);
+        }
+        c.u.push_back(*u);
     }
     if (c.u.empty()) {
         const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);

@@ -3,25 +3,40 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <atomic>
 #include <fstream>
+#include <iostream>
 #include <string>
 
 namespace edgeproof::io {
 
+std::string input_name(const std::filesystem::path& file) {
+    return file == "-" ? "stdin" : file.string();
+}
+
 std::string read_text(const std::filesystem::path& file, const std::string& what,
                       std::size_t most) {
     const auto refuse = [&](const std::string& problem, const std::string& instead) {
-        throw InputError(problem, instead).at(file.string(), 0);
+        throw InputError(problem, instead).at(input_name(file), 0);
     };
     const std::string give = "give the path of a " + what;
+    const bool standard = file == "-";
+    static std::atomic<bool> taken = false;
+    if (standard && taken.exchange(true)) {
+        refuse("standard input has been read already", give + " where - stands again");
+    }
     std::error_code error;
-    if (std::filesystem::is_directory(file, error)) {
+    if (!standard && std::filesystem::is_directory(file, error)) {
         refuse("this is a folder, not a file", give);
     }
-    if (!std::filesystem::exists(file, error)) {
+    if (!standard && !std::filesystem::exists(file, error)) {
         refuse("there is no such file", give);
     }
-    std::ifstream in(file, std::ios::binary);
+    std::ifstream opened;
+    if (!standard) {
+        opened.open(file, std::ios::binary);
+    }
+    std::istream& in = standard ? std::cin : opened;
     if (!in) {
         refuse("the file cannot be read", "check its permissions");
     }

@@ -10,9 +10,12 @@ namespace edgeproof::io {
 
 inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 
-/// The text of a file, a pipe or a device. Throws InputError that calls it `what` ("recipe (TOML)")
-/// where there is none, it is a folder, it cannot be read, or it holds more than `most` bytes, of
-/// which no more are read.
+/// What errors call the file: "stdin" for "-", which is standard input.
+[[nodiscard]] std::string input_name(const std::filesystem::path& file);
+
+/// The text of a file, a pipe or a device, or for "-" of standard input, once. Throws InputError
+/// that calls it `what` ("recipe (TOML)") where there is none, it is a folder, it cannot be read,
+/// or it holds more than `most` bytes, of which no more are read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
                                     std::size_t most = most_text_bytes);
 

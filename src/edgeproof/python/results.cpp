@@ -61,7 +61,7 @@ const char* state_name(const std::optional<contact::SlipState>& state) {
 py::dict point_of(const scene::PointRow& row, bool slips, const Maker& value, const Maker& error) {
     py::dict d;
     d["edge"] = scene::edge_name(row.edge);
-    d["u"] = row.u.text();
+    d["u"] = row.values.u ? value(row.values.u) : py::object(py::str(row.u.text()));
     d["x"] = value(row.values.x);
     d["p"] = value(row.values.p);
     d["p_local"] = approximations(row.values.p_local, value, error);
@@ -171,7 +171,7 @@ py::dict asked_of(const scene::Scene& scene) {
     d["terms"] = terms;
     py::list u;
     for (const scene::AskedPoint& point : scene.ask.u) {
-        u.append(point.u.text());
+        u.append(point.text());
     }
     d["u"] = u;
     d["tolerance"] = scene.ask.tolerance ? py::object(py::str(scene.ask.tolerance->text()))

@@ -28,7 +28,12 @@ public:
           similar_(scene.shear && scene.shear->path == contact::LoadingPath::together) {}
 
     void all() {
-        result_.contact = route_->contact();
+        try {
+            result_.contact = route_->contact();
+        } catch (const DomainError& error) { // of the peak
+            throw InputError(error.what(), "leave peak out of the quantities")
+                .at(scene_.file, scene_.ask_line);
+        }
         if (plan_.partial_slip) {
             result_.stick = route_->stick();
         }
@@ -58,22 +63,28 @@ public:
 private:
     void points(contact::Edge edge) {
         const bool computes_p = plan_.computes(edge);
-        const bool computes_q = plan_.shear && (computes_p || !similar_);
         for (std::size_t i = 0; i < plan_.points; ++i) {
             step();
             const AskedPoint& asked = scene_.ask.u[i];
             try {
-                PointRow row{
-                    edge, asked.u,
-                    route_->at(edge, asked.u, plan_.print_pressure && computes_p, computes_q)};
-                if (!computes_p) {
+                const Distance u = asked.distance(edge);
+                // The mirror image of a place x is another place.
+                const bool copied =
+                    !computes_p && !(asked.place && asked.place->from() == Place::From::origin);
+                PointRow row{edge, u.number().value_or(formula::Exact()), asked.text(),
+                             route_->at(edge, u, plan_.print_pressure && !copied,
+                                        plan_.shear && !(copied && similar_))};
+                if (copied) {
                     copy_pressure(result_.points[i].values, row.values, similar_);
                 }
                 result_.points.push_back(std::move(row));
             } catch (const DomainError& error) {
-                throw InputError("u = " + asked.u.text() + " from the " + edge_name(edge) +
-                                     " edge: " + error.what(),
-                                 "give distances from the edge, 0 < u < a + b, off every corner")
+                const bool by_x = asked.place && asked.place->from() == Place::From::origin;
+                throw InputError(
+                    (by_x ? asked.text()
+                          : "u = " + asked.text() + " from the " + edge_name(edge) + " edge") +
+                        ": " + error.what(),
+                    "give distances from the edge, 0 < u < a + b, off every corner")
                     .at(scene_.file, asked.line != 0 ? asked.line : scene_.ask_line);
             }
         }

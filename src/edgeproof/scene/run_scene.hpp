@@ -11,7 +11,8 @@ namespace edgeproof::scene {
 
 struct PointRow {
     contact::Edge edge = contact::Edge::right;
-    formula::Exact u;
+    formula::Exact u;  ///< unless values.u tells it
+    std::string asked; ///< as it was written: "1e-3", "a/2", "x = 0"
     PointValues values;
 };
 

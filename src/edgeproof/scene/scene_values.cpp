@@ -64,7 +64,7 @@ BoundedValue SceneValues::x(const AskedValue& asked) {
     if (asked.u->sign() <= 0) {
         throw DomainError("the point lies outside the contact");
     }
-    return route_->place(asked.edge, *asked.u);
+    return route_->place(asked.edge, asked.distance());
 }
 
 const ExtentValues& SceneValues::extent(const AskedValue& asked) {

@@ -64,11 +64,12 @@ TEST_CASE("pressure of a scene with friction: the state behind q") {
     folder.write("s.toml", slipping_hertz + "[ask]\nterms = 1\nu = [\"0.2\", \"1.2\"]\n");
     const Outcome o = run(folder, "pressure s.toml --digits 10");
     CHECK(o.code == 0);
-    CHECK(first_row(o.out) == "edge,u,x,p,p_bound,route,local_1,rel_1,q,q_bound,q_route,state");
+    CHECK(first_row(o.out) ==
+          "edge,u,x,p,p_bound,route,local_1,rel_1,q,q_bound,q_route,q_over_fp,state");
     // p = sqrt(u (2 - u))/2 = 0.3; q = 0.6 p
     CHECK(has(o.out, ",0.1800000000,"));
-    CHECK(has(o.out, "superposition,slip\n"));
-    CHECK(has(o.out, "superposition,stick\n"));
+    CHECK(has(o.out, ",1.000000000,slip\n"));
+    CHECK(has(o.out, ",stick\n"));
 }
 
 TEST_CASE("slip: bad input") {

@@ -98,7 +98,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
             CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
         }
     }
-    CHECK(symbols == 14);
+    CHECK(symbols == 15);
     CHECK_FALSE(quantity_named(""));
     CHECK_FALSE(quantity_named("heat"));
     CHECK_FALSE(quantity_named("p_1"));
@@ -126,6 +126,7 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         {Quantity::slip, Ball(Rational(1, 2), bits)}, // 1 - sqrt(1 - 3/4)
         {Quantity::stick_a, Ball(Rational(1, 2), bits)},
         {Quantity::stick_b, Ball(Rational(1, 2), bits)},
+        {Quantity::p_max, Ball(Rational(1, 2), bits)}, // sqrt(1 - x^2)/2 at x = 0
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
@@ -177,7 +178,7 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
 
 TEST_CASE("a name that is no quantity: how to write one, and which one was likely meant") {
     const std::string all = "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
-                            "extent_1, measure_1, slip, stick_a or stick_b";
+                            "extent_1, measure_1, slip, stick_a, stick_b or p_max";
     CHECK(quantity_advice("temperature") == all);
     CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
     CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);
@@ -189,7 +190,7 @@ TEST_CASE("a name that is no quantity: how to write one, and which one was likel
         FAIL("accepted");
     } catch (const InputError& error) {
         CHECK(error.instead() == "did you mean pressure? write one of pressure, coefficients, "
-                                 "shear, extent, slip, contact");
+                                 "shear, extent, slip, contact, peak");
     }
     for (const GroupRow& row : group_rows()) {
         const std::string asked = "u = \"1/2\"\nterms = 1\ntolerance = \"1%\"\nquantities = [\"" +

@@ -298,8 +298,8 @@ Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors 
 }
 
 Ledger read_ledger(const std::filesystem::path& file, ClaimErrors errors) {
-    return parse_ledger(io::read_text(file, "ledger (TOML)", io::most_toml_bytes), file.string(),
-                        errors);
+    return parse_ledger(io::read_text(file, "ledger (TOML)", io::most_toml_bytes),
+                        io::input_name(file), errors);
 }
 
 } // namespace edgeproof::audit

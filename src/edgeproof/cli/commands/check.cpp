@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <vector>
 
@@ -28,7 +27,6 @@ namespace {
 
 constexpr double most_digits_of_a_check = 10'000;
 constexpr double most_ulps = 1e300;
-constexpr std::size_t most_bytes_read = 1'000'000'000; // a pipe need not end
 
 struct CheckOptions {
     std::string answers;
@@ -75,22 +73,6 @@ conformance::Target target_of(const CheckOptions& o) {
     return target;
 }
 
-std::string read_stdin() {
-    std::string text;
-    std::vector<char> buffer(1'000'000);
-    while (std::cin.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
-           std::cin.gcount() > 0) {
-        text.append(buffer.data(), static_cast<std::size_t>(std::cin.gcount()));
-        if (text.size() > most_bytes_read) {
-            throw InputError("there are more than " + std::to_string(most_bytes_read) +
-                                 " bytes of answers",
-                             "check them in parts")
-                .at("stdin", 0);
-        }
-    }
-    return text;
-}
-
 io::Csv read_answers(const CheckOptions& o) {
     if (std::filesystem::path(o.answers).extension() == ".toml") {
         throw InputError(
@@ -99,9 +81,8 @@ io::Csv read_answers(const CheckOptions& o) {
             "ledger with --ledger")
             .at(o.answers, 0);
     }
-    const bool piped = o.answers == "-";
-    return io::parse_csv(piped ? read_stdin() : io::read_text(o.answers, "file of answers (CSV)"),
-                         piped ? "stdin" : o.answers, {.keep_faults = true});
+    return io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
+                         io::input_name(o.answers), {.keep_faults = true});
 }
 
 /// Asks a program; what it answers is never bad input, only wrong.

@@ -7,29 +7,17 @@
 namespace edgeproof::cli {
 namespace {
 
-struct ExpandOptions : SceneOptions {
-    std::string terms;
-};
-
-constexpr std::size_t usual_terms = 3;
-
 /// k + half of `half_powers`, as a quotient.
 std::string power_text(std::size_t k, int half_powers) {
     return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
 }
 
-int expand(const ExpandOptions& o) {
+int expand(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    scene.ask.edges = asked_edges(o);
-    const std::size_t terms = !o.terms.empty()          ? whole_number("--terms", o.terms, 1, 400)
-                              : scene.ask.terms.empty() ? usual_terms
-                                                        : scene.ask.most_terms();
-    scene.ask.terms = {terms};
-    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
-    scene.ask.quantities = {scene::QuantityGroup::coefficients};
-    if (contact) {
-        scene.ask.quantities.insert(scene::QuantityGroup::contact);
-    }
+    ask_at_edges(scene, o);
+    ask_terms(scene);
+    scene.ask.terms = {scene.ask.most_terms()};
+    ask_for(scene, o, scene::QuantityGroup::coefficients, {scene::QuantityGroup::contact});
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
@@ -72,10 +60,10 @@ int expand(const ExpandOptions& o) {
 void add_expand(CLI::App& app, int& code) {
     CLI::App* sub =
         app.add_subcommand("expand", "coefficients of the expansion at the edges, with bounds");
-    auto o = std::make_shared<ExpandOptions>();
+    auto o = std::make_shared<SceneOptions>();
     add_scene_options(*sub, *o);
-    add_edge_option(*sub, *o);
-    sub->add_option("--terms", o->terms, "how many (default: the scene's, else 3)");
+    sub->footer("Of several numbers of --terms the greatest; 3 where none is given. Both edges "
+                "unless --edge or the scene says which.");
     sub->callback([o, &code] { code = expand(*o); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -10,34 +11,23 @@ namespace edgeproof::cli {
 namespace {
 
 struct ExtentOptions : SceneOptions {
-    std::string tolerance;
-    std::string terms;
+    std::string figure;
 };
 
-formula::Exact tolerance_of(const std::string& text) {
-    try {
-        return scene::parse_tolerance(text);
-    } catch (const InputError& error) {
-        throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
-    }
-}
-
 int extent(const ExtentOptions& o) {
+    if (!o.figure.empty()) {
+        report::check_picture_name(o.figure);
+        io::check_output(o.figure);
+    }
     scene::Scene scene = asked_scene(o);
-    scene.ask.edges = asked_edges(o);
-    if (!o.tolerance.empty()) {
-        scene.ask.tolerance = tolerance_of(o.tolerance);
-    } else if (!scene.ask.tolerance) {
+    ask_at_edges(scene, o);
+    if (!scene.ask.tolerance) {
         throw InputError("no tolerance is given",
                          "add --tolerance 1%, or tolerance = \"1%\" to [ask]")
             .at(scene.file, scene.ask_line);
     }
-    if (!o.terms.empty()) {
-        scene.ask.terms = numbers_of_terms("--terms", o.terms);
-    } else if (scene.ask.terms.empty()) {
-        scene.ask.terms = {1, 2, 3};
-    }
-    scene.ask.quantities = {scene::QuantityGroup::extent};
+    ask_terms(scene);
+    ask_for(scene, o, scene::QuantityGroup::extent, {scene::QuantityGroup::contact});
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     table.facts.push_back(
@@ -95,6 +85,10 @@ int extent(const ExtentOptions& o) {
         row.push_back(e.first_exit.how());
         table.rows.push_back(std::move(row));
     }
+    if (!o.figure.empty()) {
+        io::write_whole(o.figure,
+                        report::picture_file(picture_of(scene), title_of(scene), o.figure));
+    }
     emit(table, o);
     return 0;
 }
@@ -106,10 +100,12 @@ void add_extent(CLI::App& app, int& code) {
         "extent", "how far from each edge n terms stay within a tolerance of the pressure");
     auto o = std::make_shared<ExtentOptions>();
     add_scene_options(*sub, *o);
-    add_edge_option(*sub, *o);
-    sub->add_option("--tolerance", o->tolerance, "1%, 0.01 or 1/100 (default: the scene's)");
-    sub->add_option("--terms", o->terms,
-                    "numbers of terms, such as 1,2,3 (default: the scene's, else these)");
+    add_tolerance_option(*sub, *o, " (default: the scene's)");
+    sub->add_option("--figure", o->figure,
+                    "also draw the pressure and these terms (edgeproof plot) into this file: "
+                    ".svg, .png, .pdf or .html");
+    sub->footer("1, 2 and 3 terms at both edges unless --terms and --edge, or the scene, say "
+                "which.");
     sub->callback([o, &code] { code = extent(*o); });
 }
 

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace edgeproof::cli {
 namespace {
 
+/// Points are asked for by names or by x.
+bool by_name(const scene::Scene& scene) {
+    return std::any_of(scene.ask.u.begin(), scene.ask.u.end(),
+                       [](const scene::AskedPoint& point) { return point.place.has_value(); });
+}
+
 std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::Plan& plan) {
     const ValueColumns value(scene);
-    std::vector<report::Column> columns{{"edge", report::Column::Kind::text}, {"u"}, {"x"}};
+    std::vector<report::Column> columns{{"edge", report::Column::Kind::text}};
+    if (by_name(scene)) {
+        columns.push_back({"asked", report::Column::Kind::text});
+    }
+    columns.push_back({"u"});
+    columns.push_back({"x"});
     const auto approximations = [&](const std::string& prefix) {
         for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
             columns.push_back({prefix + "local_" + std::to_string(n)});
@@ -21,6 +34,7 @@ std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::P
     if (plan.shear) {
         value.add(columns, "q", "q_route");
         if (plan.partial_slip) {
+            columns.push_back({"q_over_fp"});
             columns.push_back({"state", report::Column::Kind::text});
         } else {
             approximations("q_");
@@ -58,12 +72,25 @@ std::string state_name(const std::optional<contact::SlipState>& state) {
                                                              : "slip";
 }
 
+/// |q|/(f p): 1 where the contact slips.
+scene::BoundedValue friction_used(const scene::Scene& scene, const scene::PointValues& at) {
+    if (at.state == contact::SlipState::slip) {
+        return {Ball(1, 64), at.q->proved, "superposition", Rational(1)};
+    }
+    const Ball most = formula::ball_of(*scene.shear->friction, at.p->value.bits()) * at.p->value;
+    return {abs(at.q->value) / most, at.q->proved && at.p->proved, "superposition"};
+}
+
 std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& plan,
                                 const scene::PointRow& point) {
     const ValueColumns value(scene);
     const scene::Digits& digits = scene.ask.digits;
-    std::vector<std::string> row{scene::edge_name(point.edge), point.u.text(),
-                                 printed(point.values.x, digits).text};
+    std::vector<std::string> row{scene::edge_name(point.edge)};
+    if (by_name(scene)) {
+        row.push_back(point.asked);
+    }
+    row.push_back(point.values.u ? printed(*point.values.u, digits).text : point.u.text());
+    row.push_back(printed(point.values.x, digits).text);
     const auto approximations = [&](const std::vector<scene::Approximation>& list) {
         for (const scene::Approximation& a : list) {
             row.push_back(printed(a.local, digits).text);
@@ -75,6 +102,7 @@ std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& pl
     if (plan.shear) {
         value.add(row, marked(*point.values.q, "q_", point.values.x, point.values.q_local), true);
         if (plan.partial_slip) {
+            row.push_back(printed(friction_used(scene, point.values), plan.error_digits()).text);
             row.push_back(state_name(point.values.state));
         }
         approximations(point.values.q_local);
@@ -84,19 +112,23 @@ std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& pl
 
 int pressure(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
-    const bool shear = scene.ask.wants(scene::QuantityGroup::shear);
-    scene.ask.quantities = {scene::QuantityGroup::pressure};
-    if (shear) {
-        scene.ask.quantities.insert(scene::QuantityGroup::shear);
-    }
-    if (contact) {
-        scene.ask.quantities.insert(scene::QuantityGroup::contact);
+    ask_for(
+        scene, o, scene::QuantityGroup::pressure,
+        {scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak});
+    if (scene.ask.u.empty() && scene.ask.wants(scene::QuantityGroup::peak)) {
+        scene.ask.quantities.erase(scene::QuantityGroup::pressure);
     }
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
                    "contact modulus; |p - exact| <= p_bound"};
+    if (by_name(scene)) {
+        table.notes.emplace_back("asked: the point as the scene writes it; where a or b is solved "
+                                 "for, the bounds cover how far u is known");
+    }
+    if (result.plan.peak) {
+        table.notes.emplace_back("p_max: the greatest pressure of the contact");
+    }
     if (result.plan.terms > 0) {
         table.notes.emplace_back(
             "local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
@@ -105,7 +137,11 @@ int pressure(const SceneOptions& o) {
         add_slip_facts(table.facts, scene, result);
         table.notes.emplace_back(
             "q: shear traction in partial slip, positive towards +x on the body that Q acts on; "
-            "state: slip where |q| = f p, stick between; the q columns are as those of p");
+            "q_over_fp: |q|/(f p); state: slip where that is 1, stick where it is less; the q "
+            "columns are as those of p");
+        table.notes.push_back("warning: full stick does not hold: the contact slips beyond the "
+                              "stick zone, -stick_b < "
+                              "x < stick_a (edgeproof slip has the sizes of the slip zones)");
     } else if (result.plan.shear) {
         table.notes.emplace_back(
             "q: shear traction under full stick, positive towards +x on the body "

@@ -8,11 +8,6 @@
 namespace edgeproof::cli {
 namespace {
 
-struct SlipOptions : SceneOptions {
-    std::string terms;
-    std::string tolerance;
-};
-
 std::string reach_route(const scene::SlipTerms& t) {
     return !t.reach ? "undecided" : t.leaves ? t.reach->how() : "full sliding";
 }
@@ -27,32 +22,16 @@ void add_reach(std::vector<std::string>& row, const ValueColumns& value,
     row.push_back(reach_route(t));
 }
 
-int slip(const SlipOptions& o) {
+int slip(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    const bool contact = scene.ask.wants(scene::QuantityGroup::contact);
-    scene.ask.quantities = {scene::QuantityGroup::slip};
-    if (contact) {
-        scene.ask.quantities.insert(scene::QuantityGroup::contact);
-    }
-    scene.ask.edges = asked_edges(o);
+    ask_for(scene, o, scene::QuantityGroup::slip, {scene::QuantityGroup::contact});
+    ask_at_edges(scene, o);
     if (!scene.slips()) {
         throw InputError("the scene has no friction, so that nothing slips",
                          "add friction = \"0.6\" to [shear], beside Q")
             .at(scene.file, scene.load_line);
     }
-    if (!o.terms.empty()) {
-        scene.ask.terms = numbers_of_terms("--terms", o.terms);
-    } else if (scene.ask.terms.empty()) {
-        scene.ask.terms = {1, 2, 3};
-    }
-    if (!o.tolerance.empty()) {
-        try {
-            scene.ask.tolerance = scene::parse_tolerance(o.tolerance);
-        } catch (const InputError& error) {
-            throw InputError("--tolerance " + o.tolerance + ": " + error.problem(),
-                             error.instead());
-        }
-    }
+    ask_terms(scene);
     const scene::SceneResult result = done(scene);
     report::Table table;
     table.title = scene.title;
@@ -112,14 +91,11 @@ int slip(const SlipOptions& o) {
 void add_slip(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
         "slip", "the slip zones of a scene with friction, exact and by n terms of their series");
-    auto o = std::make_shared<SlipOptions>();
+    auto o = std::make_shared<SceneOptions>();
     add_scene_options(*sub, *o);
-    add_edge_option(*sub, *o);
-    sub->add_option("--terms", o->terms,
-                    "numbers of terms, such as 1,2,3 (default: the scene's, else these)");
-    sub->add_option("--tolerance", o->tolerance,
-                    "1%, 0.01 or 1/100: also find the Q/(f P) up to which n terms stay within it "
-                    "(default: the scene's, else that is not looked for)");
+    add_tolerance_option(*sub, *o,
+                         ": also find the Q/(f P) up to which n terms stay within it (default: "
+                         "the scene's, else that is not looked for)");
     sub->footer(
         "P is held, then Q (and bulk_tension) are applied. What slips has |q| = f p in the\n"
         "direction of Q; what sticks is strained alike in both bodies. [shear] of the scene gives\n"

@@ -58,11 +58,7 @@ int slip_table(const SlipTableRequest& o) {
     for (std::size_t at = 0; at <= o.tolerances.size();) {
         const std::size_t comma = std::min(o.tolerances.find(',', at), o.tolerances.size());
         const std::string text = o.tolerances.substr(at, comma - at);
-        try {
-            (void)scene::parse_tolerance(text);
-        } catch (const InputError& error) {
-            throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
-        }
+        (void)tolerance_of(text);
         options.tolerances.push_back(text);
         at = comma + 1;
     }

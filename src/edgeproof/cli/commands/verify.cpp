@@ -88,6 +88,9 @@ int verify(const VerifyOptions& o) {
         throw InputError("--record with --only would forget the other claims",
                          "record all of them");
     }
+    if (o.record && o.ledger == "-") {
+        throw InputError("--record needs a ledger's name to record beside", "give its file");
+    }
     const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);

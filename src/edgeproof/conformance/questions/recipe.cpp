@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/questions/recipe.hpp"
 
 #include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -266,7 +267,7 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
 
 Recipe read_recipe(const std::filesystem::path& file) {
     const RecipeGrid grid = RecipeGrid::read(file);
-    return {file.string(), grid.title(), grid.digits(), grid.questions()};
+    return {io::input_name(file), grid.title(), grid.digits(), grid.questions()};
 }
 
 } // namespace edgeproof::conformance

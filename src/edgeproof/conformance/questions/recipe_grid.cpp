@@ -57,7 +57,7 @@ AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& 
 } // namespace
 
 RecipeGrid RecipeGrid::read(const std::filesystem::path& file) {
-    return parse(io::read_text(file, "recipe (TOML)", io::most_toml_bytes), file.string());
+    return parse(io::read_text(file, "recipe (TOML)", io::most_toml_bytes), io::input_name(file));
 }
 
 RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {

@@ -354,6 +354,14 @@ std::vector<TomlSection::Item> TomlSection::exacts(std::string_view key) const {
     });
     return list;
 }
+std::vector<TomlSection::Written> TomlSection::numbers_written(std::string_view key) const {
+    const Access access{*this};
+    std::vector<Written> list;
+    access.for_each(key, [&](const toml::node& n) {
+        list.push_back({access.scalar(n, key), access.line_of(n)});
+    });
+    return list;
+}
 std::vector<std::size_t> TomlSection::counts(std::string_view key, long least, long most) const {
     const Access access{*this};
     std::vector<std::size_t> list;

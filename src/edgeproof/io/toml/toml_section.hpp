@@ -75,6 +75,12 @@ public:
     };
     /// A list of exact constants; one alone is a list of one.
     [[nodiscard]] std::vector<Item> exacts(std::string_view key) const;
+    /// The same as they are written, not read yet.
+    struct Written {
+        std::string text;
+        std::size_t line;
+    };
+    [[nodiscard]] std::vector<Written> numbers_written(std::string_view key) const;
     /// Whole numbers in least ... most; one alone is a list of one.
     [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, long least,
                                                   long most) const;

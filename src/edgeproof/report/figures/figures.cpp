@@ -13,6 +13,10 @@
 namespace edgeproof::report {
 namespace {
 
+constexpr std::size_t named_in_a_line = 2;
+constexpr std::size_t line_height = 19;
+constexpr std::size_t text_lines = 26;
+
 constexpr std::array okabe_ito{"#000000", "#E69F00", "#56B4E9", "#009E73",
                                "#F0E442", "#0072B2", "#D55E00", "#CC79A7"};
 
@@ -79,32 +83,13 @@ void set_axis(std::string& script, char name, const Axis& axis) {
     }
 }
 
-} // namespace
-
-std::string to_csv(const Plot& plot) {
-    std::string csv = "# " + plot.title + '\n';
-    csv += "# " + plot.description + '\n';
-    csv += "# program: " + program_line() + '\n';
-    for (std::size_t i = 0; i < plot.columns.size(); ++i) {
-        csv += (i == 0 ? "" : ",") + plot.columns[i];
-    }
-    csv += '\n';
-    for (const auto& row : plot.rows) {
-        csv += row_text(row, ",", "");
-    }
-    return csv;
+std::size_t key_lines(const Plot& plot) {
+    return plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
 }
 
-std::string gnuplot_script(const Plot& plot, std::string_view output) {
-    std::string script = "set encoding utf8\n";
-    constexpr std::size_t named_in_a_line = 2;
-    constexpr std::size_t line_height = 19;
-    const std::size_t key_lines =
-        plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
-    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" background "
-                          "\"white\" name {}\n",
-                          400 + line_height * key_lines, gnuplot_text(element_name(plot.id)));
-    script += fmt::format("set output {}\n", gnuplot_text(output));
+/// All but where it is drawn.
+std::string plot_commands(const Plot& plot) {
+    std::string script;
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
     constexpr std::size_t most_inside = 4; // more would lie on the curves
@@ -150,6 +135,60 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
                               plot.level->first, gnuplot_text(plot.level->second));
     }
     return script + '\n';
+}
+
+} // namespace
+
+std::string to_csv(const Plot& plot) {
+    std::string csv = "# " + plot.title + '\n';
+    csv += "# " + plot.description + '\n';
+    csv += "# program: " + program_line() + '\n';
+    for (std::size_t i = 0; i < plot.columns.size(); ++i) {
+        csv += (i == 0 ? "" : ",") + plot.columns[i];
+    }
+    csv += '\n';
+    for (const auto& row : plot.rows) {
+        csv += row_text(row, ",", "");
+    }
+    return csv;
+}
+
+std::string gnuplot_script(const Plot& plot, std::string_view output) {
+    std::string script = "set encoding utf8\n";
+    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" background "
+                          "\"white\" name {}\n",
+                          400 + line_height * key_lines(plot), gnuplot_text(element_name(plot.id)));
+    return script + fmt::format("set output {}\n", gnuplot_text(output)) + plot_commands(plot);
+}
+
+std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind, std::size_t width,
+                           std::string_view output) {
+    constexpr std::size_t panel_width = 560;
+    constexpr std::size_t panel_height = 440;
+    constexpr double pixels_an_inch = 100;
+    const std::size_t pixels = panel_width * plots.size();
+    const std::string terminal =
+        kind == PictureKind::svg
+            ? fmt::format("svg size {},{} dynamic font \"sans-serif,14\" background \"white\"",
+                          pixels, panel_height)
+        : kind == PictureKind::png
+            ? fmt::format("pngcairo size {},{} font \"sans,14\" fontscale 1.5 linewidth 2 "
+                          "background \"white\"",
+                          2 * pixels, 2 * panel_height)
+        : kind == PictureKind::pdf ? fmt::format("pdfcairo size {:g}in,{:g}in font \"sans,12\"",
+                                                 static_cast<double>(pixels) / pixels_an_inch,
+                                                 panel_height / pixels_an_inch)
+                                   : fmt::format("dumb mono size {},{}", width, text_lines);
+    std::string script = "set encoding utf8\nset terminal " + terminal + "\n" +
+                         fmt::format("set output {}\n", gnuplot_text(output));
+    if (plots.size() == 1) {
+        return script + plot_commands(plots.front());
+    }
+    script += fmt::format("set multiplot layout 1,{}\n", plots.size());
+    for (const Plot& plot : plots) {
+        script += "reset\n" + plot_commands(plot);
+    }
+    return script + "unset multiplot\n";
 }
 
 } // namespace edgeproof::report

@@ -77,4 +77,11 @@ inline constexpr unsigned figure_digits = 20;
 /// Deterministic: no date, no path but `output`.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot, std::string_view output);
 
+/// What a picture is made as. `text`: of letters, `width` columns wide.
+enum class PictureKind { svg, png, pdf, text };
+
+/// The same of several plots side by side.
+[[nodiscard]] std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind,
+                                         std::size_t width, std::string_view output);
+
 } // namespace edgeproof::report

@@ -63,6 +63,24 @@ std::pair<std::string, std::string> run_gnuplot(const std::filesystem::path& pro
     return {messages + run.output, run.ending()};
 }
 
+/// What a script writes to the file `picture`, beside which it is put.
+std::string drawn(const std::string& id, const std::string& text,
+                  const std::filesystem::path& picture, const std::filesystem::path& gnuplot) {
+    const auto script = picture.parent_path() / (id + ".gp");
+    std::ofstream(script, std::ios::binary) << text;
+    const auto [said, ending] = run_gnuplot(gnuplot, script);
+    std::string bytes = read_all(picture);
+    std::error_code ignored;
+    for (const auto& file : {script, picture}) {
+        std::filesystem::remove(file, ignored);
+    }
+    if (!ending.empty() || bytes.empty()) {
+        throw Error("gnuplot did not draw " + id + ": " + said.substr(0, said.find('\n')) +
+                    (ending.empty() ? "" : " (gnuplot " + ending + ")"));
+    }
+    return bytes;
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> find_gnuplot() {
@@ -84,24 +102,24 @@ std::optional<std::filesystem::path> find_gnuplot() {
 
 std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                      const std::filesystem::path& scratch) {
-    const auto script = scratch / (plot.id + ".gp");
     const auto picture = scratch / (plot.id + ".part.svg");
-    std::ofstream(script, std::ios::binary) << gnuplot_script(plot, picture.string());
-    const auto [said, ending] = run_gnuplot(gnuplot, script);
-    std::string svg = read_all(picture);
-    std::error_code ignored;
-    for (const auto& file : {script, picture}) {
-        std::filesystem::remove(file, ignored);
-    }
-    if (!ending.empty() || svg.find("</svg>") == std::string::npos) {
-        throw Error("gnuplot did not draw " + plot.id + ": " + said.substr(0, said.find('\n')) +
-                    (ending.empty() ? "" : " (gnuplot " + ending + ")"));
+    std::string svg = drawn(plot.id, gnuplot_script(plot, picture.string()), picture, gnuplot);
+    if (svg.find("</svg>") == std::string::npos) {
+        throw Error("gnuplot did not draw " + plot.id);
     }
     replace_element(svg, "<title>", "</title>", "<title>" + escape_html(plot.title) + "</title>");
     replace_element(svg, "<desc>", "</desc>",
                     "<desc>" + escape_html(plot.description) + "</desc><metadata>" +
                         escape_html(program_line()) + "</metadata>");
     return svg;
+}
+
+std::string draw_picture(const std::vector<Plot>& plots, PictureKind kind, std::size_t width,
+                         const std::filesystem::path& gnuplot,
+                         const std::filesystem::path& scratch) {
+    const auto picture = scratch / "picture";
+    return drawn(plots.front().id, gnuplot_script(plots, kind, width, picture.string()), picture,
+                 gnuplot);
 }
 
 void write_figure(const Plot& plot, const std::filesystem::path& file) {

@@ -16,6 +16,11 @@ namespace edgeproof::report {
 [[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
                                    const std::filesystem::path& scratch);
 
+/// Draws the plots side by side; the bytes of the picture. Throws Error as above.
+[[nodiscard]] std::string draw_picture(const std::vector<Plot>& plots, PictureKind kind,
+                                       std::size_t width, const std::filesystem::path& gnuplot,
+                                       const std::filesystem::path& scratch);
+
 /// The plot as .svg (gnuplot draws it) or as .csv: the argument of an option --figure. Throws
 /// InputError for another ending, and for .svg where there is no gnuplot.
 void write_figure(const Plot& plot, const std::filesystem::path& file);

@@ -85,7 +85,25 @@ std::string json(const Table& table) {
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string markdown(const Table& table) {
+/// The columns of each of several tables, no wider than `most` together (0: one table).
+std::vector<std::vector<std::size_t>> columns_that_fit(const std::vector<std::size_t>& width,
+                                                       std::size_t most) {
+    constexpr std::size_t repeated = 2; // what a row is of
+    constexpr std::size_t rule = 3;     // " | "
+    std::vector<std::vector<std::size_t>> tables(1);
+    std::size_t used = 1;
+    for (std::size_t i = 0; i < width.size(); ++i) {
+        if (most != 0 && used + width[i] + rule > most && tables.back().size() > repeated) {
+            tables.push_back({0, 1});
+            used = 1 + width[0] + width[1] + 2 * rule;
+        }
+        tables.back().push_back(i);
+        used += width[i] + rule;
+    }
+    return tables;
+}
+
+std::string markdown(const Table& table, std::size_t most) {
     std::string out;
     if (!table.title.empty()) {
         out += "# " + markdown_text(table.title) + "\n\n";
@@ -114,23 +132,28 @@ std::string markdown(const Table& table) {
         }
     }
     const auto is_text = [&](std::size_t i) { return table.columns[i].kind == Column::Kind::text; };
-    const auto line = [&](const std::vector<std::string>& row) {
+    bool first = true;
+    for (const std::vector<std::size_t>& columns : columns_that_fit(width, most)) {
+        const auto line = [&](const std::vector<std::string>& row) {
+            out += "|";
+            for (const std::size_t i : columns) {
+                const std::string blanks(width[i] - text_width(row[i]), ' ');
+                out += " " + (is_text(i) ? row[i] + blanks : blanks + row[i]) + " |";
+            }
+            out += "\n";
+        };
+        out += first ? "" : "\n";
+        first = false;
+        line(cells[0]);
         out += "|";
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(width[i] - text_width(row[i]), ' ');
-            out += " " + (is_text(i) ? row[i] + blanks : blanks + row[i]) + " |";
+        for (const std::size_t i : columns) {
+            out += is_text(i) ? " " + std::string(width[i], '-') + " |"
+                              : " " + std::string(width[i] - 1, '-') + ": |";
         }
         out += "\n";
-    };
-    line(cells[0]);
-    out += "|";
-    for (std::size_t i = 0; i < width.size(); ++i) {
-        out += is_text(i) ? " " + std::string(width[i], '-') + " |"
-                          : " " + std::string(width[i] - 1, '-') + ": |";
-    }
-    out += "\n";
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-        line(cells[i]);
+        for (std::size_t i = 1; i < cells.size(); ++i) {
+            line(cells[i]);
+        }
     }
     return out;
 }
@@ -183,7 +206,7 @@ std::optional<TableFormat> table_format(std::string_view name) {
                             : std::nullopt;
 }
 
-std::string write_table(const Table& given, TableFormat format) {
+std::string write_table(const Table& given, TableFormat format, std::size_t width) {
     Table table = given;
     const bool named = std::any_of(table.facts.begin(), table.facts.end(),
                                    [](const Fact& fact) { return fact.key == "program"; });
@@ -194,7 +217,7 @@ std::string write_table(const Table& given, TableFormat format) {
     case TableFormat::json:
         return json(table);
     case TableFormat::markdown:
-        return markdown(table);
+        return markdown(table, width);
     case TableFormat::latex:
         return latex(table);
     case TableFormat::csv:

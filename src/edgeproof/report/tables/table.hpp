@@ -47,6 +47,10 @@ struct Table {
 /// The same table, the same bytes, by the same program, which is named among the facts. CSV: notes
 /// are lines that begin with #. Markdown: aligned, so that it reads as text. LaTeX: booktabs, for
 /// `\input`.
-[[nodiscard]] std::string write_table(const Table& table, TableFormat format);
+///
+/// `width`: Markdown no wider than that, as far as one column beside the first two (which say what
+/// a row is of) permits: the other columns in tables below each other. 0: all in one.
+[[nodiscard]] std::string write_table(const Table& table, TableFormat format,
+                                      std::size_t width = 0);
 
 } // namespace edgeproof::report

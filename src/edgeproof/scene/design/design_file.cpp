@@ -218,7 +218,8 @@ DesignScene parse_design(std::string_view text, const std::string& file) {
 }
 
 DesignScene read_design(const std::filesystem::path& file) {
-    return parse_design(io::read_text(file, "scene (TOML)", io::most_toml_bytes), file.string());
+    return parse_design(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
+                        io::input_name(file));
 }
 
 } // namespace edgeproof::scene

@@ -3,6 +3,7 @@
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/scene/input/place.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -27,22 +28,23 @@ class RealLevel;
 /// A number that may be asked of a scene. quantity.cpp has a row for each, from which scenes,
 /// recipes, questions to other programs, hard cases, tables and reports take what they need.
 enum class Quantity {
-    p,              ///< pressure at a point
-    q,              ///< shear traction at a point
-    c,              ///< c_k of u^(k + 1/2) in p at an edge
-    s,              ///< s_k of q at an edge, from its lowest power on; s_0 under full stick is K_II
-    a,              ///< distance of the right edge from the origin
-    b,              ///< distance of the left edge
-    P,              ///< normal force per unit length
-    M,              ///< moment per unit length
-    alpha,          ///< tilt, where P and M are given
-    extent,         ///< the first u at which k terms are off by the tolerance
-    measure,        ///< the length of all that k terms are right to the tolerance at
-    slip,           ///< the size of the slip zone at an edge, with friction
-    stick_a,        ///< distance of the right edge of the stick zone from the origin
-    stick_b,        ///< distance of its left edge
-    residual,       ///< 1 - (the first k terms)/p at a point, with its sign
-    tilt_difference ///< p at a point less that of the same profile and a, upright
+    p,        ///< pressure at a point
+    q,        ///< shear traction at a point
+    c,        ///< c_k of u^(k + 1/2) in p at an edge
+    s,        ///< s_k of q at an edge, from its lowest power on; s_0 under full stick is K_II
+    a,        ///< distance of the right edge from the origin
+    b,        ///< distance of the left edge
+    P,        ///< normal force per unit length
+    M,        ///< moment per unit length
+    alpha,    ///< tilt, where P and M are given
+    extent,   ///< the first u at which k terms are off by the tolerance
+    measure,  ///< the length of all that k terms are right to the tolerance at
+    slip,     ///< the size of the slip zone at an edge, with friction
+    stick_a,  ///< distance of the right edge of the stick zone from the origin
+    stick_b,  ///< distance of its left edge
+    residual, ///< 1 - (the first k terms)/p at a point, with its sign
+    tilt_difference, ///< p at a point less that of the same profile and a, upright
+    p_max            ///< the greatest pressure
 };
 
 /// What is planned and computed together; `quantities` of a scene file names these.
@@ -52,7 +54,8 @@ enum class QuantityGroup {
     shear,        ///< q at points
     extent,       ///< how far n terms stay within a tolerance
     slip,         ///< slip zones: their sizes, and those of n terms
-    contact       ///< a, b, P and M
+    contact,      ///< a, b, P and M
+    peak          ///< the greatest pressure
 };
 
 /// One number that is asked of a scene.
@@ -62,6 +65,9 @@ struct AskedValue {
     contact::Edge edge = contact::Edge::right;    ///< unless Place::contact
     std::optional<formula::Exact> u = {};         ///< of Place::point
     std::optional<formula::Exact> tolerance = {}; ///< where the row says so
+    std::optional<Distance> place = {};           ///< in place of u, where edges tell it
+
+    [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
 
 /// A row of the table.

@@ -5,7 +5,7 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/input/points.hpp"
+#include "edgeproof/scene/input/read_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,44 +32,9 @@ template <class F> auto at_key(const io::TomlSection& ask, std::string_view key,
     return io::at_place(ask.file(), ask.line(key), f);
 }
 
-std::vector<AskedPoint> read_points(const io::TomlSection& ask) {
-    std::vector<AskedPoint> points;
-    if (!ask.is_table("u")) {
-        for (const auto& item : ask.exacts("u")) {
-            if (sign_of(ask, "u", item.value) <= 0) {
-                ask.reject(item.line, "u = " + item.value.text() + " is not inside the contact",
-                           "give distances from the edge, 0 < u < a + b");
-            }
-            points.push_back({item.value, item.line});
-        }
-        return points;
-    }
-    const io::TomlSection range = ask.section("u");
-    range.allow({"from", "to", "per_decade", "points"});
-    const std::size_t line = ask.line("u");
-    if (range.has("per_decade") == range.has("points")) {
-        ask.reject(line, "a range of u needs one of per_decade and points",
-                   "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
-    }
-    at_key(ask, "u", [&] {
-        const formula::Exact from = range.exact("from");
-        const formula::Exact to = range.exact("to");
-        if (sign_of(range, "from", from) <= 0) {
-            ask.reject(line, "u = " + from.text() + " is not inside the contact",
-                       "give distances from the edge, 0 < u < a + b");
-        }
-        const auto list = range.has("per_decade")
-                              ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
-                              : even_points(from, to, range.count("points", 2, 100'000));
-        for (const formula::Exact& u : list) {
-            points.push_back({u, line});
-        }
-    });
-    return points;
-}
-
 void read_edges(const io::TomlSection& ask, Ask& result) {
     result.edges.clear();
+    result.edges_given = true;
     for (const std::string& name : ask.texts("edges")) {
         const auto edge = edge_named(name);
         if (!edge) {
@@ -107,9 +72,9 @@ int sign_of(const io::TomlSection& section, std::string_view key, const formula:
         "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
 }
 
-void read_ask(const io::TomlSection& ask, Scene& scene) {
-    ask.allow({"edges", "terms", "u", "quantities", "tolerance", "process_zone", "part", "route",
-               "digits"});
+void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
+    ask.allow({"edges", "terms", "u", "x", "quantities", "tolerance", "process_zone", "part",
+               "route", "digits"});
     Ask& result = scene.ask;
     scene.ask_line = ask.line();
     if (ask.has("edges")) {
@@ -121,9 +86,7 @@ void read_ask(const io::TomlSection& ask, Scene& scene) {
     if (ask.has("digits")) {
         result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
     }
-    if (ask.has("u")) {
-        result.u = read_points(ask);
-    }
+    result.u = read_places(ask, names_of(profile, scene));
     if (ask.has("tolerance")) {
         result.tolerance =
             at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });

@@ -7,8 +7,9 @@
 
 namespace edgeproof::scene {
 
-/// Fills in what is asked of a scene, whose contact is known, from [ask].
-void read_ask(const io::TomlSection& section, Scene& scene);
+/// Fills in what is asked of a scene, whose contact is known, from [ask]. `profile`: whose keys are
+/// names that places may use, beside a and b.
+void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);
 
 /// What a scene that does not name its quantities asks for: whatever it gives the means for.
 void default_quantities(Ask& ask, bool shear, bool friction);

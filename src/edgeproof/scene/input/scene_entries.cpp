@@ -50,6 +50,7 @@ std::string scene_text(const SceneEntries& entries) {
     section("profile", entries.profile);
     section("load", entries.load);
     section("shear", entries.shear);
+    section("ask", entries.ask);
     return text;
 }
 

@@ -21,6 +21,7 @@ struct SceneEntries {
     std::vector<SceneEntry> profile;
     std::vector<SceneEntry> load;
     std::vector<SceneEntry> shear;
+    std::vector<SceneEntry> ask = {};
 };
 
 /// The scene file that says the same. Throws InputError for a text with a control character.

@@ -238,14 +238,16 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     read_sections(top, scene);
     if (top.has("ask")) {
         const io::TomlSection ask = top.section("ask");
-        io::at_place(ask.file(), ask.line(), [&] { read_ask(ask, scene); });
+        const io::TomlSection profile = top.section("profile");
+        io::at_place(ask.file(), ask.line(), [&] { read_ask(ask, profile, scene); });
     }
     default_quantities(scene.ask, scene.shear.has_value(), scene.slips());
     return scene;
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-    return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes), file.string());
+    return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
+                       io::input_name(file));
 }
 
 } // namespace edgeproof::scene

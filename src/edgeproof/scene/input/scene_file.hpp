@@ -5,6 +5,7 @@
 #include "edgeproof/contact/routes/shear_traction.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
+#include "edgeproof/scene/input/place.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/units.hpp"
 
@@ -21,16 +22,24 @@ class TomlSection;
 
 namespace edgeproof::scene {
 
-/// u, and the line of the file that it was asked on.
+/// A point, and the line of the file that it was asked on.
 struct AskedPoint {
-    formula::Exact u;
+    formula::Exact u; ///< the distance from the edge, unless `place` tells it
     std::size_t line = 0;
+    std::optional<Place> place = {};
+
+    [[nodiscard]] Distance distance(contact::Edge edge) const {
+        return place ? place->distance(edge) : Distance(u);
+    }
+    /// As it was asked: "1e-3", "a/2", "x = 0".
+    [[nodiscard]] std::string text() const { return place ? place->text() : u.text(); }
 };
 
 struct Ask {
     std::vector<contact::Edge> edges{contact::Edge::right};
+    bool edges_given = false;       ///< in the file, so that a command's own choice gives way
     std::vector<std::size_t> terms; ///< numbers of terms, in the order asked
-    std::vector<AskedPoint> u;      ///< in the order asked
+    std::vector<AskedPoint> u;      ///< in the order asked; those of x behind
     std::set<QuantityGroup> quantities;
     std::optional<formula::Exact> tolerance;
     std::optional<formula::Exact> process_zone; ///< a length from the edge

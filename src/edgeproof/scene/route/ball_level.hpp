@@ -3,10 +3,12 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/integrated_zones.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_peak.hpp"
 #include "edgeproof/contact/enclosure/ball_slip.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/scene/route/peak.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
 #include <cstddef>
@@ -62,25 +64,43 @@ public:
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
     /// The last one asked for is kept where it has several uses.
-    [[nodiscard]] const Ball& p(contact::Edge edge, const formula::Exact& u) {
+    [[nodiscard]] const Ball& p(contact::Edge edge, const Distance& u) {
         if (plan_.terms == 0 && !scene_.shear) {
-            used_once_ = closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u);
+            used_once_ = pressure(edge, u);
             return used_once_;
         }
         if (!last_ || last_->edge != edge || !(last_->u == u)) {
-            last_ =
-                Last{edge, u, closed_ ? closed_->pressure(edge, u) : curved_->pressure(edge, u)};
+            last_ = Last{edge, u, pressure(edge, u)};
         }
         return last_->p;
     }
-    [[nodiscard]] Ball q(contact::Edge edge, const formula::Exact& u) {
+    [[nodiscard]] Ball q(contact::Edge edge, const Distance& u) {
         if (scene_.slips()) {
             const contact::BallSlip* s = slip();
-            const Ball from = ball_of(u, bits_);
-            return s != nullptr ? s->traction(edge, from, p(edge, u)) : not_known();
+            return s != nullptr ? s->traction(edge, distance(u), p(edge, u)) : not_known();
         }
         return together() ? shear_ratio() * p(edge, u)
-                          : full_stick_traction(length(), load(), edge, ball_of(u, bits_));
+                          : full_stick_traction(length(), load(), edge, distance(u));
+    }
+    /// Of a point from its edge.
+    [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
+    /// Throws DomainError where a corner inside the contact makes the pressure infinite.
+    [[nodiscard]] Ball peak() const {
+        for (const Ball& corner : proved_pressure().corners(contact::Edge::right)) {
+            refuse_infinite_peak(Ball(a() - corner).midpoint());
+        }
+        if (peaks_in_the_middle(scene_)) {
+            if (closed_->piecewise_linear()) { // m = 1
+                return closed_->pressure(contact::Edge::right, a());
+            }
+            return closed_->pressure_factor() /
+                   ball_of(scene_.profile->parameters().at("m"), bits_);
+        }
+        try {
+            return enclosed_peak(proved_pressure(), scene_.symmetric());
+        } catch (const BudgetError&) {
+            return not_known();
+        }
     }
     [[nodiscard]] const std::vector<Ball>& c(contact::Edge edge) {
         auto& c = c_[edge];
@@ -137,9 +157,9 @@ public:
         return x;
     }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] Ball sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear) {
+    [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
         const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
-        const Ball at = ball_of(u, bits_);
+        const Ball at = distance(u);
         Ball total = terms[n - 1];
         for (std::size_t k = n - 1; k-- > 0;) {
             total = total * at + terms[k];
@@ -191,9 +211,15 @@ private:
             return {};
         }
     }
+    [[nodiscard]] Ball pressure(contact::Edge edge, const Distance& u) const {
+        if (const auto& number = u.number()) {
+            return closed_ ? closed_->pressure(edge, *number) : curved_->pressure(edge, *number);
+        }
+        return proved_pressure().pressure(edge, distance(u));
+    }
     struct Last {
         contact::Edge edge;
-        formula::Exact u;
+        Distance u;
         Ball p;
     };
     [[nodiscard]] bool together() const {

@@ -88,8 +88,8 @@ public:
         return value;
     }
 
-    BoundedValue place(contact::Edge edge, const formula::Exact& u) override {
-        return place_of(edge, u, checked(u));
+    BoundedValue place(contact::Edge edge, const Distance& u) override {
+        return place_of(edge, u, checked(edge, u));
     }
 
     ContactValues contact() override {
@@ -97,8 +97,8 @@ public:
         return contact_values(*this, scene_, plan_);
     }
 
-    PointValues at(contact::Edge edge, const formula::Exact& u, bool p, bool q) override {
-        const Ball from = checked(u);
+    PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
+        const Ball from = checked(edge, u);
         const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         (balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures) +=
             p || together ? 1 : 0;
@@ -106,7 +106,15 @@ public:
         count_ratio(together);
         PointValues values;
         values.x = place_of(edge, u, from);
-        AskedValue asked{.edge = edge, .u = u};
+        AskedValue asked{.edge = edge, .u = u.number()};
+        if (!u.number()) {
+            asked.place = u;
+            values.u = bounded(
+                balls_.refine([&](BallLevel& level) { return level.distance(u); },
+                              [&](ExactValues& exact) { return exact.u(u); }, plan_.digits,
+                              plan_.narrow_bits),
+                "given", [&](ValueRoute& other) { return *other.at(edge, u, false, false).u; });
+        }
         if (p) {
             asked.quantity = Quantity::p;
             values.p = value(asked);
@@ -213,9 +221,6 @@ public:
     }
 
 private:
-    [[nodiscard]] static formula::ExactNumber exactly(const formula::Exact& x) {
-        return formula::ExactNumber::of(x.expr());
-    }
     template <class Instead>
     [[nodiscard]] BoundedValue bounded(std::optional<BallRefinement::Found> x, const char* route,
                                        const Instead& instead) {
@@ -231,28 +236,68 @@ private:
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }
-    /// u in a ball. Throws DomainError beyond the contact.
-    [[nodiscard]] Ball checked(const formula::Exact& u) const {
-        Ball from = ball_of(u, length_ ? length_->bits() : plan_.bits);
+    /// u in a ball. Throws DomainError beyond the contact, and for a place by the edges that is on
+    /// a corner, as far as many bits tell.
+    [[nodiscard]] Ball checked(contact::Edge edge, const Distance& u) {
+        if (!u.number() && length_) {
+            return checked_by_edges(edge, u);
+        }
+        Ball from = u.enclosure({}, {}, length_ ? length_->bits() : plan_.bits);
         if (length_ && !certainly_less(from, *length_)) {
             throw DomainError("the point lies outside the contact");
         }
         return from;
     }
+    [[nodiscard]] Ball checked_by_edges(contact::Edge edge, const Distance& u) {
+        refuse_corner_at(u);
+        bool outside = false;
+        for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
+            const BallLevel* level = balls_.at_level(bits);
+            if (level == nullptr) {
+                continue;
+            }
+            Ball from = level->distance(u);
+            if (certainly_negative(from) || certainly_less(level->length(), from)) {
+                throw DomainError("the point lies outside the contact");
+            }
+            outside = !certainly_positive(from) || !certainly_less(from, level->length());
+            const auto corners = level->proved_pressure().corners(edge);
+            if (!outside && std::none_of(corners.begin(), corners.end(), [&](const Ball& corner) {
+                    return overlaps(corner, from);
+                })) {
+                return from;
+            }
+        }
+        throw DomainError(outside ? "the point is on an edge, or cannot be told from it"
+                                  : "the point is on a corner, or cannot be told from it");
+    }
+    /// Where x is a number, exact algebra tells.
+    void refuse_corner_at(const Distance& u) const {
+        if (!u.x() || !scene_.profile) {
+            return;
+        }
+        const auto& knots = scene_.profile->knots();
+        for (std::size_t i = 0; i < knots.size(); ++i) {
+            if (scene_.profile->has_corner(i) &&
+                contact::certainly_zero(knots[i].expr() - u.x()->expr())) {
+                throw DomainError("the point is on a corner, where the pressure is infinite");
+            }
+        }
+    }
     template <class Instead>
-    [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
-                                              std::size_t i, bool shear, const Instead& instead) {
+    [[nodiscard]] Approximation approximation(contact::Edge edge, const Distance& u, std::size_t i,
+                                              bool shear, const Instead& instead) {
         const std::size_t n = scene_.ask.terms[i];
         const auto local =
             balls_.refine([&](BallLevel& level) { return level.sum(edge, u, n, shear); },
-                          [&](ExactValues& exact) { return exact.sum(edge, exactly(u), n, shear); },
+                          [&](ExactValues& exact) { return exact.sum(edge, exact.u(u), n, shear); },
                           plan_.digits);
         const auto error = balls_.refine(
             [&](BallLevel& level) {
                 const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
                 return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
             },
-            [&](ExactValues& exact) { return abs(exact.error(edge, exactly(u), n, shear)); },
+            [&](ExactValues& exact) { return abs(exact.error(edge, exact.u(u), n, shear)); },
             plan_.error_digits());
         if (!local || !error) {
             return instead();
@@ -262,11 +307,14 @@ private:
                 {error->value, true, "series", error->exactly}};
     }
     /// x of the point u, which is `from` in a ball.
-    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const formula::Exact& u,
-                                        const Ball& from) {
+    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u, const Ball& from) {
         const auto& known = known_[edge];
-        const Rational* distance = u.expr().rational();
+        const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
         const bool right = edge == contact::Edge::right;
+        if (u.x() && rational_of(*u.x())) {
+            const Rational x = *rational_of(*u.x());
+            return {Ball(x, std::max(from.bits(), 128L)), true, "given", x};
+        }
         if (known && distance != nullptr) {
             const Rational x = right ? Rational(*known - *distance) : Rational(*distance - *known);
             // The text of what is known exactly is made of that: a ball of any width will do.
@@ -275,10 +323,13 @@ private:
         }
         return bounded(balls_.refine(
                            [&](BallLevel& level) {
-                               const Ball at = ball_of(u, level.bits());
+                               if (!u.number()) {
+                                   return u.x_enclosure(level.a(), level.b(), level.bits());
+                               }
+                               const Ball at = level.distance(u);
                                return right ? level.a() - at : at - level.b();
                            },
-                           [&](ExactValues& exact) { return exact.x(edge, exactly(u)); },
+                           [&](ExactValues& exact) { return exact.x(edge, exact.u(u)); },
                            plan_.digits, plan_.narrow_bits),
                        "given", [&](ValueRoute& other) { return other.place(edge, u); });
     }

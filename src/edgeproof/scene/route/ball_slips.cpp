@@ -94,14 +94,14 @@ std::optional<BoundedValue> BallSlips::bounded(const BallRefinement::InBalls& f,
                  : std::nullopt;
 }
 
-std::optional<contact::SlipState> BallSlips::state(contact::Edge edge, const formula::Exact& u) {
+std::optional<contact::SlipState> BallSlips::state(contact::Edge edge, const Distance& u) {
     std::optional<contact::SlipState> found;
     for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
         BallLevel* level = balls_.at_level(bits);
         if (level == nullptr || level->slip() == nullptr) {
             continue;
         }
-        found = level->slip()->state(edge, ball_of(u, bits));
+        found = level->slip()->state(edge, level->distance(u));
         if (*found != contact::SlipState::undecided || bits >= plan_.bits + most_state_bits) {
             break;
         }

@@ -18,8 +18,7 @@ public:
     /// would reach beyond it.
     void check();
     /// Nothing where no number of bits encloses the slip; so of all that follow.
-    [[nodiscard]] std::optional<contact::SlipState> state(contact::Edge edge,
-                                                          const formula::Exact& u);
+    [[nodiscard]] std::optional<contact::SlipState> state(contact::Edge edge, const Distance& u);
     [[nodiscard]] std::optional<BoundedValue> load_ratio();
     /// The bulk tension with which the stick zone reaches that edge.
     [[nodiscard]] std::optional<BoundedValue> tension_limit(contact::Edge edge);

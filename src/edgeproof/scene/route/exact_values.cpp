@@ -2,6 +2,7 @@
 #include "edgeproof/scene/route/exact_values.hpp"
 
 #include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/scene/route/peak.hpp"
 
 namespace edgeproof::scene {
 
@@ -15,6 +16,11 @@ formula::ExactNumber ExactValues::x(contact::Edge edge, const formula::ExactNumb
 
 formula::ExactNumber ExactValues::p(contact::Edge edge, const formula::ExactNumber& u) const {
     return contact_.pressure(edge, u);
+}
+
+formula::ExactNumber ExactValues::peak() const {
+    return peaks_in_the_middle(scene_) ? p(contact::Edge::right, a())
+                                       : formula::ExactNumber::unknown();
 }
 
 formula::ExactNumber ExactValues::q(contact::Edge edge, const formula::ExactNumber& u) const {

@@ -26,6 +26,11 @@ public:
     [[nodiscard]] formula::ExactNumber length() const { return contact_.length(); }
     [[nodiscard]] formula::ExactNumber force() const { return contact_.force(); }
     [[nodiscard]] formula::ExactNumber moment() const { return contact_.moment(); }
+    [[nodiscard]] formula::ExactNumber u(const Distance& distance) const {
+        return distance.exactly(a(), b());
+    }
+    /// The greatest pressure, where it is known to be at the origin.
+    [[nodiscard]] formula::ExactNumber peak() const;
     [[nodiscard]] formula::ExactNumber x(contact::Edge edge, const formula::ExactNumber& u) const;
     [[nodiscard]] formula::ExactNumber p(contact::Edge edge, const formula::ExactNumber& u) const;
     [[nodiscard]] formula::ExactNumber q(contact::Edge edge, const formula::ExactNumber& u) const;

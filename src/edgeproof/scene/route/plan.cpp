@@ -80,6 +80,7 @@ public:
         plan_.extents = ask_.wants(QuantityGroup::extent);
         plan_.resultants = ask_.wants(QuantityGroup::contact);
         plan_.slip = ask_.wants(QuantityGroup::slip);
+        plan_.peak = ask_.wants(QuantityGroup::peak);
         plan_.partial_slip = scene_.slips() && (plan_.shear || plan_.slip);
         const bool similar = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
         plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
@@ -110,6 +111,7 @@ public:
         shear(similar);
         slips();
         extents();
+        add("peak pressure", plan_.peak, plan_.peak ? "the greatest one" : "not asked for");
         resultants(similar);
         return std::move(plan_);
     }
@@ -126,6 +128,14 @@ private:
     [[nodiscard]] std::size_t edges_of_p() const { return plan_.mirrored ? 1 : ask_.edges.size(); }
     [[nodiscard]] std::size_t edges_of_q(bool similar) const {
         return similar ? edges_of_p() : ask_.edges.size();
+    }
+
+    /// Points at which p is computed: a place x has no mirror image.
+    [[nodiscard]] std::size_t points_of_p() const {
+        const auto by_x = std::count_if(ask_.u.begin(), ask_.u.end(), [](const AskedPoint& point) {
+            return point.place && point.place->from() == Place::From::origin;
+        });
+        return ask_.u.size() * edges_of_p() + (plan_.mirrored ? static_cast<std::size_t>(by_x) : 0);
     }
 
     void proof() {
@@ -166,7 +176,7 @@ private:
     }
     void pressure() {
         const bool closed = plan_.route == contact::Route::closed_form;
-        const std::size_t n = ask_.u.size() * edges_of_p();
+        const std::size_t n = points_of_p();
         const std::string points =
             count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p(), "edge");
         const std::string why = !plan_.pressure        ? "no pressure is asked for"
@@ -199,7 +209,7 @@ private:
                                 : plan_.partial_slip ? "partial slip, P held"
                                                      : "full stick, P held";
         add("shear", plan_.shear, plan_.shear ? how : none, &contact::Counts::shear_points,
-            ask_.u.size() * edges_of_q(similar));
+            similar ? points_of_p() : ask_.u.size() * ask_.edges.size());
         add("expansion of q", plan_.expand_shear,
             plan_.expand_shear ? count_of(plan_.terms, "term") : none,
             &contact::Counts::shear_expansions, edges_of_q(similar));

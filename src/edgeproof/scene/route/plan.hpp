@@ -42,6 +42,7 @@ struct Plan {
     bool partial_slip = false; ///< q has slip zones
     bool slip = false;         ///< their sizes for themselves
     bool resultants = false;   ///< P and M for themselves
+    bool peak = false;         ///< the greatest pressure
     contact::Counts counts;    ///< foretold
     std::vector<Effect> effects;
 

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/peak.hpp"
 #include "edgeproof/scene/route/real_level.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 
@@ -43,9 +44,8 @@ constexpr std::array quantity_table{
         .place = Row::Place::point,
         .force_power = 1,
         .length_power = -1,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.p(v.edge, *v.u); },
-        .exact = [](ExactValues& e,
-                    const AskedValue& v) { return e.p(v.edge, ExactNumber::of(v.u->expr())); },
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.p(v.edge, v.distance()); },
+        .exact = [](ExactValues& e, const AskedValue& v) { return e.p(v.edge, e.u(v.distance())); },
         .real = [](RealLevel& l, const AskedValue& v) { return l.p(v.edge, *v.u); },
         .route =
             [](const Scene& /*scene*/, const Plan& plan) {
@@ -61,9 +61,8 @@ constexpr std::array quantity_table{
         .needs = Row::Needs::shear,
         .force_power = 1,
         .length_power = -1,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.q(v.edge, *v.u); },
-        .exact = [](ExactValues& e,
-                    const AskedValue& v) { return e.q(v.edge, ExactNumber::of(v.u->expr())); },
+        .ball = [](BallLevel& l, const AskedValue& v) { return l.q(v.edge, v.distance()); },
+        .exact = [](ExactValues& e, const AskedValue& v) { return e.q(v.edge, e.u(v.distance())); },
         .real = [](RealLevel& l, const AskedValue& v) { return l.q(v.edge, *v.u); },
         .route = traction_route},
     Row{.quantity = Quantity::c,
@@ -213,6 +212,20 @@ constexpr std::array quantity_table{
         .force_power = 1,
         .length_power = -1,
         .label = "p less that without tilt"},
+    Row{.quantity = Quantity::p_max,
+        .symbol = "p_max",
+        .name = "peak-pressure",
+        .group = QuantityGroup::peak,
+        .force_power = 1,
+        .length_power = -1,
+        .meaning = "the greatest pressure",
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.peak(); },
+        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.peak(); },
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.peak(); },
+        .route =
+            [](const Scene& s, const Plan& /*plan*/) {
+                return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
+            }},
 };
 
 /// In the order of QuantityGroup.
@@ -232,6 +245,7 @@ constexpr std::array group_table{
              .instead = "add terms = 1 and tolerance = \"1%\" to [ask]"},
     GroupRow{.group = QuantityGroup::slip, .name = "slip", .friction = true},
     GroupRow{.group = QuantityGroup::contact, .name = "contact"},
+    GroupRow{.group = QuantityGroup::peak, .name = "peak"},
 };
 
 template <class Table> consteval bool is_in_order(const Table& table, auto key) {

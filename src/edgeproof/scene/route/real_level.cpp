@@ -2,6 +2,9 @@
 #include "edgeproof/scene/route/real_level.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/roots/extremum.hpp"
+#include "edgeproof/scene/route/peak.hpp"
 
 #include <algorithm>
 
@@ -100,6 +103,44 @@ BoundedValue RealLevel::q(contact::Edge edge, const formula::Exact& u) {
         last.q = together() ? shear_->similar_to(pressure(edge, u)) : shear_->traction(edge, u);
     }
     return estimated(last.q->value, last.q->error, together() ? "similar" : "full-stick");
+}
+
+BoundedValue RealLevel::peak() {
+    const contact::Profile& profile = contact_.profile();
+    const PrecisionScope scope(contact_.a().precision());
+    for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+        const Real x = profile.knots()[i].to<Real>();
+        if (profile.has_corner(i) && -contact_.b() < x && x < contact_.a()) {
+            refuse_infinite_peak(x);
+        }
+    }
+    const Real length = contact_.a() + contact_.b();
+    const auto at = [&](const Real& u) {
+        return contact_.pressure(contact::Edge::right, u, route()).value;
+    };
+    constexpr unsigned places = 64;
+    unsigned best = 1;
+    Real most = 0;
+    for (unsigned k = 1; k < places; ++k) {
+        check_interruption();
+        const Real p = at(Real(length * k / places));
+        if (p > most) {
+            most = p;
+            best = k;
+        }
+    }
+    // Half the digits of the place are all of the digits of the pressure.
+    const int steps = static_cast<int>(digits_ * 5 / 2) + 20;
+    const Real u = roots::place_of_minimum(
+        [&](const Real& v) {
+            check_interruption();
+            return Real(-at(v));
+        },
+        Real(length * (best - 1) / places + length * unit()),
+        Real(length * (best + 1) / places - length * unit()), steps,
+        [](const Real& /*value*/) { return false; });
+    const Real p = std::max(most, at(u));
+    return estimated(p, Real(p * unit() * 100), "scan");
 }
 
 const contact::PartialSlip& RealLevel::slip() {

@@ -41,6 +41,9 @@ public:
     [[nodiscard]] BoundedValue alpha() const;
     [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);
     [[nodiscard]] BoundedValue q(contact::Edge edge, const formula::Exact& u);
+    /// The greatest pressure of many places, and about the highest of them: an estimate. Throws
+    /// DomainError where a corner inside the contact makes it infinite.
+    [[nodiscard]] BoundedValue peak();
     /// Throws InputError, told with its line, where the contact slides or slips against Q.
     [[nodiscard]] const contact::PartialSlip& slip();
     [[nodiscard]] BoundedValue slip_size(contact::Edge edge);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/real_level.hpp"
@@ -44,12 +45,48 @@ public:
 
     ContactValues contact() override { return contact_values(*this, scene_, plan_); }
 
-    BoundedValue place(contact::Edge edge, const formula::Exact& u) override {
-        check_inside(u);
-        return place_inside(edge, u);
+    BoundedValue place(contact::Edge edge, const Distance& u) override {
+        if (u.number()) {
+            check_inside(*u.number());
+            return place_inside(edge, *u.number());
+        }
+        return by_edges(u).x;
     }
 
-    PointValues at(contact::Edge edge, const formula::Exact& u, bool p, bool q) override {
+    /// Where the edges tell the place, the values there and at the end of what it is known to: what
+    /// they differ by is their error.
+    PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
+        if (u.number()) {
+            return at_number(edge, *u.number(), p, q);
+        }
+        const ByEdges place = by_edges(u);
+        PointValues values = at_number(edge, place.near, p, q);
+        const PointValues beside = at_number(edge, place.end, p, q);
+        values.x = place.x;
+        values.u = place.u;
+        const auto widen = [](BoundedValue& value, const BoundedValue& other) {
+            value = {Ball::hull(value.value, other.value), false, value.route};
+        };
+        const auto widen_all = [&](std::vector<Approximation>& list,
+                                   const std::vector<Approximation>& others) {
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                widen(list[i].local, others[i].local);
+                widen(list[i].relative_error, others[i].relative_error);
+            }
+        };
+        if (p) {
+            widen(*values.p, *beside.p);
+        }
+        if (q) {
+            widen(*values.q, *beside.q);
+        }
+        widen_all(values.p_local, beside.p_local);
+        widen_all(values.q_local, beside.q_local);
+        return values;
+    }
+
+private:
+    PointValues at_number(contact::Edge edge, const formula::Exact& u, bool p, bool q) {
         check_inside(u);
         PointValues values;
         values.x = place_inside(edge, u);
@@ -76,6 +113,7 @@ public:
         return values;
     }
 
+public:
     EdgeValues expansion(contact::Edge edge, bool p, bool q) override {
         EdgeValues values;
         values.edge = edge;
@@ -160,6 +198,28 @@ public:
     }
 
 private:
+    /// A distance that edges tell, as far as they are known: a number near it, and one as far from
+    /// it as it may be off.
+    struct ByEdges {
+        formula::Exact near;
+        formula::Exact end;
+        BoundedValue u;
+        BoundedValue x;
+    };
+    [[nodiscard]] ByEdges by_edges(const Distance& u) const {
+        const RealLevel& level = *levels_.at(0);
+        const Ball a = level.distance(contact::Edge::right).value;
+        const Ball b = level.distance(contact::Edge::left).value;
+        const Ball from = u.enclosure(a, b, level.bits());
+        if (!certainly_positive(from)) {
+            throw DomainError("the point lies outside the contact");
+        }
+        const Rational near = contact::exact_value(from.midpoint());
+        return {formula::Exact::of(near),
+                formula::Exact::of(near + contact::exact_value(from.radius())),
+                {from, false, "given"},
+                {u.x_enclosure(a, b, level.bits()), u.x().has_value(), "given"}};
+    }
     void check_inside(const formula::Exact& u) const {
         const RealLevel& level = *levels_.at(0);
         if (!certainly_less(ball_of(u, level.bits()),

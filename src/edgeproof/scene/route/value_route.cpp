@@ -7,7 +7,9 @@ ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& 
     ContactValues values;
     for (const QuantityRow& row : quantity_rows()) {
         const AskedValue asked{row.quantity};
-        if (row.group != QuantityGroup::contact || row.at_edge() || lack_of(scene, asked)) {
+        const bool peak = row.group == QuantityGroup::peak;
+        if ((row.group != QuantityGroup::contact && !peak) || row.at_edge() ||
+            lack_of(scene, asked)) {
             continue;
         }
         switch (row.quantity) {
@@ -21,7 +23,7 @@ ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& 
             values.alpha = route.value(asked);
             break;
         default:
-            if (!plan.resultants) {
+            if (peak ? !plan.peak : !plan.resultants) {
                 break;
             }
             if (row.quantity == Quantity::P) {

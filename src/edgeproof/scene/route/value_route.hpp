@@ -23,6 +23,7 @@ struct Approximation {
 
 struct PointValues {
     BoundedValue x;
+    std::optional<BoundedValue> u; ///< where it was not given as a number
     std::optional<BoundedValue> p;
     std::vector<Approximation> p_local;
     std::optional<BoundedValue> q;
@@ -88,7 +89,7 @@ struct ContactValues {
     std::optional<BoundedValue> alpha; ///< the tilt, where it was solved for
     std::optional<BoundedValue> force;
     std::optional<BoundedValue> moment;
-    /// What else the group `contact` has (quantity.hpp), where it is asked for.
+    /// What else the groups `contact` and `peak` have (quantity.hpp), where it is asked for.
     std::vector<std::pair<Quantity, BoundedValue>> others;
 };
 
@@ -102,14 +103,13 @@ public:
     /// DomainError where there is no value (outside the contact, on a corner).
     [[nodiscard]] virtual BoundedValue value(const AskedValue& asked) = 0;
     /// x of the point at the distance u from an edge. Throws DomainError outside the contact.
-    [[nodiscard]] virtual BoundedValue place(contact::Edge edge, const formula::Exact& u) = 0;
+    [[nodiscard]] virtual BoundedValue place(contact::Edge edge, const Distance& u) = 0;
 
     // The same together, as scenes ask for them, and counted.
     [[nodiscard]] virtual ContactValues contact() = 0;
     /// `p`, `q`: which of them to compute, with their approximations where terms are asked for.
     /// Throws DomainError as value() does.
-    [[nodiscard]] virtual PointValues at(contact::Edge edge, const formula::Exact& u, bool p,
-                                         bool q) = 0;
+    [[nodiscard]] virtual PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) = 0;
     [[nodiscard]] virtual EdgeValues expansion(contact::Edge edge, bool p, bool q) = 0;
     [[nodiscard]] virtual ExtentValues extent(contact::Edge edge, std::size_t n) = 0;
     /// Of a scene with friction. Throws InputError, told with the line of the friction, where the

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/output_file.hpp"
+
+#include <memory>
+
+namespace edgeproof::cli {
+namespace {
+
+int plot(SceneOptions& o) {
+    std::string file;
+    std::swap(file, o.out); // of a picture, not of a table
+    if (!file.empty()) {
+        report::check_picture_name(file);
+        io::check_output(file);
+    }
+    scene::Scene scene = asked_scene(o);
+    const report::ScenePicture picture = picture_of(scene);
+    const std::string text = file.empty() ? report::picture_text(picture, terminal_width())
+                                          : report::picture_file(picture, title_of(scene), file);
+    show_as_file(o);
+    io::write_output(file.empty() ? "-" : file, text);
+    return 0;
+}
+
+} // namespace
+
+void add_plot(CLI::App& app, int& code) {
+    CLI::App* sub = app.add_subcommand(
+        "plot", "a picture of a scene: the pressure, the first terms, and where they are good");
+    auto o = std::make_shared<SceneOptions>();
+    add_given_scene(*sub, *o);
+    add_tolerance_option(*sub, *o, " (default: the scene's, else 1%)");
+    sub->add_option("--out", o->out,
+                    "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
+                    "all (default: a small picture of letters)");
+    sub->footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
+                "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
+    sub->callback([o, &code] { code = plot(*o); });
+}
+
+} // namespace edgeproof::cli

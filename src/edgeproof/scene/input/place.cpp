@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/place.hpp"
+
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <set>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+/// What a formula in a and b is evaluated in.
+struct EdgesInBalls {
+    const Ball& a;
+    const Ball& b;
+    formula::BallConstants constants;
+    [[nodiscard]] Ball number(const Rational& q) const { return constants.number(q); }
+    [[nodiscard]] Ball pi() const { return constants.pi(); }
+    [[nodiscard]] Ball symbol(std::string_view name) const { return name == "a" ? a : b; }
+};
+
+bool constant(const formula::Expr& e) { return formula::free_symbols(e).empty(); }
+
+/// The number that an expression without names is, with a short text where it is rational.
+formula::Exact number_of(const formula::Expr& e) {
+    return e.rational() != nullptr ? formula::Exact::of(*e.rational()) : formula::Exact(e);
+}
+
+} // namespace
+
+std::optional<Distance::Linear> Distance::linear(const formula::Expr& e) {
+    const auto in_a = contact::as_linear(e, "a");
+    if (!in_a || !constant(in_a->rate)) {
+        return {};
+    }
+    const auto in_b = contact::as_linear(in_a->at_origin, "b");
+    if (!in_b || !constant(in_b->rate) || !constant(in_b->at_origin)) {
+        return {};
+    }
+    return Linear{in_a->rate, in_b->rate, in_b->at_origin};
+}
+
+Distance::Distance(formula::Expr u, formula::Expr x)
+    : formula_(std::move(u)), x_formula_(std::move(x)) {
+    if (constant(formula_)) {
+        number_ = number_of(formula_);
+        return;
+    }
+    linear_ = linear(formula_);
+    const auto place = linear(x_formula_);
+    if (place && contact::certainly_zero(place->of_a) && contact::certainly_zero(place->of_b)) {
+        x_ = number_of(place->rest);
+    }
+}
+
+Ball Distance::enclosure(const Ball& a, const Ball& b, long bits) const {
+    return number_ ? formula::ball_of(*number_, bits)
+                   : formula::evaluate<Ball>(formula_, EdgesInBalls{a, b, {bits}});
+}
+
+Ball Distance::x_enclosure(const Ball& a, const Ball& b, long bits) const {
+    return x_ ? formula::ball_of(*x_, bits)
+              : formula::evaluate<Ball>(x_formula_, EdgesInBalls{a, b, {bits}});
+}
+
+formula::ExactNumber Distance::exactly(const formula::ExactNumber& a,
+                                       const formula::ExactNumber& b) const {
+    if (number_) {
+        return formula::ExactNumber::of(number_->expr());
+    }
+    if (!linear_) {
+        return formula::ExactNumber::unknown();
+    }
+    const auto part = [](const formula::Expr& factor, const formula::ExactNumber& edge) {
+        const formula::ExactNumber k = formula::ExactNumber::of(factor);
+        return k.is_zero() ? k : k * edge;
+    };
+    return part(linear_->of_a, a) + part(linear_->of_b, b) +
+           formula::ExactNumber::of(linear_->rest);
+}
+
+Place::Place(std::string text, From from, formula::Expr value, const Names& names)
+    : text_(std::move(text)), from_(from), value_(std::move(value)) {
+    const auto edge = [&](std::string_view name) {
+        const auto known = names.find(name);
+        return known == names.end() ? formula::Expr::symbol(name) : known->second;
+    };
+    a_ = edge("a");
+    b_ = edge("b");
+}
+
+Place Place::parse(std::string_view text, From from, const Names& names) {
+    const bool percent = !text.empty() && text.back() == '%';
+    if (percent && from == From::origin) {
+        throw InputError("a percentage is of the length a + b, from an edge",
+                         "give it as u, or x as a place, such as \"a/2\"");
+    }
+    std::set<std::string> known{"a", "b"};
+    for (const auto& [name, value] : names) {
+        known.insert(name);
+    }
+    formula::Expr value =
+        formula::parse(percent ? text.substr(0, text.size() - 1) : text, formula::Symbols(known));
+    if (formula::has_binder(value)) {
+        throw InputError("an integral or a sum is no place", "write a formula such as \"a/2\"");
+    }
+    if (percent) {
+        value = value / formula::Expr::number(Rational(100)) *
+                (formula::Expr::symbol("a") + formula::Expr::symbol("b"));
+    }
+    // b last: where b = a, it stands for the name a.
+    for (const auto& [name, meaning] : names) {
+        if (name != "a") {
+            value = formula::substitute(value, name, meaning);
+        }
+    }
+    if (const auto a = names.find("a"); a != names.end()) {
+        value = formula::substitute(value, "a", a->second);
+    }
+    return {(from == From::origin ? "x = " : "") + std::string(text), from, std::move(value),
+            names};
+}
+
+std::optional<formula::Exact> Place::number() const {
+    return constant(value_) ? std::optional(number_of(value_)) : std::nullopt;
+}
+
+Distance Place::distance(contact::Edge edge) const {
+    const bool right = edge == contact::Edge::right;
+    if (from_ == From::origin) {
+        return {right ? a_ - value_ : value_ + b_, value_};
+    }
+    return {value_, right ? a_ - value_ : value_ - b_};
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/formula/exact/exact_number.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace edgeproof::scene {
+
+/// How far a point is from an edge: an exact number, or a formula in a and b, the distances of the
+/// edges from the origin, where those are solved for. Then it is known no better than they are.
+class Distance {
+public:
+    Distance(formula::Exact u) : number_(std::move(u)) {} // NOLINT: most distances are numbers
+    /// Of the point x, both as formulas in a and b. Throws DomainError for what has no real value.
+    Distance(formula::Expr u, formula::Expr x);
+
+    /// The distance itself, where it is a number.
+    [[nodiscard]] const std::optional<formula::Exact>& number() const { return number_; }
+    /// x, where that is a number although the distance is none.
+    [[nodiscard]] const std::optional<formula::Exact>& x() const { return x_; }
+
+    /// The distance, and x, with a and b in these balls.
+    [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
+    [[nodiscard]] Ball x_enclosure(const Ball& a, const Ball& b, long bits) const;
+    /// In exact arithmetic; unknown where the formula is not linear in a and b.
+    [[nodiscard]] formula::ExactNumber exactly(const formula::ExactNumber& a,
+                                               const formula::ExactNumber& b) const;
+
+    /// As they are written.
+    friend bool operator==(const Distance& s, const Distance& t) {
+        return s.number_ == t.number_ && s.formula_ == t.formula_;
+    }
+
+private:
+    /// of_a a + of_b b + rest
+    struct Linear {
+        formula::Expr of_a;
+        formula::Expr of_b;
+        formula::Expr rest;
+    };
+    [[nodiscard]] static std::optional<Linear> linear(const formula::Expr& e);
+
+    std::optional<formula::Exact> number_;
+    formula::Expr formula_;
+    formula::Expr x_formula_;
+    std::optional<Linear> linear_;
+    std::optional<formula::Exact> x_;
+};
+
+/// A point as it is asked for with the names of a scene: "a/2", "50%" (of a + b) from an edge, or a
+/// place x.
+class Place {
+public:
+    enum class From { edge, origin };
+    /// What a scene's names stand for, a and b included where they are given.
+    using Names = std::map<std::string, formula::Expr, std::less<>>;
+
+    /// Throws InputError for a text that is no formula in these names, a and b.
+    [[nodiscard]] static Place parse(std::string_view text, From from, const Names& names);
+
+    /// "a/2", "x = t + 1/10"
+    [[nodiscard]] const std::string& text() const { return text_; }
+    /// Its number, where it needs neither a nor b; of the edge or of the origin.
+    [[nodiscard]] std::optional<formula::Exact> number() const;
+    [[nodiscard]] From from() const { return from_; }
+    [[nodiscard]] Distance distance(contact::Edge edge) const;
+
+private:
+    Place(std::string text, From from, formula::Expr value, const Names& names);
+    std::string text_;
+    From from_;
+    formula::Expr value_;
+    formula::Expr a_; ///< what it is, or the name
+    formula::Expr b_;
+};
+
+} // namespace edgeproof::scene

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string drawn_hertz =
+    "title = \"A pad\"\n[units]\nlength = \"mm\"\npressure = \"MPa\"\n[profile]\nkind = \"hertz\"\n"
+    "R = 1\n[load]\na = 1\ncontact_modulus = 1\n";
+
+} // namespace
+
+// sqrt(2 u) against sqrt(u (2 - u)): 1 % off at u = 2 - 2/1.0201 = 0.0394079.
+TEST_CASE("plot: every kind of file, and letters") {
+    const Folder folder;
+    folder.write("s.toml", drawn_hertz + "[ask]\nterms = [1, 2]\ntolerance = \"1%\"\n");
+    const Outcome text = run(folder, "plot s.toml");
+    CAPTURE(text.err);
+    REQUIRE(text.code == 0);
+    CHECK(has(text.out, "right edge, 1 term: within 1/100 up to u = 0.0394079\n"));
+    CHECK(lines(text.out).size() > 20);
+    const std::pair<const char*, const char*> files[] = {
+        {"p.svg", "<svg"}, {"p.png", "PNG"}, {"p.pdf", "%PDF"}, {"p.html", "<!DOCTYPE html>"}};
+    for (const auto& [file, begin] : files) {
+        CAPTURE(file);
+        const Outcome o = run(folder, "plot s.toml --out " + std::string(file));
+        CAPTURE(o.err);
+        CHECK(o.code == 0);
+        CHECK(o.out.empty());
+        const std::string bytes = file_text(folder.path() / file);
+        CHECK(has(bytes.substr(0, 400), begin));
+    }
+    for (const char* file : {"p.svg", "p.html"}) {
+        const std::string bytes = file_text(folder.path() / file);
+        CHECK(has(bytes, "[mm]"));
+        CHECK(has(bytes, "[MPa]"));
+        CHECK(has(bytes, "A pad"));
+        CHECK(has(bytes, "1 term"));
+        CHECK(has(bytes, "u = 0.0394"));
+    }
+    CHECK(run(folder, "extent s.toml --digits 8 --figure e.svg").code == 0);
+    CHECK(has(file_text(folder.path() / "e.svg"), "leaves it at"));
+}
+
+TEST_CASE("plot: shear, corners, both edges") {
+    const Folder folder;
+    folder.write("q.toml", drawn_hertz + "[shear]\nQ = \"0.1\"\nfriction = \"0.6\"\n");
+    folder.write("w.toml", "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.02\"\n"
+                           "[load]\nP = 1\ncontact_modulus = 1\n");
+    CHECK(run(folder, "plot q.toml --terms 1 --out q.svg").code == 0);
+    CHECK(has(file_text(folder.path() / "q.svg"), "q, exact"));
+    CHECK(run(folder, "plot w.toml --edge both --terms 1,2 --tolerance 5% --out w.svg").code == 0);
+    CHECK(has(file_text(folder.path() / "w.svg"), "left edge"));
+}
+
+TEST_CASE("plot: what it does not draw, in one line") {
+    const Folder folder;
+    folder.write("s.toml", drawn_hertz);
+    for (const char* arguments : {"plot s.toml --out p.gif", "plot s.toml --out p",
+                                  "extent s.toml --tolerance 1% --figure p.txt",
+                                  "plot s.toml --tolerance 0", "plot nowhere.toml --out p.svg"}) {
+        CAPTURE(arguments);
+        const Outcome o = run(folder, arguments);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        CHECK(lines(o.err).size() == 1);
+        CHECK(folder.files() == 1);
+    }
+}

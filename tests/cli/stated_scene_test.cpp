@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string titanium = "--E1 115e3 --nu1 0.32 --E2 115e3 --nu2 0.32";
+
+/// Without the facts, of which one is the name of the scene.
+std::string table_of(const std::string& csv) {
+    std::string table;
+    for (const std::string& line : lines(csv)) {
+        table += line.rfind('#', 0) == 0 ? "" : line + "\n";
+    }
+    return table;
+}
+
+} // namespace
+
+TEST_CASE("a scene by its quantities: the scene that it stands for is told, and gives the same") {
+    const std::string all[] = {
+        "pressure --hertz --R 100 --P 120 " + titanium + " --u 1e-3,a/2 --terms 1,2 --digits 20",
+        "pressure --cylinder-on-flat --R 1 --a 1 --contact-modulus 1 --x 0",
+        "pressure --power-law --m 3/2 --C 1 --width 2 --contact-modulus 1 --u 0.1 --edge both",
+        "extent --flat-and-rounded --flat-width 1 --R 1 --a 1 --contact-modulus 1 --tolerance 1% "
+        "--terms 1 --digits 10",
+        "expand --tilted-wedge --phi 0.1 --alpha=-0.02 --P 1 --contact-modulus 1 --digits 10",
+        "slip --hertz --R1 1 --R2=-2 --P 1 --contact-modulus 1 --Q 0.1 --friction 0.6 --digits 8",
+        "pressure --tilted-flat-and-rounded --t 1 --R 10 --P 1 --M=-0.5 --contact-modulus 1 --u "
+        "0.1 --quantity pressure,contact --digits 10",
+    };
+    for (const std::string& arguments : all) {
+        CAPTURE(arguments);
+        const Folder folder;
+        const Outcome o = run(folder, arguments);
+        CAPTURE(o.err);
+        REQUIRE(o.code == 0);
+        folder.write("told.toml", o.err);
+        const Outcome again = run(folder, arguments.substr(0, arguments.find(' ')) + " told.toml");
+        CAPTURE(again.err);
+        CHECK(again.code == 0);
+        CHECK(again.err.empty());
+        CHECK(table_of(again.out) == table_of(o.out));
+        CHECK(lines(table_of(o.out)).size() > 1);
+    }
+}
+
+// a^2 = 8 P R (1 - nu^2)/(pi E).
+TEST_CASE("the half-width of a pad by hand") {
+    const Folder folder;
+    const Outcome o =
+        run(folder, "pressure --hertz --R 100 --P 120 " + titanium + " --u 1e-3 --format json");
+    REQUIRE(o.code == 0);
+    const auto json = nlohmann::json::parse(o.out); // nothing else on standard output
+    const double a = std::sqrt(8 * 120 * 100 * (1 - 0.32 * 0.32) / (std::acos(-1.0) * 115e3));
+    CHECK(std::abs(std::stod(json["a"]["value"].get<std::string>()) / a - 1) < 1e-14);
+    CHECK(json["scene"] == "command line");
+}
+
+TEST_CASE("quantities that make no scene: one line") {
+    const std::pair<const char*, const char*> all[] = {
+        {"pressure", "edgeproof: no scene is given; name its file, - for standard input, or"},
+        {"pressure --R 1", "edgeproof: no profile is given; add one of --power-law, --hertz"},
+        {"pressure --hertz --power-law --R 1", "edgeproof: both --hertz and --power-law are given"},
+        {"pressure s.toml --R 1", "edgeproof: a scene is given by its file and by quantities"},
+        {"pressure --hertz --a 1 --contact-modulus 1 --u 0.1", "edgeproof: there is no radius"},
+        {"pressure --hertz --R 1 --m 2 --a 1 --contact-modulus 1 --u 0.1", "edgeproof: "},
+        {"pressure --hertz --R 1 --a 1 --P 1 --contact-modulus 1 --u 0.1",
+         "edgeproof: both a and P are given"},
+        {"pressure --hertz --R 1 --a 1 --u 0.1", "edgeproof: there is no contact_modulus"},
+        {"pressure --hertz --R 1e --a 1 --contact-modulus 1 --u 0.1", "edgeproof: R = \"1e\""},
+        {"pressure --hertz --R 1 --a 1 --contact-modulus 1 --u 0.1,,2", "edgeproof: u = \"\""},
+        {"pressure --hertz --R 1 --a 1 --contact-modulus 1 --u 3",
+         "command line: u = 3 from the right edge: the point lies outside the contact"},
+        {"pressure --hertz --R 1 --a 1 --contact-modulus 1", "command line: the scene asks for no"},
+        {"pressure --hertz --R '1\"\n[load]' --a 1 --contact-modulus 1 --u 1",
+         "edgeproof: R holds"},
+        {"pressure --hertz --R 1 --a 1 --contact-modulus 1 --u 1 --edge top", "edgeproof: "},
+        {"extent s.toml --quantity slip", "edgeproof: --quantity slip: this command does not give "
+                                          "the slip; write extent or contact"},
+        {"pressure s.toml --quantity pessure",
+         "edgeproof: --quantity pessure: unknown quantity 'pessure'; did you mean pressure?"},
+    };
+    for (const auto& [arguments, line] : all) {
+        CAPTURE(arguments);
+        const Folder folder;
+        folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"
+                               "contact_modulus = 1\n[ask]\nu = 1\ntolerance = \"1%\"\n");
+        const Outcome o = run(folder, arguments);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        const auto said = lines(o.err);
+        CAPTURE(o.err);
+        REQUIRE(said.size() == 1);
+        CHECK(said[0].rfind(line, 0) == 0);
+    }
+}
+
+TEST_CASE("--edge, --terms and --quantity are the same in every command; [ask] edges is honoured") {
+    const Folder folder;
+    folder.write("s.toml",
+                 "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\ncontact_modulus = 1\n"
+                 "[shear]\nQ = \"0.1\"\nfriction = \"0.6\"\n[ask]\nedges = [\"left\"]\n"
+                 "u = \"1/10\"\nterms = 1\ntolerance = \"1%\"\n");
+    for (const char* command : {"pressure", "expand", "extent", "slip"}) {
+        CAPTURE(command);
+        const auto edges = [&](const std::string& options) {
+            const Outcome o = run(folder, std::string(command) + " s.toml --digits 6 " + options);
+            CHECK(o.code == 0);
+            const std::string table = table_of(o.out);
+            return std::pair(has(table, "\nright,"), has(table, "\nleft,"));
+        };
+        CHECK(edges("") == std::pair(false, true));
+        CHECK(edges("--edge right") == std::pair(true, false));
+        CHECK(edges("--edge both --terms 1,2") == std::pair(true, true));
+        CHECK(has(run(folder, std::string(command) + " s.toml --quantity contact --digits 6 " +
+                                  "--format json")
+                      .out,
+                  "\"P\""));
+    }
+    CHECK(run(folder, "explain s.toml --edge right --terms 2 --quantity extent").code == 0);
+}
+
+TEST_CASE("a scene, a recipe and a ledger from standard input") {
+    const Folder folder;
+    folder.write("s.toml",
+                 "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\ncontact_modulus = 1\n"
+                 "[ask]\nu = [\"1/10\", \"1/2\"]\n");
+    folder.write("bad.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\ncontact_modulus = 1\n");
+    const auto piped = [&](const std::string& file, const std::string& arguments) {
+        const std::string out = (folder.path() / "out").string();
+        const std::string err = (folder.path() / "err").string();
+        const int status =
+            std::system(("cat '" + (folder.path() / file).string() + "' | '" + program().string() +
+                         "' " + arguments + " >'" + out + "' 2>'" + err + "'")
+                            .c_str());
+        return Outcome{WEXITSTATUS(status), file_text(out), file_text(err)};
+    };
+    const Outcome o = piped("s.toml", "pressure -");
+    CHECK(o.code == 0);
+    CHECK(table_of(o.out) == table_of(run(folder, "pressure s.toml").out));
+    CHECK(piped("bad.toml", "pressure -").err ==
+          "stdin:4: neither a nor P is given; give one of a = \"...\" and P = \"...\"\n");
+    CHECK(piped("bad.toml", "verify -").code == 2);
+    CHECK(piped("bad.toml", "points -").err.rfind("stdin:", 0) == 0);
+    CHECK(piped("s.toml", "check - --recipe -").code == 2);
+    CHECK(run(folder, "pressure -").err.rfind("stdin", 0) == 0); // nothing there
+}

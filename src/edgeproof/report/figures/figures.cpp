@@ -88,15 +88,15 @@ std::size_t key_lines(const Plot& plot) {
 }
 
 /// All but where it is drawn.
-std::string plot_commands(const Plot& plot) {
+std::string plot_commands(const Plot& plot, PictureKind kind) {
     std::string script;
     script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
     script += "set key bottom right reverse Left samplen 3 noenhanced\n";
     constexpr std::size_t most_inside = 4; // more would lie on the curves
     if (plot.key_below) {
         script += fmt::format("set key outside below center horizontal maxcols {} height 0.6 "
-                              "samplen 2 width -4 font \",12\"\n",
-                              named_in_a_line);
+                              "samplen 2 width {} font \",12\"\n",
+                              named_in_a_line, kind == PictureKind::text ? 1 : -4);
     } else if (plot.curves.size() > most_inside) {
         script += "set key outside right center\n";
     } else if (plot.y.logarithmic && !plot.x.logarithmic) {
@@ -158,7 +158,8 @@ std::string gnuplot_script(const Plot& plot, std::string_view output) {
     script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" background "
                           "\"white\" name {}\n",
                           400 + line_height * key_lines(plot), gnuplot_text(element_name(plot.id)));
-    return script + fmt::format("set output {}\n", gnuplot_text(output)) + plot_commands(plot);
+    return script + fmt::format("set output {}\n", gnuplot_text(output)) +
+           plot_commands(plot, PictureKind::svg);
 }
 
 std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind, std::size_t width,
@@ -182,11 +183,11 @@ std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind, std
     std::string script = "set encoding utf8\nset terminal " + terminal + "\n" +
                          fmt::format("set output {}\n", gnuplot_text(output));
     if (plots.size() == 1) {
-        return script + plot_commands(plots.front());
+        return script + plot_commands(plots.front(), kind);
     }
     script += fmt::format("set multiplot layout 1,{}\n", plots.size());
     for (const Plot& plot : plots) {
-        script += "reset\n" + plot_commands(plot);
+        script += "reset\n" + plot_commands(plot, kind);
     }
     return script + "unset multiplot\n";
 }

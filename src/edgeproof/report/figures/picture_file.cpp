@@ -25,8 +25,10 @@ std::string page_of(const ScenePicture& picture, const std::string& title) {
         "name=\"viewport\" content=\"width=device-width\">\n<title>" +
         escape_html(title) +
         "</title>\n<style>body{font:1rem/1.4 sans-serif;color:#000;background:#fff;margin:1rem}"
-        ".panels{display:flex;flex-wrap:wrap;gap:1rem}.panels svg{flex:1 1 26rem;max-width:40rem;"
-        "height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
+        ".panels{display:grid;gap:1rem;max-width:84rem;"
+        "grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr))}"
+        ".panels "
+        "svg{width:100%;height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
         escape_html(title) + "</h1>\n<div class=\"panels\">\n";
     for (const Plot& plot : picture.plots) {
         page += inline_svg(draw_svg(plot, gnuplot, scratch.path()), plot) + "\n";
@@ -66,8 +68,16 @@ std::string picture_file(const ScenePicture& picture, const std::string& title,
 std::string picture_text(const ScenePicture& picture, std::size_t width) {
     const auto gnuplot = gnuplot_for_picture();
     const io::Scratch scratch;
-    std::string text =
-        draw_picture({picture.plots.front()}, PictureKind::text, width, gnuplot, scratch.path());
+    Plot plot = picture.plots.front();
+    for (Curve& curve : plot.curves) {
+        // The key's columns are narrow there, and gnuplot cuts its lines; the exits are told below.
+        if (curve.title.starts_with("leaves")) {
+            curve.title.clear();
+        } else if (curve.title.ends_with(" edge")) {
+            curve.title.resize(curve.title.size() - std::string_view(" edge").size());
+        }
+    }
+    std::string text = draw_picture({plot}, PictureKind::text, width, gnuplot, scratch.path());
     text.erase(0, text.find_first_not_of("\f\n"));
     for (const std::string& exit : picture.exits) {
         text += exit + "\n";

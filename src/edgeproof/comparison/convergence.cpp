@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/convergence.hpp"
 
+#include "edgeproof/roots/power_law_fit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,28 +14,14 @@ namespace {
 constexpr double least_order = 0.1;
 constexpr double greatest_order = 8;
 
-/// The slope of log |error| over log h.
+/// The slope of log |error| over log h. An error of 0 is exactly right: it has no logarithm.
 std::optional<double> slope_of(const std::vector<MeshValue>& errors) {
-    double n = 0;
-    double sum_x = 0;
-    double sum_y = 0;
-    double sum_xx = 0;
-    double sum_xy = 0;
+    std::vector<std::pair<double, double>> points;
     for (const MeshValue& e : errors) {
-        if (e.value == 0 || !(e.h > 0)) {
-            continue; // exactly right: there is no logarithm
-        }
-        const double x = std::log(e.h);
-        const double y = std::log(std::abs(e.value));
-        n += 1;
-        sum_x += x;
-        sum_y += y;
-        sum_xx += x * x;
-        sum_xy += x * y;
+        points.emplace_back(e.h, std::abs(e.value));
     }
-    const double spread = n * sum_xx - sum_x * sum_x;
-    return n >= 2 && spread > 1e-12 ? std::optional((n * sum_xy - sum_x * sum_y) / spread)
-                                    : std::nullopt;
+    const auto fit = roots::power_law_fit(points);
+    return fit ? std::optional(fit->exponent) : std::nullopt;
 }
 
 /// p of (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), whose right side grows with p.

@@ -13,31 +13,6 @@ bool useful(const CostCell& cell) { return cell.failed() < cell.points.size(); }
 
 } // namespace
 
-std::optional<PowerLawFit> power_law_fit(const std::vector<std::pair<double, double>>& points) {
-    double n = 0;
-    double sx = 0;
-    double sy = 0;
-    double sxx = 0;
-    double sxy = 0;
-    for (const auto& [x, y] : points) {
-        if (x > 0 && y > 0) {
-            const double lx = std::log(x);
-            const double ly = std::log(y);
-            n += 1;
-            sx += lx;
-            sy += ly;
-            sxx += lx * lx;
-            sxy += lx * ly;
-        }
-    }
-    const double determinant = n * sxx - sx * sx;
-    if (n < 2 || !(determinant > 1e-9 * n * sxx)) {
-        return {};
-    }
-    const double exponent = (n * sxy - sx * sy) / determinant;
-    return PowerLawFit{std::exp((sy - exponent * sx) / n), exponent, static_cast<std::size_t>(n)};
-}
-
 double Growth::ten_more() const { return std::pow(60.0 / 50.0, time.exponent); }
 
 std::vector<Growth> growths(const std::vector<CostCell>& cells) {
@@ -59,9 +34,9 @@ std::vector<Growth> growths(const std::vector<CostCell>& cells) {
                 counts.emplace_back(cells[k].digits, evaluations ? evaluations->median : 0);
             }
         }
-        if (const auto fit = power_law_fit(times)) {
-            all.push_back(
-                {cells[i].scene, cells[i].route, cells[i].arithmetic, *fit, power_law_fit(counts)});
+        if (const auto fit = roots::power_law_fit(times)) {
+            all.push_back({cells[i].scene, cells[i].route, cells[i].arithmetic, *fit,
+                           roots::power_law_fit(counts)});
         }
     }
     return all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/cost/measure.hpp"
+#include "edgeproof/roots/power_law_fit.hpp"
 
 #include <optional>
 #include <string>
@@ -9,23 +10,13 @@
 
 namespace edgeproof::cost {
 
-/// y = factor x^exponent, by least squares in the logarithms.
-struct PowerLawFit {
-    double factor = 0;
-    double exponent = 0;
-    std::size_t points = 0;
-};
-/// Nothing for fewer than two different x > 0.
-[[nodiscard]] std::optional<PowerLawFit>
-power_law_fit(const std::vector<std::pair<double, double>>& points);
-
 /// How the cost of one route in one arithmetic grows with the digits, over one case.
 struct Growth {
     std::string scene;
     std::string route;
     std::string arithmetic;
-    PowerLawFit time;                       ///< median seconds a value
-    std::optional<PowerLawFit> evaluations; ///< median
+    roots::PowerLawFit time;                       ///< median seconds a value
+    std::optional<roots::PowerLawFit> evaluations; ///< median
     /// What a value of ten digits more costs, as a ratio, at 50 digits by the fit.
     [[nodiscard]] double ten_more() const;
 };

@@ -2,3 +2,4 @@
 #pragma once
 #include "edgeproof/roots/bracketed_root.hpp"
 #include "edgeproof/roots/extremum.hpp"
+#include "edgeproof/roots/power_law_fit.hpp"

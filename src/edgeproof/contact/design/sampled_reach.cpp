@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/reach.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/roots/extremum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,27 +103,8 @@ private:
         return (in + out) / 2;
     }
     [[nodiscard]] double highest(double lo, double hi) const {
-        const double golden = (std::sqrt(5.0) - 1) / 2;
-        double x = hi - golden * (hi - lo);
-        double y = lo + golden * (hi - lo);
-        double at_x = excess(x);
-        double at_y = excess(y);
-        for (int k = 0; k < refinements_of_a_place; ++k) {
-            if (at_x > at_y) {
-                hi = y;
-                y = x;
-                at_y = at_x;
-                x = hi - golden * (hi - lo);
-                at_x = excess(x);
-            } else {
-                lo = x;
-                x = y;
-                at_x = at_y;
-                y = lo + golden * (hi - lo);
-                at_y = excess(y);
-            }
-        }
-        return (lo + hi) / 2;
+        return roots::place_of_minimum([this](double u) { return -excess(u); }, lo, hi,
+                                       refinements_of_a_place);
     }
 
     const ErrorOverBox& f_;

@@ -118,7 +118,7 @@ void add_exponents(std::vector<Line>& lines) {
         for (const Point& p : line.points) {
             points.emplace_back(p.x, p.y);
         }
-        if (const auto fit = cost::power_law_fit(points); fit && fit->points > 2) {
+        if (const auto fit = roots::power_law_fit(points); fit && fit->points > 2) {
             line.title += fmt::format(" ~ d^{:.2f}", fit->exponent);
         }
     }

@@ -9,6 +9,7 @@ namespace edgeproof::cli {
 inline constexpr std::string_view shipped_ledgers = "verify";
 inline constexpr std::string_view shipped_recipes = "reference";
 inline constexpr std::string_view shipped_scenes = "examples/scenes";
+inline constexpr std::string_view shipped_designs = "examples/design";
 
 /// The file that a command is given. A bare name ("moore-hills") that is no file here is that of a
 /// file which came with the program, if there is one; anything else is as it was given.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
@@ -124,7 +125,7 @@ int compare_results(const CompareOptions& o) {
     if (!o.figures.empty()) {
         io::make_folder(o.figures);
     }
-    const scene::Scene scene = scene::read_scene(o.scene);
+    const scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     reading.units = scene.units;
     std::vector<comparison::ResultTable> tables; // all are read before any work
     for (const std::string& file : o.results) {

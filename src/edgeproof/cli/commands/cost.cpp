@@ -2,6 +2,7 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/bounds_tables.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/page/cost_page.hpp"
@@ -46,11 +47,13 @@ std::vector<cost::CostCase> cases_of(const CostArguments& a) {
         a.scenes.empty() ? cost::usual_cases() : std::vector<cost::CostCase>{};
     std::set<std::string> names;
     for (const std::string& file : a.scenes) {
-        cases.push_back(cost::case_of(scene::read_scene(file)));
-        for (std::size_t k = 2; !names.insert(cases.back().name).second; ++k) {
-            cases.back().name =
-                cost::case_of(scene::read_scene(file)).name + " " + std::to_string(k);
+        cost::CostCase asked =
+            cost::case_of(scene::read_scene(file_or_shipped(file, shipped_scenes)));
+        const std::string name = asked.name;
+        for (std::size_t k = 2; !names.insert(asked.name).second; ++k) {
+            asked.name = name + " " + std::to_string(k);
         }
+        cases.push_back(std::move(asked));
     }
     return cases;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -59,7 +60,7 @@ std::string reach_note(const scene::DesignScene& design) {
 }
 
 int run(const DesignCommandOptions& o) {
-    const scene::DesignScene design = scene::read_design(o.scene);
+    const scene::DesignScene design = scene::read_design(file_or_shipped(o.scene, shipped_designs));
     scene::Digits digits;
     digits.count =
         o.digits.empty()

@@ -231,6 +231,16 @@ def test_tables_that_are_written(command):
     assert faults("table", told) == [] and told["rows"]
 
 
+@pytest.mark.parametrize("command", [
+    ["relations", "left.c0", "right.c0", "--symmetric", "--format", "json"],
+    ["bounds", "count", "--values", "4", "--json"],
+    ["bounds", "binary64", "--values", "40", "--json"],
+], ids=lambda c: " ".join(c[:2]))
+def test_counts_and_relations(command):
+    told = json.loads(run(*command))
+    assert faults("table", told) == [] and told["rows"]
+
+
 def test_a_reference_table(tmp_path):
     recipe = tmp_path / "own.toml"
     recipe.write_text('title = "own"\n[scenes.one]\nu = "1/2"\nquantities = ["p"]\n'

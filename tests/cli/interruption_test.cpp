@@ -161,13 +161,17 @@ public:
     Running& operator=(const Running&) = delete;
 
     void send(int signal) const { ::kill(pid_, signal); }
-    /// Waits until it takes signals: its first thread has them blocked.
+    /// Waits until it takes signals: it is the program, no longer a fork of this one (in which
+    /// fork() itself may block signals for a while), and its first thread has them blocked.
     void wait_for_begin() const {
-        const std::string file = "/proc/" + std::to_string(pid_) + "/status";
+        const std::filesystem::path process = "/proc/" + std::to_string(pid_);
         for (const auto last = Clock::now() + longest_end; Clock::now() < last;) {
-            const std::string status = file_text(file);
+            std::error_code none_yet;
+            const auto running = std::filesystem::read_symlink(process / "exe", none_yet);
+            const std::string status = file_text(process / "status");
             const std::size_t at = status.find("SigBlk:");
-            if (at != std::string::npos &&
+            if (!none_yet && running.filename() == program().filename() &&
+                at != std::string::npos &&
                 (std::stoull(status.substr(at + 7), nullptr, 16) & (1U << (SIGINT - 1))) != 0) {
                 return;
             }

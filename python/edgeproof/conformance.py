@@ -44,7 +44,10 @@ class Case:
 
 @dataclasses.dataclass(frozen=True)
 class Convention:
-    """What one other convention would explain: of which quantities, by which relation, and a hint."""
+    """What one other convention would explain: of which quantities, by which relation, and a hint.
+
+    also  other relations that explain as much: the answers do not tell them apart
+    """
 
     of: str
     relation: str
@@ -52,6 +55,7 @@ class Convention:
     rows: int
     failing: int
     hint: str
+    also: tuple[str, ...] = ()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -175,7 +179,7 @@ def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | No
         passed=found["passed"],
         cases=tuple(Case(**case) for case in found["cases"]),
         faults=tuple(found["faults"]),
-        conventions=tuple(Convention(**convention) for convention in found["conventions"]),
+        conventions=tuple(Convention(**{**convention, "also": tuple(convention["also"])}) for convention in found["conventions"]),
         estimates=found["estimates"],
         text=found["text"],
     )

@@ -117,6 +117,7 @@ py::dict result_of(const report::Conformance& c) {
         one["rows"] = k.rows;
         one["failing"] = k.failing;
         one["hint"] = k.hint;
+        one["also"] = k.also;
         conventions.append(one);
     }
     d["conventions"] = conventions;

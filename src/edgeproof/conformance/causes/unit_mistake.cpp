@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -129,6 +128,14 @@ const std::vector<Reading>& readings() {
              q.u = formula::Exact(formula::Exact::parse(*a).expr() - q.u->expr());
              return q.u->sign() > 0;
          }},
+        {"ours at the other edge",
+         "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
+         "x "
+         "at the left one; swap the edges",
+         [](Parameters&, Question& q) {
+             q.edge = opposite(q.edge);
+             return q.at_edge();
+         }},
         {"ours with E/(1 - nu^2) of one body for the contact modulus",
          "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies give way",
          [](Parameters& p, Question&) { return modulus(p, "1/(I-n^I*n)"); }},
@@ -139,12 +146,37 @@ const std::vector<Reading>& readings() {
     return all;
 }
 
-/// Rows of one family, and what each is measured against.
-struct Rows {
-    std::size_t count = 0; ///< that the reading changes
-    std::size_t fit = 0;
-    double digits = most_digits;
+/// Rows of one family, held against what a reading makes of their questions.
+class Rows {
+public:
+    void add(double agreement, double effect) {
+        agreement_.push_back(agreement);
+        effect_.push_back(effect);
+    }
+    /// What the reading explains: rows that it moves by four times their scatter about it.
+    [[nodiscard]] std::optional<Convention> explained() const {
+        Convention c;
+        c.held = held_by_most(agreement_);
+        c.digits = most_digits;
+        std::size_t moved = 0;
+        for (std::size_t k = 0; k < effect_.size(); ++k) {
+            if (effect_[k] > std::min(same_digits, c.held - least_gain)) {
+                continue; // the same, however it is read
+            }
+            ++moved;
+            if (agreement_[k] >= follows_from(c.held)) {
+                ++c.rows;
+                c.digits = std::min(c.digits, agreement_[k]);
+            }
+        }
+        return c.held >= least_digits && enough(c.rows, moved) ? std::optional(c) : std::nullopt;
+    }
+
+private:
+    std::vector<double> agreement_; ///< digits of the answer to what the reading gives
+    std::vector<double> effect_;    ///< digits of that to ours
 };
+using Families = std::map<std::string, Rows>;
 
 class Search {
 public:
@@ -161,34 +193,61 @@ public:
         }
     }
 
-    void look(const Reading& reading, std::vector<Convention>& found) {
-        say(
-            reading.relation, reading.hint,
-            [&](const std::vector<std::size_t>& which) { return held_to(reading, which); }, found);
+    void look(const Reading& reading) {
+        keep(reading.relation, reading.hint,
+             [&](const std::vector<std::size_t>& which) { return held_to(reading, which); });
     }
 
     /// The answer is ours over the length of the contact, or times it.
-    void look_at_lengths(std::vector<Convention>& found) {
+    void look_at_lengths() {
         for (const int power : {-1, 1}) {
-            say(
-                power < 0 ? "ours over a + b" : "ours times a + b",
-                power < 0 ? "a mean pressure for a force per unit length? P is the force"
-                          : "a force per unit length for a pressure? p and q are tractions",
-                [&](const std::vector<std::size_t>& which) {
-                    return held_to_lengths(power, which);
-                },
-                found);
+            keep(power < 0 ? "ours over a + b" : "ours times a + b",
+                 power < 0 ? "a mean pressure for a force per unit length? P is the force"
+                           : "a force per unit length for a pressure? p and q are tractions",
+                 [this, power](const std::vector<std::size_t>& which) {
+                     return held_to_lengths(power, which);
+                 });
         }
     }
 
+    /// The best of each family, and those that are as good. What fits the sample of a family is
+    /// held to every failing row of it, so that the counts are true.
+    [[nodiscard]] std::vector<Convention> best() const {
+        std::vector<Convention> found;
+        for (const auto& [family, candidates] : candidates_) {
+            const auto first = std::max_element(
+                candidates.begin(), candidates.end(),
+                [](const Candidate& x, const Candidate& y) { return x.held < y.held; });
+            const Families all = first->hold_to(failing_.at(family));
+            const auto rows = all.find(family);
+            auto c = rows == all.end() ? std::nullopt : rows->second.explained();
+            if (!c) {
+                continue;
+            }
+            c->of = family;
+            c->relation = first->relation;
+            c->hint = first->hint;
+            c->failing = failing_.at(family).size();
+            for (const Candidate& other : candidates) {
+                if (&other != &*first && other.held >= first->held - as_good) {
+                    c->also.emplace_back(other.relation);
+                }
+            }
+            found.push_back(std::move(*c));
+        }
+        return found;
+    }
+
 private:
-    /// The rows of each family that fit.
-    struct Held {
-        std::map<std::string, Rows> families;
-        std::vector<std::size_t> fitting;
+    using HoldTo = std::function<Families(const std::vector<std::size_t>&)>;
+    struct Candidate {
+        const char* relation;
+        const char* hint;
+        double held; ///< on the sample
+        HoldTo hold_to;
     };
 
-    Held held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
+    Families held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
         Questions otherwise;
         otherwise.file = answers_.questions.file;
         std::map<std::size_t, std::optional<std::size_t>> contacts;
@@ -197,7 +256,7 @@ private:
             Question q = answers_.questions.list[i];
             Parameters parameters = answers_.questions.contacts[q.contact].parameters;
             try {
-                if (explained_.contains(i) || !reading.change(parameters, q)) {
+                if (!reading.change(parameters, q)) {
                     continue;
                 }
                 const auto [known, is_new] = contacts.emplace(q.contact, std::nullopt);
@@ -217,16 +276,16 @@ private:
             of.push_back(i);
         }
         const auto values = references_where_any(otherwise, options_);
-        Held result;
+        Families families;
         for (std::size_t k = 0; k < of.size(); ++k) {
             if (values[k] && !contains_zero(values[k]->value.value)) {
-                hold(of[k], values[k]->value.value.midpoint(), result);
+                hold(of[k], values[k]->value.value.midpoint(), families);
             }
         }
-        return result;
+        return families;
     }
 
-    Held held_to_lengths(int power, const std::vector<std::size_t>& which) const {
+    Families held_to_lengths(int power, const std::vector<std::size_t>& which) const {
         Questions sizes;
         sizes.file = answers_.questions.file;
         sizes.contacts = answers_.questions.contacts;
@@ -237,53 +296,32 @@ private:
             }
         }
         const auto values = references_where_any(sizes, options_);
-        Held result;
+        Families families;
         for (std::size_t k = 0; k < which.size(); ++k) {
-            const std::size_t i = which[k];
-            if (explained_.contains(i) || !values[2 * k] || !values[2 * k + 1]) {
-                continue;
+            if (values[2 * k] && values[2 * k + 1]) {
+                const Real length = values[2 * k]->value.value.midpoint() +
+                                    values[2 * k + 1]->value.value.midpoint();
+                const Real ours = agreements_.references[which[k]].value.value.midpoint();
+                hold(which[k], power < 0 ? Real(ours / length) : Real(ours * length), families);
             }
-            const Real length =
-                values[2 * k]->value.value.midpoint() + values[2 * k + 1]->value.value.midpoint();
-            const Real ours = agreements_.references[i].value.value.midpoint();
-            hold(i, power < 0 ? Real(ours / length) : Real(ours * length), result);
         }
-        return result;
+        return families;
     }
 
-    void hold(std::size_t i, const Real& other, Held& held) const {
-        const Real ours = agreements_.references[i].value.value.midpoint();
-        if (other == 0 || digits_between(ours, other) >= least_digits) {
-            return; // the same, however it is read
-        }
-        const Real value = Ball(answers_.given[i].value, 256).midpoint();
-        Rows& rows = held.families[family_of(answers_.questions.list[i])];
-        ++rows.count;
-        const double digits = digits_between(value, other);
-        if (digits >= least_digits) {
-            ++rows.fit;
-            rows.digits = std::min(rows.digits, digits);
-            held.fitting.push_back(i);
+    void hold(std::size_t i, const Real& other, Families& families) const {
+        if (other != 0) {
+            const Real ours = agreements_.references[i].value.value.midpoint();
+            const Real value = Ball(answers_.given[i].value, 256).midpoint();
+            families[family_of(answers_.questions.list[i])].add(digits_between(value, other),
+                                                                digits_between(ours, other));
         }
     }
-    /// What fits the sample of a family is held to every failing row of it, so that the counts are
-    /// true.
-    template <class HoldTo>
-    void say(const char* relation, const char* hint, const HoldTo& hold_to,
-             std::vector<Convention>& found) {
-        const Held of_the_sample = hold_to(sample_);
-        for (const auto& [family, sampled] : of_the_sample.families) {
-            if (!enough(sampled.fit, sampled.count)) {
-                continue;
+
+    void keep(const char* relation, const char* hint, const HoldTo& hold_to) {
+        for (const auto& [family, rows] : hold_to(sample_)) {
+            if (const auto c = rows.explained()) {
+                candidates_[family].push_back({relation, hint, c->held, hold_to});
             }
-            const Held all = hold_to(failing_.at(family));
-            const auto rows = all.families.find(family);
-            if (rows == all.families.end() || !enough(rows->second.fit, rows->second.count)) {
-                continue;
-            }
-            found.push_back({family, relation, rows->second.digits, rows->second.fit,
-                             failing_.at(family).size(), hint});
-            explained_.insert(all.fitting.begin(), all.fitting.end());
         }
     }
 
@@ -292,7 +330,7 @@ private:
     ReferenceOptions options_;
     std::vector<std::size_t> sample_;
     std::map<std::string, std::vector<std::size_t>> failing_;
-    std::set<std::size_t> explained_;
+    std::map<std::string, std::vector<Candidate>> candidates_; ///< by family
 };
 
 } // namespace
@@ -300,19 +338,18 @@ private:
 std::vector<Convention> infer_unit_mistakes(const Answers& answers, const Agreements& agreements,
                                             const std::vector<std::size_t>& failing,
                                             ReferenceOptions options) {
-    std::vector<Convention> found;
     if (failing.size() < least_rows) {
-        return found;
+        return {};
     }
     options.digits = {reading_digits, Rounding::nearest, false};
     options.progress = {};
     const PrecisionScope scope(reading_digits + 20);
     Search search(answers, agreements, failing, options);
     for (const Reading& reading : readings()) {
-        search.look(reading, found);
+        search.look(reading);
     }
-    search.look_at_lengths(found);
-    return found;
+    search.look_at_lengths();
+    return search.best();
 }
 
 } // namespace edgeproof::conformance

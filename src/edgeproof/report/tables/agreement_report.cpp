@@ -139,8 +139,13 @@ std::string target_text(const conformance::Target& target) {
 }
 
 std::string convention_text(const conformance::Convention& k) {
-    return fmt::format("{}: yours are {}, to {} digits in {} of {} failing rows: {}", k.of,
-                       k.relation, digits_text(k.digits, 40), k.rows, k.failing, k.hint);
+    std::string text =
+        fmt::format("{}: yours are {}, to {} digits in {} of {} failing rows: {}", k.of, k.relation,
+                    digits_text(k.digits, 40), k.rows, k.failing, k.hint);
+    for (std::size_t i = 0; i < k.also.size(); ++i) {
+        text += (i == 0 ? "; as well: " : ", or ") + k.also[i];
+    }
+    return text;
 }
 
 std::string counted(std::size_t n, const char* one, const char* many) {
@@ -240,6 +245,10 @@ std::string conformance_text(const Conformance& c, std::size_t errors) {
     out += (out.empty() ? "" : "\n") + regimes_text(c) + "\n";
     for (const conformance::Convention& convention : c.conventions) {
         out += convention_text(convention) + "\n";
+    }
+    if (const auto names = unexplained(c.answers, c.agreements, c.conventions); !names.empty()) {
+        out += fmt::format("{}: no mistake that is known explains what is off\n",
+                           fmt::join(names, "; "));
     }
     if (c.agreements.estimates > 0) {
         out += fmt::format("{} of the references are estimates, without a proved bound\n",

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/factor_mistake.hpp"
+
+#include "edgeproof/conformance/causes/convention_rule.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+using namespace convention_rule;
+
+struct Factor {
+    std::string formula;
+    const char* hint;
+};
+
+constexpr const char* modulus_hint =
+    "the modulus of one body, E/(1 - nu^2), taken for that of both? contact_modulus is E* with "
+    "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (or a full width for a half-width); scale by the "
+    "inverse";
+constexpr const char* half_hint =
+    "2 E* or an older compliance A = 1/E* halved? contact_modulus is E* with 1/E* = "
+    "(1 - nu1^2)/E1 + (1 - nu2^2)/E2 (or a half-width for a full width); scale by the inverse";
+constexpr const char* pi_hint = "a factor of pi in the kernel of the integral equation";
+constexpr const char* root_hint =
+    "distances or half-widths that differ by 2 under a square root: u is the distance from the "
+    "edge, c_k the coefficient of u^(k + 1/2)";
+constexpr const char* intensity_hint =
+    "the stress intensity of fracture mechanics, with its sqrt(2 pi) or sqrt(pi), for the "
+    "coefficient of u^(k + 1/2)? scale by the inverse";
+constexpr const char* degree_hint = "degrees for radians";
+constexpr const char* unit_hint = "other units? numbers have the units of the question";
+constexpr const char* other_hint =
+    "a constant of proportionality that differs; scale by its inverse";
+
+std::vector<Factor> factors_with_names() {
+    std::vector<Factor> factors{
+        {"1", ""},
+        {"2", modulus_hint},
+        {"1/2", half_hint},
+        {"4", modulus_hint},
+        {"1/4", half_hint},
+        {"pi", pi_hint},
+        {"1/pi", pi_hint},
+        {"2*pi", pi_hint},
+        {"1/(2*pi)", pi_hint},
+        {"pi/2", pi_hint},
+        {"2/pi", pi_hint},
+        {"sqrt(2)", root_hint},
+        {"1/sqrt(2)", root_hint},
+        {"2*sqrt(2)", root_hint},
+        {"sqrt(pi)", intensity_hint},
+        {"1/sqrt(pi)", intensity_hint},
+        {"sqrt(2*pi)", intensity_hint},
+        {"1/sqrt(2*pi)", intensity_hint},
+        {"180/pi", degree_hint},
+        {"pi/180", degree_hint},
+    };
+    // A kilogram-force, an inch in mm, a psi in Pa and in kPa.
+    for (const char* unit : {"9.80665", "25.4", "6894.757293168", "6.894757293168"}) {
+        factors.push_back({unit, unit_hint});
+        factors.push_back({std::string("1/") + unit, unit_hint});
+    }
+    for (const int power : {1, 2, 3, 4, 5, 6, 9}) {
+        factors.push_back({fmt::format("10^{}", power), unit_hint});
+        factors.push_back({fmt::format("10^-{}", power), unit_hint});
+    }
+    return factors;
+}
+
+Real value_of(const Factor& factor) { return formula::Exact::parse(factor.formula).to<Real>(); }
+
+std::string in_words(const Factor& factor, bool negative) {
+    if (factor.formula == "1") {
+        return negative ? "minus " : "";
+    }
+    std::string text = factor.formula;
+    std::replace(text.begin(), text.end(), '*', ' ');
+    return fmt::format("{}{} times ", negative ? "-" : "", text);
+}
+
+/// Rows held to one factor.
+struct Held {
+    std::size_t rows = 0;
+    double worst = 0; ///< digits, of the rows that follow
+    double most = 0;  ///< digits that nine of ten have
+};
+
+/// Ratios of answers to ours, or to ours at the other edge; rows without one follow nothing.
+class Ratios {
+public:
+    Ratios(std::vector<Real> ratios, std::size_t rows) : ratios_(std::move(ratios)), rows_(rows) {
+        if (!enough(ratios_.size(), rows_)) {
+            return;
+        }
+        std::vector<Real> sorted = ratios_;
+        const auto middle = sorted.begin() + static_cast<long>(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        median_ = *middle;
+        spread_ = median_ == 0 ? 0 : held_to(median_).most;
+    }
+    [[nodiscard]] bool one_number() const { return spread_ >= least_digits; }
+    [[nodiscard]] const Real& median() const { return median_; }
+    /// Whether the median may stand for the factor: within four of its standard errors, or half the
+    /// scatter, which need not be of independent errors.
+    [[nodiscard]] bool allow(const Real& factor) const {
+        const double off = std::pow(10, -digits_between(median_, factor));
+        return off <= std::max({std::pow(10, -same_digits), 4 * standard_error(), scatter() / 2});
+    }
+    /// The median, to the digits that it has.
+    [[nodiscard]] std::string median_text() const {
+        constexpr double most_printed = 10;
+        const double digits = -std::log10(standard_error() + std::pow(10, -most_printed));
+        return fmt::format("{:.{}g}", median_.convert_to<double>(),
+                           static_cast<int>(std::max(2.0, std::round(digits))));
+    }
+    [[nodiscard]] Held held_to(const Real& factor) const {
+        std::vector<double> digits;
+        for (const Real& ratio : ratios_) {
+            digits.push_back(digits_between(ratio, factor));
+        }
+        digits.resize(rows_, 0.0);
+        Held held{0, most_digits, held_by_most(digits)};
+        for (const double d : digits) {
+            if (d >= follows_from(held.most)) {
+                ++held.rows;
+                held.worst = std::min(held.worst, d);
+            }
+        }
+        return held;
+    }
+
+private:
+    [[nodiscard]] double scatter() const { return std::pow(10, -spread_); }
+    /// Of the median, relative, were the errors independent.
+    [[nodiscard]] double standard_error() const {
+        constexpr double deviations_in_the_spread = 1.645; // that nine of ten are within
+        constexpr double of_a_median = 1.25;
+        return of_a_median * scatter() / deviations_in_the_spread /
+               std::sqrt(static_cast<double>(ratios_.size()));
+    }
+
+    std::vector<Real> ratios_;
+    std::size_t rows_;
+    Real median_ = 0;
+    double spread_ = 0;
+};
+
+/// The digits of half the rows as they stand.
+double digits_of_half(const std::vector<FailingRow>& rows) {
+    std::vector<double> digits;
+    for (const FailingRow& row : rows) {
+        digits.push_back(digits_between(row.ratio, Real(1)));
+    }
+    const auto middle = digits.begin() + static_cast<long>(digits.size() / 2);
+    std::nth_element(digits.begin(), middle, digits.end());
+    return *middle;
+}
+
+/// The factors with names that the ratios allow, the nearest first.
+struct Allowed {
+    Real value;
+    std::string words;
+    const char* hint;
+    double digits; ///< of the median to it
+};
+std::vector<Allowed> allowed_by(const Ratios& ratios) {
+    std::vector<Allowed> allowed;
+    for (const Factor& factor : factors_with_names()) {
+        for (const int sign : {1, -1}) {
+            const Real value = value_of(factor) * sign;
+            if (!(factor.formula == "1" && sign > 0) && ratios.allow(value)) {
+                allowed.push_back({value, in_words(factor, sign < 0), factor.hint,
+                                   digits_between(ratios.median(), value)});
+            }
+        }
+    }
+    std::stable_sort(allowed.begin(), allowed.end(),
+                     [](const Allowed& x, const Allowed& y) { return x.digits > y.digits; });
+    return allowed;
+}
+
+} // namespace
+
+std::optional<Convention> infer_factor(const std::string& of, const std::vector<FailingRow>& rows,
+                                       bool named) {
+    if (rows.size() < least_rows) {
+        return {};
+    }
+    std::vector<Real> straight;
+    std::vector<Real> mirrored;
+    for (const FailingRow& row : rows) {
+        straight.push_back(row.ratio);
+        if (row.mirrored) {
+            mirrored.push_back(*row.mirrored);
+        }
+    }
+    const double to_gain_on = digits_of_half(rows);
+    std::optional<Convention> best;
+    const auto take = [&](const Ratios& ratios, const Real& factor, std::string relation,
+                          std::string hint) {
+        const Held held = ratios.held_to(factor);
+        const bool better = !best || held.most > best->held + as_good;
+        if (better && held.most >= to_gain_on + least_gain && enough(held.rows, rows.size())) {
+            best = Convention{of,          std::move(relation), held.worst, held.rows,
+                              rows.size(), std::move(hint),     {},         held.most};
+            return true;
+        }
+        return false;
+    };
+    const Ratios same(std::move(straight), rows.size());
+    if (!named) {
+        if (same.one_number()) {
+            take(same, same.median(), same.median_text() + " times ours", other_hint);
+        }
+        return best;
+    }
+    for (const bool swapped : {false, true}) {
+        const Ratios ratios = swapped ? Ratios(std::move(mirrored), rows.size()) : same;
+        if (!ratios.one_number()) {
+            continue;
+        }
+        const std::string ours = swapped ? "ours at the other edge" : "ours";
+        const std::vector<Allowed> allowed = allowed_by(ratios);
+        if (allowed.empty()) {
+            continue;
+        }
+        const Allowed& first = allowed.front();
+        const std::string hint = swapped ? "left taken for right, and a factor"
+                                 : first.words == "minus "
+                                     ? "the other sign convention? p is positive in compression, q "
+                                       "towards +x on the body that Q acts on; change the sign"
+                                     : first.hint;
+        if (take(ratios, first.value, first.words + ours, hint)) {
+            for (std::size_t i = 1; i < allowed.size(); ++i) {
+                best->also.push_back(allowed[i].words + ours);
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace edgeproof::conformance

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/convention.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <random>
+
+// Known mistakes, put into the exact answers of several contacts under noise: each is named as long
+// as the noise lets it, and none is named that was not made.
+
+namespace {
+
+using QuestionCells = std::map<std::string, std::string>; ///< by column
+
+const std::vector<std::string> columns{"kind", "m",  "C",   "phi", "alpha", "t", "R",       "a",
+                                       "E1",   "E2", "nu1", "nu2", "edge",  "u", "quantity"};
+
+/// Points of both edges, coefficients and the load of contacts of every kind with a closed form.
+std::vector<QuestionCells> right_questions() {
+    const std::vector<QuestionCells> contacts{
+        {{"kind", "power-law"}, {"m", "1"}, {"C", "1/50"}, {"a", "2"}},
+        {{"kind", "power-law"}, {"m", "0"}, {"C", "0.1"}, {"a", "0.7"}},
+        {{"kind", "flat-and-rounded"}, {"t", "0.5"}, {"R", "20"}, {"a", "1.5"}},
+        {{"kind", "tilted-wedge"}, {"phi", "0.2"}, {"alpha", "0.05"}, {"a", "1.3"}},
+        {{"kind", "tilted-flat-and-rounded"},
+         {"t", "1"},
+         {"R", "9"},
+         {"alpha", "0.01"},
+         {"a", "3"}},
+    };
+    std::vector<QuestionCells> all;
+    for (QuestionCells q : contacts) {
+        q.insert({{"E1", "115"}, {"nu1", "0.32"}, {"E2", "70"}, {"nu2", "0.25"}});
+        q["quantity"] = "P";
+        all.push_back(q);
+        for (const char* edge : {"right", "left"}) {
+            q["edge"] = edge;
+            for (const char* c : {"c_0", "c_1", "c_2"}) {
+                q["quantity"] = c;
+                all.push_back(q);
+            }
+            q["quantity"] = "p";
+            for (const char* u : {"1e-6", "1e-3", "0.01", "0.03", "0.1", "0.17", "0.31", "0.6"}) {
+                q["u"] = u;
+                all.push_back(q);
+            }
+            q.erase("u");
+        }
+    }
+    return all;
+}
+
+std::string csv(const std::vector<QuestionCells>& questions, const std::vector<double>& values) {
+    std::string text = "id";
+    for (const std::string& column : columns) {
+        text += "," + column;
+    }
+    text += ",value\n";
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        text += std::to_string(i);
+        for (const std::string& column : columns) {
+            const auto cell = questions[i].find(column);
+            text += "," + (cell == questions[i].end() ? "" : cell->second);
+        }
+        char value[40];
+        std::snprintf(value, sizeof value, ",%.17g\n", values[i]);
+        text += value;
+    }
+    return text;
+}
+
+std::vector<double> exact_values(const std::vector<QuestionCells>& questions) {
+    const Answers asked =
+        echoed_answers(parse_csv(csv(questions, std::vector<double>(questions.size(), 1)), "a"));
+    std::vector<double> values;
+    for (const Reference& r : compare(asked, {}, {}).references) {
+        values.push_back(r.value.value.midpoint().convert_to<double>());
+    }
+    return values;
+}
+
+struct Mistake {
+    std::string relation; ///< what is to be said
+    std::function<void(QuestionCells&)> change = [](QuestionCells&) {};
+    double factor = 1; ///< of what is not a size
+};
+
+void times(QuestionCells& q, const std::string& column, const std::string& by) {
+    if (const auto cell = q.find(column); cell != q.end()) {
+        cell->second = "(" + cell->second + ")" + by;
+    }
+}
+
+std::vector<Mistake> mistakes() {
+    const auto cell = [](const std::string& column, const std::string& by) {
+        return [=](QuestionCells& q) { times(q, column, by); };
+    };
+    const auto one_modulus = [](const std::string& formula) {
+        return [=](QuestionCells& q) {
+            for (const char* key : {"nu1", "nu2"}) {
+                q[key] = "0";
+            }
+            q["E1"] = formula;
+            q["E2"] = "10^40"; // rigid
+        };
+    };
+    return {
+        {"2 times ours", {}, 2},
+        {"1/2 times ours", {}, 0.5},
+        {"pi times ours", {}, 3.14159265358979323846},
+        {"1/(2 pi) times ours", {}, 1 / 6.28318530717958647692},
+        {"sqrt(2 pi) times ours", {}, 2.50662827463100050242},
+        {"1/sqrt(2) times ours", {}, 0.70710678118654752440},
+        {"minus ours", {}, -1},
+        {"9.80665 times ours", {}, 9.80665},
+        {"10^-3 times ours", {}, 1e-3},
+        {"1.37 times ours", {}, 1.37},
+        {"ours with R taken for a diameter", cell("R", "/2")},
+        {"ours with t doubled", cell("t", "*2")},
+        {"ours with a taken for the whole width", cell("a", "*0.5")},
+        {"ours with alpha and phi read in degrees",
+         [](QuestionCells& q) {
+             times(q, "alpha", "*pi/180");
+             times(q, "phi", "*pi/180");
+         }},
+        {"ours with E/(1 - nu^2) of one body for the contact modulus",
+         one_modulus("115/(1-0.32^2)")},
+        {"ours with Poisson's ratio left out", one_modulus("115*70/185")},
+        {"ours at the other edge",
+         [](QuestionCells& q) {
+             if (const auto edge = q.find("edge"); edge != q.end()) {
+                 edge->second = edge->second == "left" ? "right" : "left";
+             }
+         }},
+    };
+}
+
+/// A factor without a name is told to the digits that the noise leaves.
+bool says(const Convention& c, const std::string& relation, double noise) {
+    const bool factor = relation == "1.37 times ours" && c.relation.ends_with(" times ours");
+    return c.relation == relation ||
+           (factor && std::abs(std::atof(c.relation.c_str()) / 1.37 - 1) <= 3 * noise) ||
+           std::find(c.also.begin(), c.also.end(), relation) != c.also.end();
+}
+
+} // namespace
+
+TEST_CASE("known mistakes are named under noise, and no others") {
+    const std::vector<QuestionCells> questions = right_questions();
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    for (const Mistake& mistake : mistakes()) {
+        std::vector<QuestionCells> otherwise = questions;
+        for (QuestionCells& q : otherwise) {
+            if (mistake.change) {
+                mistake.change(q);
+            }
+        }
+        const std::vector<double> exact = exact_values(otherwise);
+        for (const double noise : {0.0, 1e-6, 3e-6, 1e-4, 1e-2}) {
+            std::vector<double> values = exact;
+            for (double& v : values) {
+                v *= mistake.factor * (1 + noise * normal(random));
+            }
+            const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
+            const Agreements agreements = compare(answers, Target{5, {}, false}, {});
+            const auto found = infer_conventions(answers, agreements, {});
+            CAPTURE(mistake.relation);
+            CAPTURE(noise);
+            bool right = false;
+            for (const Convention& c : found) {
+                CAPTURE(c.of);
+                CAPTURE(c.relation);
+                right = right || says(c, mistake.relation, noise);
+                CHECK(says(c, mistake.relation, noise)); // no other is named
+            }
+            CHECK(right);
+        }
+    }
+}
+
+TEST_CASE("noise alone has no cause, and what is off without one is said to be") {
+    const std::vector<QuestionCells> questions = right_questions();
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    const std::vector<double> exact = exact_values(questions);
+    for (const double noise : {1e-6, 1e-4, 1e-2, 0.1, 1.0}) {
+        std::vector<double> values = exact;
+        for (double& v : values) {
+            v *= 1 + noise * normal(random);
+        }
+        const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
+        const Agreements agreements = compare(answers, Target{7, {}, false}, {});
+        const auto found = infer_conventions(answers, agreements, {});
+        CAPTURE(noise);
+        CHECK(found.empty());
+        CHECK(unexplained(answers, agreements, found) == std::vector<std::string>{"P", "c_k", "p"});
+    }
+}

@@ -86,7 +86,7 @@ std::string faults_of(const Folder& folder, const std::string& width) {
     const std::size_t at = opened.page.find("<pre id=\"measured\">");
     REQUIRE(at != std::string::npos);
     const std::size_t begin = opened.page.find('\n', at) + 1;
-    return opened.page.substr(begin, opened.page.find("\nend", begin - 1) - begin + 1);
+    return opened.page.substr(begin, opened.page.find("\nend", begin) - begin);
 }
 
 /// Pages of the page in print, as its style sheet has it.

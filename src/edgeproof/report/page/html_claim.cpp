@@ -177,8 +177,8 @@ std::string erratum_html(const Erratum& erratum, const audit::AuditResult& resul
         }
     }
     std::string out = "<article class=\"erratum\" id=\"erratum-" + id +
-                      "\" aria-labelledby=\"erratum-" + id + "-title\">\n<h3 id=\"erratum-" + id +
-                      "-title\">" + escape_html(place_words(first.claim, head.source)) + " " +
+                      "\" aria-labelledby=\"erratum-" + id + "-heading\">\n<h3 id=\"erratum-" + id +
+                      "-heading\">" + escape_html(place_words(first.claim, head.source)) + " " +
                       verdict_mark(first.outcome.verdict) + " <span class=\"weight\">" +
                       weight_words(erratum.weight) + "</span></h3>\n<p class=\"where\">" +
                       where_html(first.claim, head) + (first.claim.lines.first == 0 ? "" : " · ") +

@@ -161,19 +161,25 @@ public:
     Running& operator=(const Running&) = delete;
 
     void send(int signal) const { ::kill(pid_, signal); }
-    /// Waits until it takes signals: it is the program, no longer a fork of this one (in which
-    /// fork() itself may block signals for a while), and its first thread has them blocked.
+    /// Waits until it takes signals: it is the program, no longer a fork of this one, and its first
+    /// thread has them blocked, and not all there are, as fork() and pthread_create() have for a
+    /// while.
     void wait_for_begin() const {
         const std::filesystem::path process = "/proc/" + std::to_string(pid_);
+        const auto in = [](unsigned long long set, int signal) {
+            return (set & (1ULL << (signal - 1))) != 0;
+        };
         for (const auto last = Clock::now() + longest_end; Clock::now() < last;) {
             std::error_code none_yet;
             const auto running = std::filesystem::read_symlink(process / "exe", none_yet);
             const std::string status = file_text(process / "status");
             const std::size_t at = status.find("SigBlk:");
             if (!none_yet && running.filename() == program().filename() &&
-                at != std::string::npos &&
-                (std::stoull(status.substr(at + 7), nullptr, 16) & (1U << (SIGINT - 1))) != 0) {
-                return;
+                at != std::string::npos) {
+                const auto blocked = std::stoull(status.substr(at + 7), nullptr, 16);
+                if (in(blocked, SIGINT) && !in(blocked, SIGUSR1)) {
+                    return;
+                }
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }

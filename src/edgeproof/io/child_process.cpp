@@ -232,7 +232,10 @@ ProgramRun run_program(const ProgramCall& call) {
     const auto [our_err, their_err] = make_pipe();
     Descriptor theirs_err(their_err);
     Descriptor ours_err(our_err);
-    ChildGroup child([&] { return start(call, their_in, their_out, their_err); });
+    // Named anew: clang before 16 captures no structured bindings.
+    ChildGroup child([&call, in = their_in, out = their_out, err = their_err] {
+        return start(call, in, out, err);
+    });
     theirs_in.close();
     theirs_out.close();
     theirs_err.close();

@@ -164,12 +164,17 @@ unsigned threads_of(const std::string& text) {
                         : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
 }
 
-std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::string& text) {
+std::vector<std::size_t> whole_numbers(const std::string& option, const std::string& text,
+                                       std::size_t least, std::size_t most) {
     std::vector<std::size_t> numbers;
     for (const std::string& part : parts_of(text)) {
-        numbers.push_back(whole_number(option, part, 1, most_terms));
+        numbers.push_back(whole_number(option, part, least, most));
     }
     return numbers;
+}
+
+std::vector<std::size_t> numbers_of_terms(const std::string& option, const std::string& text) {
+    return whole_numbers(option, text, 1, most_terms);
 }
 
 void check_state(const std::string& file) {

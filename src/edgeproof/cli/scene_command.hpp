@@ -56,6 +56,10 @@ void ask_for(scene::Scene& scene, const SceneOptions& options, scene::QuantityGr
 /// A whole number of an option, in least ... most.
 [[nodiscard]] std::size_t whole_number(const std::string& option, const std::string& text,
                                        std::size_t least, std::size_t most);
+/// A list of such numbers: "1", "1,2,3".
+[[nodiscard]] std::vector<std::size_t> whole_numbers(const std::string& option,
+                                                     const std::string& text, std::size_t least,
+                                                     std::size_t most);
 /// Of --threads; 0, the usual ones, where it is not given.
 [[nodiscard]] unsigned threads_of(const std::string& text);
 /// "1", "1,2,3": numbers of terms.

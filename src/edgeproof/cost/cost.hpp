@@ -6,6 +6,7 @@
 ///   measure.hpp     CostCell: a route at so many digits over the points of a case
 ///   growth.hpp      how cost grows with the digits, and what a proof adds
 ///   effects.hpp     what tilt, shear, expansions and extents add to a scene
+///   sampled_scene.hpp, speed_scan.hpp  scenes drawn at random: which take much longer than others
 ///   machine.hpp     where times were taken
 #include "edgeproof/cost/cost_case.hpp"
 #include "edgeproof/cost/cost_route.hpp"
@@ -13,3 +14,5 @@
 #include "edgeproof/cost/growth.hpp"
 #include "edgeproof/cost/machine.hpp"
 #include "edgeproof/cost/measure.hpp"
+#include "edgeproof/cost/sampled_scene.hpp"
+#include "edgeproof/cost/speed_scan.hpp"

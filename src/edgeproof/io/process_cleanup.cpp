@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/process_cleanup.hpp"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <cerrno>
@@ -70,7 +71,8 @@ ChildGroup::ChildGroup(const std::function<pid_t()>& start) : pid_(-1) {
 ChildGroup::~ChildGroup() {
     if (pid_ > 0) {
         end();
-        (void)wait();
+        double ignored = 0;
+        (void)wait(ignored);
     }
 }
 
@@ -82,7 +84,7 @@ bool ChildGroup::ended() const {
            info.si_pid == pid_;
 }
 
-int ChildGroup::wait() {
+int ChildGroup::wait(double& processor_seconds) {
     siginfo_t info{};
     while (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 &&
            errno == EINTR) {
@@ -94,8 +96,13 @@ int ChildGroup::wait() {
         registered().groups.erase(pid_);
     }
     int status = 0;
-    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    rusage used{};
+    while (::wait4(pid_, &status, 0, &used) < 0 && errno == EINTR) {
     }
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     pid_ = -1;
     return status;
 }

@@ -50,8 +50,8 @@ public:
     /// Whether the child has ended; it is still to be waited for.
     [[nodiscard]] bool ended() const;
     /// Waits for the child, ends what it left behind in its group, and gives its status (as
-    /// waitpid does).
-    int wait();
+    /// waitpid does). `processor_seconds`: set to what it took.
+    int wait(double& processor_seconds);
 
 private:
     pid_t pid_;

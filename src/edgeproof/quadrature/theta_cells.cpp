@@ -72,6 +72,14 @@ private:
         }
         return true;
     }
+    /// Whether s varies over the real cell s_ by more than what it is known to in its middle: where
+    /// it does not, halves of the cell are bounded no better.
+    [[nodiscard]] bool resolved(const Ball& middle) const {
+        const Ball s = centre_ + half_length_ * cos(middle);
+        Ball width(0, 64);
+        arb_get_rad_arb(width.data(), acb_realref(s_));
+        return certainly_less(Ball(s.radius(), 64) * 4, width);
+    }
     void add(const Magnitude& factor) {
         for (std::size_t k = 0; k < sum_.size(); ++k) {
             sum_[k] += (most_[k] * factor).ball(bits_);
@@ -106,7 +114,7 @@ private:
         }
         const Magnitude length(Ball(hi - lo));
         acb_set_arb(theta_, Ball::hull(lo, hi).data());
-        if (bounded() && small(length)) {
+        if (bounded() && (small(length) || !resolved(middle))) {
             add(length);
             return;
         }

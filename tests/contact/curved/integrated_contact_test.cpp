@@ -68,6 +68,26 @@ TEST_CASE("rigorous integrals meet the closed forms where there are both") {
     }
 }
 
+// A branch point on a knot: cells beside it are as small as the knot is known, 2^-300, where a
+// formula over a cell takes as many bits to be told from its cut.
+TEST_CASE("one disk beside a root on a knot gives what the routes in Real give") {
+    const Symbols x{"x"};
+    const Profile profile =
+        Profile::piecewise_symmetric({exact("1/3")}, {parse("0", x), parse("(x - 1/3)^(3/2)", x)});
+    const Load load = Load::right_edge(exact("1"));
+    const IntegratedContact balls(profile, exact("1"), load, integral_bits);
+    const NormalContact reals(profile, exact("1"), load, 40);
+    const auto enclosed = balls.expansion(Edge::right, 12);
+    const auto values = reals.expansion(Edge::right, 12);
+    const PrecisionScope scope(60);
+    for (std::size_t k = 0; k < 12; ++k) {
+        CAPTURE(k);
+        const Real error = abs(values[k]) * Real("1e-30");
+        CHECK(overlaps(enclosed[k], Ball::around(values[k], error, integral_bits)));
+        CHECK(enclosed[k].relative_accuracy_bits() > 200);
+    }
+}
+
 TEST_CASE("rigorous integrals hold what the quadratures in Real find for a curved slope") {
     for (const Contact& c : {own_symmetric(), own_tilted()}) {
         CAPTURE(c.name);

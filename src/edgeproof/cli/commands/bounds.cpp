@@ -294,6 +294,8 @@ void add_bounds(CLI::App& app, int& code) {
         ->capture_default_str();
     add_output(*honest, h->output);
     honest->callback([h, &code] { code = honesty_of_routes(*h); });
+
+    add_bounds_speed(*sub, code);
 }
 
 } // namespace edgeproof::cli

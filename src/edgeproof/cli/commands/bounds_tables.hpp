@@ -3,6 +3,8 @@
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/validation/validation.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ namespace edgeproof::cli {
                                           unsigned digits);
 /// All that it takes to see a finding again.
 [[nodiscard]] std::string finding_text(const validation::CountFinding& finding);
+
+/// `bounds speed`, which times scenes.
+void add_bounds_speed(CLI::App& bounds, int& code);
 
 /// Title, notes, and columns aligned: text to the left, numbers to the right.
 [[nodiscard]] std::string aligned_text(const report::Table& table);

@@ -32,13 +32,8 @@ struct CostArguments {
 };
 
 std::vector<unsigned> digits_of(const std::string& text) {
-    std::set<unsigned> digits;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        digits.insert(static_cast<unsigned>(
-            whole_number("--digits", text.substr(at, comma - at), 2, most_digits_of_a_cost)));
-        at = comma + 1;
-    }
+    const auto list = whole_numbers("--digits", text, 2, most_digits_of_a_cost);
+    const std::set<unsigned> digits(list.begin(), list.end());
     return {digits.begin(), digits.end()};
 }
 

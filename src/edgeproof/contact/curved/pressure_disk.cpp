@@ -12,12 +12,20 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long box_bits = 64;
+constexpr slong most_box_bits = 1L << 20;
 constexpr int most_radii = 24; ///< radii that are tried
 constexpr long steepest = 256; ///< times the mean slope of g', in a disk
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral that is wide anyway
 
 Ball exact_lower(const Ball& x) { return {x.with_bits(32).lower(), box_bits}; }
+
+/// Bits for a function over a box: those that tell it from a branch point beside it, which may be
+/// as near as the box is small.
+long bits_over(const acb_t s) {
+    const slong accuracy = acb_rel_accuracy_bits(s);
+    return box_bits + std::clamp<slong>(accuracy, 0, most_box_bits);
+}
 
 /// g'(s) - g0.
 void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, const Ball& g0,
@@ -46,7 +54,7 @@ Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& 
             arb_set(acb_imagref(s), Ball(step * (2 * j + 1)).data());
             arb_add_error(acb_realref(s), step.data());
             arb_add_error(acb_imagref(s), step.data());
-            slope_change(change, slope, s, g0, box_bits);
+            slope_change(change, slope, s, g0, bits_over(s));
             const Magnitude here(change);
             most = here <= most ? most : here;
             if (!most.is_finite()) {
@@ -89,7 +97,7 @@ public:
         if (least.is_zero() || (piece == holds_ && least <= Magnitude(far_))) {
             return false;
         }
-        slope_change(change_, integral_.slopes[piece], s, g_[0], box_bits);
+        slope_change(change_, integral_.slopes[piece], s, g_[0], bits_over(s));
         Magnitude size(change_);
         if (!size.is_finite()) {
             if (arb_is_zero(acb_imagref(s)) == 0) {
@@ -187,7 +195,7 @@ private:
         const Ball width(s.radius(), box_bits);
         if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
             acb_set_arb(s_, s.data());
-            slope_change(change_, integral_.slopes[piece], s_, g0_, box_bits);
+            slope_change(change_, integral_.slopes[piece], s_, g0_, bits_over(s_));
             Magnitude size(change_);
             if (!(size <= integral_.most_change)) {
                 size = integral_.most_change;
@@ -223,7 +231,7 @@ public:
     bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
         acb_sub_arb(gap_, s, x_.data(), bits_);
         const Magnitude least = Magnitude::least(gap_);
-        slope_change(change_, integral_.slopes[piece], s, slope_at_x_, box_bits);
+        slope_change(change_, integral_.slopes[piece], s, slope_at_x_, bits_over(s));
         Magnitude size(change_);
         if (!size.is_finite() && arb_is_zero(acb_imagref(s)) != 0) {
             size = integral_.most_change;

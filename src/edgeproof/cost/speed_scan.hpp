@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/cost/sampled_scene.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof::cost {
+
+/// What is asked of every scene: a subcommand of the program with its options.
+struct ScannedCommand {
+    const char* name;
+    const char* options;
+};
+inline constexpr std::array<ScannedCommand, 3> scanned_commands{{
+    {"pressure", "--quantity pressure"},
+    {"expand", "--quantity coefficients --terms 40"},
+    {"extent", "--quantity extent --terms 1,2,3 --tolerance 1%"},
+}};
+
+/// One answer: how long it took, and how it ended.
+struct TimedAnswer {
+    double seconds = 0;   ///< of the processor
+    bool stopped = false; ///< at the limit: it would have taken longer
+    std::string failure;  ///< what was said where there is no answer; empty else
+};
+
+struct SpeedOptions {
+    std::uint64_t seed = 1;
+    std::size_t scenes = 100;
+    std::optional<std::size_t> only; ///< this scene alone
+    std::vector<unsigned> digits{50, 200};
+    unsigned threads = 1; ///< 0: as many as the machine has
+    /// Answers a scene, timed. Called from several threads.
+    std::function<TimedAnswer(const SampledScene&, const ScannedCommand&, unsigned digits)> answer;
+    std::function<void(std::size_t, std::size_t)> progress = {};
+};
+
+/// The scenes of one kind, asked the same at the same digits.
+struct SpeedCell {
+    std::string kind;
+    std::size_t command = 0; ///< of scanned_commands
+    unsigned digits = 0;
+    struct Scene {
+        std::size_t number;
+        TimedAnswer answer;
+    };
+    std::vector<Scene> scenes; ///< the slowest first
+
+    [[nodiscard]] double median() const;
+    /// Of the slowest, to the median.
+    [[nodiscard]] double ratio() const;
+    [[nodiscard]] std::size_t stopped() const;
+    [[nodiscard]] std::size_t failed() const;
+};
+
+/// Times every scene with every command at every number of digits. The cell with the greatest ratio
+/// comes first. Throws Interrupted.
+[[nodiscard]] std::vector<SpeedCell> scan_speed(const SpeedOptions& options);
+
+} // namespace edgeproof::cost

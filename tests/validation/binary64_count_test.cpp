@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/validation/binary64_count.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -6,23 +7,71 @@
 
 using namespace edgeproof;
 
-TEST_CASE("a hundred thousand pressures in double words: none wrong, few left to balls") {
-    const Binary64Count count = count_binary64(3, 100'000);
-    CHECK(count.contacts == 10);
-    CHECK(count.total().values == 100'000);
-    CHECK(count.total().wrong == 0);
-    CHECK(count.findings.empty());
-    // 1 in 10^4 but by knots, where p is infinite on a corner and the sample comes that near.
-    const auto undecided = [&](DrawnPlace place) {
-        return count.cells.at(static_cast<std::size_t>(place)).undecided;
-    };
-    CHECK(undecided(DrawnPlace::by_the_edge) <= 3);
-    CHECK(undecided(DrawnPlace::inside) <= 3);
-    CHECK(undecided(DrawnPlace::by_a_knot) < 1000);
+namespace {
+
+Binary64Options options(std::uint64_t seed, std::size_t values) {
+    Binary64Options o;
+    o.seed = seed;
+    o.values = values;
+    o.threads = 1;
+    return o;
+}
+Binary64Count counted(const Binary64Options& o) {
+    Binary64State state;
+    return count_binary64(o, state);
 }
 
-TEST_CASE("the same places for the same seed, others for another") {
-    CHECK(count_binary64(3, 30'000).total().undecided ==
-          count_binary64(3, 30'000).total().undecided);
-    CHECK(count_binary64(3, 30'000).cells[0].values != count_binary64(4, 30'000).cells[0].values);
+} // namespace
+
+TEST_CASE("a hundred thousand values in double words: none wrong, 1 in 10^4 left to balls") {
+    const Binary64Count count = counted(options(3, 100'000));
+    CHECK(count.contacts == 10);
+    CHECK(count.total.values == 100'000);
+    CHECK(count.total.wrong == 0);
+    CHECK(count.findings.empty());
+    CHECK(count.total.undecided <= 10);
+    for (const auto& form : count.cells) {
+        for (const Binary64Cell& cell : form) {
+            CHECK(cell.values > 500);
+        }
+    }
+}
+
+TEST_CASE("the same values for the same seed, others for another") {
+    const Binary64Count one = counted(options(3, 2000));
+    CHECK(one.cells[0][0].values == counted(options(3, 2000)).cells[0][0].values);
+    CHECK(one.cells[0][0].values != counted(options(4, 2000)).cells[0][0].values);
+}
+
+TEST_CASE("a value that is off by more than its bound is counted as wrong") {
+    Binary64Options o = options(5, 2000);
+    o.changed = [](DoubleWord& x) { x.low += 0x1p-56 * x.high; };
+    const Binary64Count count = counted(o);
+    CHECK(count.total.wrong > 100);
+    CHECK(count.findings.size() == count.total.wrong);
+}
+
+TEST_CASE("a count in double words goes on from its state") {
+    Binary64State state;
+    Binary64Options o = options(6, 20'000);
+    std::string kept;
+    o.checkpoint = [&](const Binary64State& now) { kept = write_binary64_state(now); };
+    const Binary64Count whole = count_binary64(o, state);
+    Binary64State wanted;
+    wanted.seed = 6;
+    wanted.values = 20'000;
+    Binary64State again = parse_binary64_state(kept, "state", wanted);
+    CHECK(again.contacts.size() == 2);
+    again.contacts.erase(1);
+    const Binary64Count second = count_binary64(o, again);
+    CHECK(second.total.values == whole.total.values);
+    CHECK(second.cells[5][1].values == whole.cells[5][1].values);
+    CHECK_THROWS_AS((void)parse_binary64_state(kept.substr(0, kept.size() - 2), "state", wanted),
+                    InputError);
+    wanted.seed = 7;
+    CHECK_THROWS_AS((void)parse_binary64_state(kept, "state", wanted), InputError);
+    CHECK_THROWS_AS(
+        (void)parse_binary64_state("edgeproof bounds binary64, seed 7, values 20000\n0 1:2\nend\n",
+                                   "state", wanted),
+        InputError);
 }

@@ -2,6 +2,7 @@
 #include "edgeproof/comparison/exact_contact.hpp"
 
 #include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/batch/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -19,6 +20,9 @@ namespace {
 constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
 constexpr std::size_t coefficients = 3;
+/// Of a and b at `contact_digits`, of a + b.
+constexpr double edge_error = 1e-37;
+constexpr double closed_form_error = 1e-20;
 
 contact::Profile profile_of(const scene::Scene& scene) {
     return scene.profile ? *scene.profile
@@ -46,6 +50,17 @@ struct ExactContact::Solved {
     explicit Solved(const scene::Scene& scene)
         : contact(profile_of(scene), scene.contact_modulus, scene.load, contact_digits),
           batch(contact, value_digits), right(contact.a()), left(contact.b()) {
+        if (contact::DoubleWordPressure::has_form(contact.profile())) {
+            length = Real(right + left).convert_to<double>();
+            try {
+                words.emplace(contact.profile(),
+                              contact::BallContact(contact.profile(), scene.contact_modulus,
+                                                   scene.load,
+                                                   contact::DoubleWordPressure::contact_bits));
+            } catch (const BudgetError&) {
+                // An edge that is not told from a corner: the batch rule does without.
+            }
+        }
         scene::Scene asked = scene;
         asked.shear.reset();
         asked.ask = {};
@@ -79,8 +94,29 @@ struct ExactContact::Solved {
         }
     }
 
+    /// Nothing where that does not have the digits: beside a corner, say.
+    [[nodiscard]] std::optional<Real> closed_form(const Real& from_right,
+                                                  const Real& from_left) const {
+        if (!words) {
+            return {};
+        }
+        const bool by_right = from_right < from_left;
+        const Real& u = by_right ? from_right : from_left;
+        DoubleWord distance = to_double_word(u);
+        distance.radius += edge_error * length;
+        const DoubleWord p =
+            words->at(by_right ? contact::Edge::right : contact::Edge::left, distance);
+        if (!(p.radius <= std::abs(p.high) * closed_form_error)) {
+            return {};
+        }
+        return Real(p.high) + Real(p.low);
+    }
+
     contact::NormalContact contact;
     contact::BatchPressure batch;
+    /// In closed form, where there is one.
+    std::optional<contact::DoubleWordPressure> words;
+    double length = 0;
     Real right; ///< a
     Real left;  ///< b
     ExactValue a;
@@ -164,6 +200,9 @@ double ExactContact::convergence_radius(contact::Edge edge) const {
     return solved_->radius.at(index_of(edge));
 }
 const std::vector<ContactKnot>& ExactContact::knots() const { return solved_->knots; }
+std::string ExactContact::pressure_route() const {
+    return solved_->words ? "in closed form" : "by the batch rule";
+}
 const ExactContact::Scale& ExactContact::scale() const { return solved_->scale; }
 
 ExactContact::Place ExactContact::at(const Real& x) const {
@@ -172,6 +211,11 @@ ExactContact::Place ExactContact::at(const Real& x) const {
     const Real left = solved_->left + x;
     Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0, Real(0)};
     if (!(right > 0) || !(left > 0)) {
+        return place;
+    }
+    if (const auto p = solved_->closed_form(right, left)) {
+        place.exact_p = *p;
+        place.p = place.exact_p.convert_to<double>();
         return place;
     }
     try {

@@ -26,8 +26,9 @@ struct ExactValue {
 };
 
 /// The exact solution of a scene, to be held against: sizes, loads and coefficients to 20 digits by
-/// the scene's own routes, and pressures at any place to 20 digits by the batch rule, whose error
-/// is bounded by Bernstein's ellipse but for roundoff. One object belongs to one thread.
+/// the scene's own routes, and pressures at any place to 20 digits, in closed form (double words)
+/// where there is one, else by the batch rule, whose error is bounded by Bernstein's ellipse but
+/// for roundoff. One object belongs to one thread.
 class ExactContact {
 public:
     /// Keeps no reference to the scene. Throws what run_scene and NormalContact throw for a load
@@ -47,6 +48,8 @@ public:
     /// The radius in u within which the expansion at an edge converges.
     [[nodiscard]] double convergence_radius(contact::Edge edge) const;
     [[nodiscard]] const std::vector<ContactKnot>& knots() const;
+    /// How pressures are computed: "in closed form" (nearly all), or "by the batch rule".
+    [[nodiscard]] std::string pressure_route() const;
 
     /// What relative errors are of: the largest pressure, or, where that is infinite (a corner of
     /// g' inside the contact), the mean one, P/(a + b).

@@ -66,16 +66,20 @@ struct Binary64Pressures::Contact {
                              2 * first_bits);
             profile = tilt.near;
             if (tilt.exactly_zero) {
-                balls.emplace(tilt.near, scene.contact_modulus, scene.load, first_bits);
+                make(tilt.near, scene.contact_modulus, scene.load);
             } else {
-                balls.emplace(tilt.near, tilt.alpha, scene.contact_modulus, scene.load, first_bits);
+                make(tilt.near, tilt.alpha, scene.contact_modulus, scene.load);
             }
         } else {
             profile = scene.profile;
-            balls.emplace(*scene.profile, scene.contact_modulus, scene.load, first_bits);
+            make(*scene.profile, scene.contact_modulus, scene.load);
         }
-        if (balls->piecewise_linear()) {
-            words.emplace(*balls);
+    }
+    template <class... Contact> void make(const contact::Profile& of, const Contact&... rest) {
+        balls.emplace(of, rest..., first_bits);
+        if (contact::DoubleWordPressure::has_form(of)) {
+            words.emplace(
+                of, contact::BallContact(of, rest..., contact::DoubleWordPressure::contact_bits));
         }
     }
     void make_batch() {

@@ -1,113 +1,155 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/validation/binary64_count.hpp"
 
-#include "edgeproof/contact/batch/double_word_pressure.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/validation/sample.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include <mutex>
+#include <sstream>
 
 namespace edgeproof::validation {
 namespace {
 
-constexpr std::size_t places_a_contact = 10'000;
-constexpr long first_bits = 128; // as scene/binary64_pressures.cpp has them
-constexpr long second_bits = 320;
+constexpr std::size_t contacts_between_checkpoints = 20;
 
-/// 0 <= x < 1, of 53 bits.
-double uniform(SplitMix64& dice) { return static_cast<double>(dice.next() >> 11U) * 0x1p-53; }
+std::string head(const Binary64State& s) {
+    return "edgeproof bounds binary64, seed " + std::to_string(s.seed) + ", values " +
+           std::to_string(s.values);
+}
 
-struct Place {
-    contact::Edge edge;
-    double u;
-    DrawnPlace where;
-};
-
-Place drawn(SplitMix64& dice, double length, const std::vector<double>& insets) {
-    const contact::Edge edge = dice.below(2) == 0 ? contact::Edge::right : contact::Edge::left;
-    const auto where = static_cast<DrawnPlace>(dice.below(insets.empty() ? 2 : drawn_places));
-    switch (where) {
-    case DrawnPlace::by_the_edge:
-        return {edge, length * std::pow(10.0, -60 * uniform(dice)), where};
-    case DrawnPlace::inside:
-        return {edge, length * uniform(dice), where};
-    case DrawnPlace::by_a_knot:
-        break;
+Binary64Cell total_of(const Binary64Cells& cells) {
+    Binary64Cell total;
+    for (const auto& row : cells) {
+        for (const Binary64Cell& cell : row) {
+            total.add(cell);
+        }
     }
-    const double inset = insets[dice.below(insets.size())];
-    const double at = edge == contact::Edge::right ? inset : length - inset;
-    const double step = at * std::pow(10.0, -16 * uniform(dice));
-    return {edge, at + (dice.below(2) == 0 ? step : -step), where};
+    return total;
 }
 
 } // namespace
 
-Binary64Count::Cell Binary64Count::total() const {
-    Cell all;
-    for (const Cell& c : cells) {
-        all.values += c.values;
-        all.undecided += c.undecided;
-        all.wrong += c.wrong;
-    }
-    return all;
+void Binary64Cell::add(const Binary64Cell& o) {
+    values += o.values;
+    undecided += o.undecided;
+    wrong += o.wrong;
 }
 
-Binary64Count count_binary64(std::uint64_t seed, std::size_t values,
-                             const std::function<void(std::size_t, std::size_t)>& progress) {
-    Binary64Count count;
+Binary64Count count_binary64(const Binary64Options& options, Binary64State& state) {
+    state.seed = options.seed;
+    state.values = options.values;
+    const std::size_t contacts = (options.values + places_a_contact - 1) / places_a_contact;
+    const auto size_of = [&](std::size_t number) {
+        return number + 1 < contacts ? places_a_contact
+                                     : options.values - number * places_a_contact;
+    };
+    std::vector<std::size_t> left;
     std::size_t done = 0;
-    for (std::size_t number = 0; done < values; ++number) {
-        const SampledContact sample = sampled_contact(seed, number, 1);
-        if (!sample.scene.profile || !sample.scene.profile->piecewise_linear()) {
-            continue;
-        }
-        const auto contact_in = [&](long bits) {
-            return contact::BallContact(*sample.scene.profile, sample.scene.contact_modulus,
-                                        sample.scene.load, bits);
-        };
-        const contact::BallContact first = contact_in(first_bits);
-        const contact::BallContact second = contact_in(second_bits);
-        const contact::DoubleWordPressure pressure(first);
-        ++count.contacts;
-        SplitMix64 dice(SplitMix64(seed).next() + number);
-        const auto number_of = [](const Ball& x) { return x.midpoint().convert_to<double>(); };
-        std::vector<double> insets;
-        for (std::size_t i = 0; i < first.slope().knots.size(); ++i) {
-            if (first.bends_inside(i)) {
-                insets.push_back(number_of(first.a() - first.slope().knots[i]));
-            }
-        }
-        const double length = number_of(first.a() + first.b());
-        for (std::size_t i = std::min(places_a_contact, values - done); i > 0; --i, ++done) {
-            check_interruption();
-            const Place at = drawn(dice, length, insets);
-            Binary64Count::Cell& cell = count.cells[static_cast<std::size_t>(at.where)];
-            ++cell.values;
-            const auto p = pressure.nearest(at.edge, at.u);
-            if (!p) {
-                ++cell.undecided;
-                continue;
-            }
-            const auto right =
-                nearest_binary64(second.pressure(at.edge, Ball(Rational(at.u), second_bits)));
-            if (right != p) {
-                ++cell.wrong;
-                count.findings.push_back(fmt::format(
-                    "{}\nu = {:a} from the {} edge: {:a}, where a ball of {} bits has {}",
-                    sample.text, at.u, at.edge == contact::Edge::right ? "right" : "left", *p,
-                    second_bits, right ? fmt::format("{:a}", *right) : "several"));
-            }
-        }
-        if (progress) {
-            progress(done, values);
+    for (std::size_t i = 0; i < contacts; ++i) {
+        if (state.contacts.contains(i)) {
+            done += size_of(i);
+        } else {
+            left.push_back(i);
         }
     }
+    std::map<std::size_t, std::vector<std::string>> findings;
+    std::mutex mutex;
+    std::size_t since = 0;
+    try {
+        parallel::work_through(
+            parallel::all_pieces(left.size()), options.threads, [&](std::size_t i) {
+                const std::size_t number = left[i];
+                Binary64Contact found = count_binary64_contact(options, number, size_of(number));
+                const std::lock_guard lock(mutex);
+                state.contacts[number] = found.cells;
+                findings[number] = std::move(found.findings);
+                done += size_of(number);
+                if (options.progress) {
+                    options.progress(done, options.values);
+                }
+                if (options.checkpoint && ++since == contacts_between_checkpoints) {
+                    since = 0;
+                    options.checkpoint(state);
+                }
+            });
+    } catch (const Interrupted&) {
+        if (options.checkpoint) {
+            options.checkpoint(state);
+        }
+        throw Interrupted("interrupted after " + std::to_string(done) + " of " +
+                          std::to_string(options.values) + " values");
+    }
+    if (options.checkpoint) {
+        options.checkpoint(state);
+    }
+    Binary64Count count;
+    count.contacts = state.contacts.size();
+    for (const auto& [number, cells] : state.contacts) {
+        for (std::size_t f = 0; f < cells.size(); ++f) {
+            for (std::size_t p = 0; p < cells[f].size(); ++p) {
+                count.cells[f][p].add(cells[f][p]);
+            }
+        }
+    }
+    count.total = total_of(count.cells);
+    for (auto& [number, list] : findings) {
+        count.findings.insert(count.findings.end(), list.begin(), list.end());
+    }
     return count;
+}
+
+std::string write_binary64_state(const Binary64State& state) {
+    std::string text = head(state) + "\n";
+    for (const auto& [number, cells] : state.contacts) {
+        if (total_of(cells).wrong > 0) {
+            continue;
+        }
+        text += std::to_string(number);
+        for (const auto& row : cells) {
+            for (const Binary64Cell& cell : row) {
+                text += " " + std::to_string(cell.values) + ":" + std::to_string(cell.undecided);
+            }
+        }
+        text += "\n";
+    }
+    return text + "end\n";
+}
+
+Binary64State parse_binary64_state(std::string_view text, const std::string& file,
+                                   const Binary64State& wanted) {
+    std::istringstream in{std::string(text)};
+    std::string line;
+    std::size_t number = 1;
+    const auto reject = [&](const std::string& problem) {
+        throw InputError(problem, "remove the file to count from the start").at(file, number);
+    };
+    if (!std::getline(in, line) || line != head(wanted)) {
+        reject("the state is not one of \"" + head(wanted) + "\"");
+    }
+    Binary64State state = wanted;
+    state.contacts.clear();
+    while (++number, std::getline(in, line) && line != "end") {
+        std::istringstream words(line);
+        std::size_t contact = 0;
+        Binary64Cells cells{};
+        char colon = 0;
+        bool good = static_cast<bool>(words >> contact);
+        for (auto& row : cells) {
+            for (Binary64Cell& cell : row) {
+                good = good && (words >> cell.values >> colon >> cell.undecided) && colon == ':' &&
+                       cell.undecided <= cell.values;
+            }
+        }
+        if (!good || words >> colon || total_of(cells).values > places_a_contact) {
+            reject("a contact's counts are malformed");
+        }
+        state.contacts[contact] = cells;
+    }
+    if (line != "end") {
+        reject("the state ends in the middle");
+    }
+    return state;
 }
 
 } // namespace edgeproof::validation

@@ -1,37 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/double_word/double_word.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::validation {
 
-/// Where a pressure is asked for.
+/// Where a value is asked for.
 enum class DrawnPlace : std::uint8_t { by_the_edge, inside, by_a_knot };
-inline constexpr std::size_t drawn_places = 3;
+inline constexpr std::array<std::string_view, 3> drawn_places{"by the edge", "inside", "by a knot"};
 
-/// Pressures in double words (contact/batch/double_word_pressure.hpp), held against balls.
-struct Binary64Count {
-    struct Cell {
-        std::size_t values = 0;
-        std::size_t undecided = 0; ///< left to balls
-        std::size_t wrong = 0;     ///< not the binary64 that the ball of 320 bits rounds to
-    };
-    std::array<Cell, drawn_places> cells{};
-    std::size_t contacts = 0;
-    std::vector<std::string> findings; ///< wrong ones: scene, edge, u, both numbers
+/// What is asked for: p, q in three ways, the sum of 1 to 3 terms and its relative error.
+enum class DrawnForm : std::uint8_t { p, full_stick, similar, partial_slip, sum, relative_error };
+inline constexpr std::array<std::string_view, 6> drawn_forms{
+    "p", "q, full stick", "q, similar to p", "q, partial slip", "sum of terms", "relative error"};
 
-    [[nodiscard]] Cell total() const;
+struct Binary64Cell {
+    std::size_t values = 0;
+    std::size_t undecided = 0; ///< left to balls
+    std::size_t wrong = 0;     ///< not the binary64 that the ball rounds to
+
+    void add(const Binary64Cell& o);
+};
+using Binary64Cells = std::array<std::array<Binary64Cell, drawn_places.size()>, drawn_forms.size()>;
+
+/// A count under way: what was found of each contact that is done.
+struct Binary64State {
+    std::uint64_t seed = 1;
+    std::size_t values = 0;
+    std::map<std::size_t, Binary64Cells> contacts;
 };
 
-/// Draws contacts whose slope is piecewise linear (sample.hpp), and 10,000 places in each: u from
-/// 1e-60 of the length to all of it, evenly, and by knots to the last bits. The same for the same
-/// seed. Throws Interrupted.
-[[nodiscard]] Binary64Count
-count_binary64(std::uint64_t seed, std::size_t values,
-               const std::function<void(std::size_t, std::size_t)>& progress = {});
+struct Binary64Options {
+    std::uint64_t seed = 1;
+    std::size_t values = 1'000'000;
+    unsigned threads = 0; ///< 0: as many as the machine has
+    std::function<void(std::size_t, std::size_t)> progress = {};
+    /// Called now and then, and at the end, with what is done, from one thread at a time.
+    std::function<void(const Binary64State&)> checkpoint = {};
+    /// Changes a value in double words before it is rounded: how a test makes sure that a bound
+    /// which does not hold is counted.
+    std::function<void(DoubleWord&)> changed = {};
+};
+
+struct Binary64Count {
+    Binary64Cells cells{};
+    Binary64Cell total;
+    std::size_t contacts = 0;
+    std::vector<std::string> findings; ///< wrong ones: scene, place, both numbers
+};
+
+inline constexpr std::size_t places_a_contact = 10'000;
+
+/// Values in double words (contact/batch/double_word_*.hpp), held against balls of 320 bits (of a
+/// relative error 1,024). Draws contacts that double words have a form for (sample.hpp; of power
+/// laws those of whole and half exponents), and places in each: u from 1e-60 of the length to all
+/// of it, evenly, and by knots and the edges of stick zones to the last bits. The same for the same
+/// seed and number of values, whatever the number of threads. Contacts that `state` has are not
+/// done again, unless something was found in them. Throws Interrupted.
+[[nodiscard]] Binary64Count count_binary64(const Binary64Options& options, Binary64State& state);
+
+/// What one contact has of it: `values` values.
+struct Binary64Contact {
+    Binary64Cells cells{};
+    std::vector<std::string> findings;
+};
+[[nodiscard]] Binary64Contact count_binary64_contact(const Binary64Options& options,
+                                                     std::size_t number, std::size_t values);
+
+/// The contacts in which nothing was found, a line each.
+[[nodiscard]] std::string write_binary64_state(const Binary64State& state);
+/// Throws InputError with the line for a text that is no such state, or one of another seed or
+/// number of values than `wanted`.
+[[nodiscard]] Binary64State parse_binary64_state(std::string_view text, const std::string& file,
+                                                 const Binary64State& wanted);
 
 } // namespace edgeproof::validation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/double_word/double_word_ball.hpp"
 #include "edgeproof/precision/double_word/logarithm.hpp"
+#include "edgeproof/precision/double_word/piecewise_series.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace edgeproof;
 
@@ -144,4 +146,65 @@ TEST_CASE("a ball as a double word") {
     CHECK(to_double_word(Ball(Rational(3, 4), 64)).radius == 0);
     CHECK(std::isinf(to_double_word(Ball(1, 64) / Ball(0, 64)).radius));
     CHECK(std::isinf(to_double_word(Ball(Rational(1), 64) / pow(Ball(10, 64), 400)).radius));
+}
+
+TEST_CASE("a number in two parts keeps the digits of a difference with one beside it") {
+    Drawn draw;
+    for (int i = 0; i < 2000; ++i) {
+        CAPTURE(i);
+        // A number of 180 bits, and the binary64 around it.
+        const Ball number = sqrt(Ball(Rational(std::fabs(draw.number(90))), 180));
+        const PreciseWord parts = to_precise_word(number);
+        REQUIRE(std::fabs(parts.rest.high) <= 0x1p-106 * parts.first.high);
+        double beside = parts.first.high;
+        for (int steps = i % 3; steps > 0; --steps) {
+            beside = std::nextafter(beside, i % 2 == 0 ? 0 : 1e300);
+        }
+        const DoubleWord difference = DoubleWord{beside, 0, 0} - parts;
+        const Ball exact = Ball(Rational(beside), word_bits) - number.with_bits(word_bits);
+        // The ball's own radius is in the word's.
+        REQUIRE(certainly_less(abs(exactly(difference) - exact) * Ball(Rational(99, 100), 64),
+                               Ball(Rational(difference.radius), word_bits)));
+        REQUIRE(difference.radius <= 0x1p-70 * std::fabs(difference.high));
+        REQUIRE((parts - DoubleWord{beside, 0, 0}).high == -difference.high);
+    }
+    const PreciseWord exact = to_precise_word(Ball(Rational(3, 8), 192));
+    CHECK((DoubleWord{0.375, 0, 0} - exact).high == 0);
+    CHECK((DoubleWord{0.375, 0, 0} - exact).radius == 0);
+}
+
+TEST_CASE("a power series in double words holds its sum: the geometric one, and the logarithm's") {
+    std::vector<Ball> ones;
+    std::vector<Ball> harmonic; // -ln(1 - x)/x
+    for (long k = 0; k < 400; ++k) {
+        ones.emplace_back(1, 256);
+        harmonic.emplace_back(Rational(1, k + 1), 256);
+    }
+    const PiecewiseSeries geometric(ones, 1);
+    const PiecewiseSeries logarithm(harmonic, 1);
+    Drawn draw;
+    for (int i = 0; i < drawn / 4; ++i) {
+        CAPTURE(i);
+        DoubleWord x = abs(draw.word(0));
+        x = scaled(x, i % 8 == 0 ? 0x1p-30 : 0.25);
+        if (x.radius >= 0x1p-61) {
+            continue;
+        }
+        const DoubleWord f = geometric(x);
+        for (const int side : {-1, 0, 1}) {
+            const Ball at = inside(x, side);
+            REQUIRE(holds(f, 1 / (1 - at)));
+            REQUIRE(holds(logarithm(x), -log1p(-at) / at));
+        }
+        REQUIRE(f.radius <= 4.1 * x.radius + 0x1p-90);
+    }
+    for (const double x : {0.0, 0x1p-6, 0x1p-5, 3 * 0x1p-6, 0.484375, 0.5}) {
+        CAPTURE(x);
+        for (const double at : {x, std::nextafter(x, 0.0), std::nextafter(x, 0.5)}) {
+            REQUIRE(holds(geometric({at, 0, 0}), 1 / (1 - Ball(Rational(at), word_bits))));
+        }
+    }
+    CHECK(std::isinf(geometric({0.51, 0, 0}).radius));
+    CHECK(std::isinf(geometric({-0.01, 0, 0}).radius));
+    CHECK(std::isinf(geometric({0.1, 0, 0x1p-50}).radius));
 }

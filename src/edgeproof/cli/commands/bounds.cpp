@@ -103,6 +103,32 @@ int hard_cases(const CasesOptions& o) {
     return faults == 0 ? 0 : 1;
 }
 
+/// A count with its progress, kept in a state file where there is one.
+template <class State, class Options, class Parse, class Write, class Counting>
+auto kept_count(const std::string& file, State& state, Options& options, const Parse& parse,
+                const Write& write, const Counting& counting) {
+    check_state(file);
+    if (!file.empty()) {
+        if (std::filesystem::exists(file)) {
+            state = parse(io::read_text(file, "state of a count"), file, state);
+        }
+        options.checkpoint = [&](const State& now) { io::write_checkpoint(file, write(now)); };
+    }
+    const io::KeptNote note(file.empty() ? ""
+                                         : "what is done is kept in " + file +
+                                               "; the same command goes on from there");
+    try {
+        Progress progress("values");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        return counting();
+    } catch (const Interrupted& e) {
+        throw Interrupted(e.what() +
+                          (file.empty()
+                               ? "; with --state FILE a count can be gone on with"
+                               : ", kept in " + file + "; the same command goes on from there"));
+    }
+}
+
 struct CountingOptions {
     std::string values = "100000";
     std::string seed = "1";
@@ -122,29 +148,9 @@ int count(const CountingOptions& o) {
     state.seed = options.seed;
     state.values = options.values;
     state.digits = options.digits;
-    check_state(o.state);
-    if (!o.state.empty()) {
-        if (std::filesystem::exists(o.state)) {
-            state = parse_count_state(io::read_text(o.state, "state of a count"), o.state, state);
-        }
-        options.checkpoint = [&](const validation::CountState& now) {
-            io::write_checkpoint(o.state, write_count_state(now));
-        };
-    }
-    validation::CountResult result;
-    const io::KeptNote note(o.state.empty() ? ""
-                                            : "what is done is kept in " + o.state +
-                                                  "; the same command goes on from there");
-    try {
-        Progress progress("values");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        result = count_values(options, state);
-    } catch (const Interrupted& e) {
-        throw Interrupted(e.what() +
-                          (o.state.empty()
-                               ? "; with --state FILE a count can be gone on with"
-                               : ", kept in " + o.state + "; the same command goes on from there"));
-    }
+    const validation::CountResult result =
+        kept_count(o.state, state, options, validation::parse_count_state,
+                   validation::write_count_state, [&] { return count_values(options, state); });
     std::printf("%s", written(count_table(options, result), o.output).c_str());
     for (const validation::CountFinding& f : result.findings) {
         std::fprintf(stderr, "%s\n", finding_text(f).c_str());
@@ -155,23 +161,27 @@ int count(const CountingOptions& o) {
 struct Binary64Choice {
     std::string values = "1000000";
     std::string seed = "1";
+    std::string threads;
+    std::string state;
     Output output;
 };
 
 int binary64(const Binary64Choice& o) {
-    validation::Binary64Count count;
-    {
-        Progress progress("values");
-        count = validation::count_binary64(
-            whole_number("--seed", o.seed, 0, most_values),
-            whole_number("--values", o.values, 1, most_values),
-            [&](std::size_t done, std::size_t total) { progress(done, total); });
-    }
-    std::printf("%s", written(binary64_table(count), o.output).c_str());
-    for (const std::string& finding : count.findings) {
+    validation::Binary64Options options;
+    options.values = whole_number("--values", o.values, 1, most_values);
+    options.seed = whole_number("--seed", o.seed, 0, most_values);
+    options.threads = threads_of(o.threads);
+    validation::Binary64State state;
+    state.seed = options.seed;
+    state.values = options.values;
+    const validation::Binary64Count result = kept_count(
+        o.state, state, options, validation::parse_binary64_state, validation::write_binary64_state,
+        [&] { return count_binary64(options, state); });
+    std::printf("%s", written(binary64_table(result), o.output).c_str());
+    for (const std::string& finding : result.findings) {
         std::fprintf(stderr, "%s\n", finding.c_str());
     }
-    return count.total().wrong == 0 ? 0 : 1;
+    return result.total.wrong == 0 ? 0 : 1;
 }
 
 struct HonestyChoice {
@@ -277,11 +287,14 @@ void add_bounds(CLI::App& app, int& code) {
 
     CLI::App* words = sub->add_subcommand(
         "binary64",
-        "pressures in double words, held against balls of 320 bits; exit 1 where one is "
-        "not correctly rounded");
+        "values in double words (p, q, sums of terms, relative errors), held against balls; exit 1 "
+        "where one is not correctly rounded");
     auto b = std::make_shared<Binary64Choice>();
     words->add_option("--values", b->values, "how many")->capture_default_str();
     words->add_option("--seed", b->seed, "what they are drawn from")->capture_default_str();
+    words->add_option("--threads", b->threads, "threads (default: one a processor)");
+    words->add_option("--state", b->state,
+                      "keep what is done in this file, and go on from it where it is there");
     add_output(*words, b->output);
     words->callback([b, &code] { code = binary64(*b); });
 

@@ -125,23 +125,26 @@ report::Table count_table(const validation::CountOptions& options,
 
 report::Table binary64_table(const validation::Binary64Count& count) {
     report::Table t;
-    t.title = "Pressures in double words, in " + std::to_string(count.contacts) + " contacts";
-    t.notes = {"undecided: left to balls, as the rounding is open or the place is beside a corner",
-               "wrong: not the binary64 that an enclosure of 320 bits rounds to"};
-    t.columns = {{"place", Kind::text},
+    t.title = "Values in double words, in " + std::to_string(count.contacts) + " contacts";
+    t.notes = {"undecided: left to balls, as the rounding is open",
+               "wrong: not the binary64 that an enclosure of 320 bits or more rounds to"};
+    t.columns = {{"value", Kind::text},
+                 {"place", Kind::text},
                  {"values", Kind::count},
                  {"undecided", Kind::count},
                  {"wrong", Kind::count}};
-    const auto add = [&](const char* place, const validation::Binary64Count::Cell& c) {
-        t.rows.push_back({place, std::to_string(c.values), std::to_string(c.undecided),
-                          std::to_string(c.wrong)});
+    const auto add = [&](std::string_view form, std::string_view place,
+                         const validation::Binary64Cell& c) {
+        t.rows.push_back({std::string(form), std::string(place), std::to_string(c.values),
+                          std::to_string(c.undecided), std::to_string(c.wrong)});
     };
-    constexpr std::array<const char*, validation::drawn_places> places{"by the edge", "inside",
-                                                                       "by a knot"};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        add(places.at(i), count.cells.at(i));
+    for (std::size_t f = 0; f < validation::drawn_forms.size(); ++f) {
+        for (std::size_t p = 0; p < validation::drawn_places.size(); ++p) {
+            add(validation::drawn_forms.at(f), validation::drawn_places.at(p),
+                count.cells.at(f).at(p));
+        }
     }
-    add("all", count.total());
+    add("all", "all", count.total);
     return t;
 }
 

@@ -1,49 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/batch/double_word_power_law.hpp"
+#include "edgeproof/contact/batch/double_word_slope.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/law/kernels.hpp"
-#include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/precision/double_word/logarithm.hpp"
 
 #include <optional>
-#include <vector>
+#include <variant>
 
 namespace edgeproof::contact {
 
-/// p of a piecewise linear slope, correctly rounded to binary64: the formula of
-/// law/logarithmic_pressure.hpp in double words, which carry their bounds. What they do not decide
-/// (some 1 in 10^6 places, those beside corners and beyond a contact's range) is left to balls.
+/// p in closed form, correctly rounded to binary64: the formulas of a piecewise linear slope
+/// (double_word_slope.hpp) and of power laws of whole and half exponents
+/// (double_word_power_law.hpp) in double words, which carry their bounds. What they do not decide
+/// (docs/pressure.md) is left to balls.
 ///
 /// Immutable: many threads may use one object.
 class DoubleWordPressure {
 public:
-    /// Of a contact whose slope is piecewise linear. Numbers of the contact that are not 0 and not
-    /// between 2^-100 and 2^100 in size leave every place undecided.
-    explicit DoubleWordPressure(const BallContact& contact);
+    /// The precision that a contact should have, so that places beside knots keep their digits.
+    static constexpr long contact_bits = 192;
 
-    /// The binary64 nearest to p (ties to even) at the distance u, exactly that binary64, from an
-    /// edge: proved. Nothing where that is not decided, nor for u outside the contact, on a corner,
-    /// below 2^-300 or not finite, nor in a thread that does not round to nearest.
-    [[nodiscard]] std::optional<double> nearest(Edge edge, double u) const;
+    /// Of a contact of such a slope. Numbers of the contact that are not 0 and not between 2^-100
+    /// and 2^100 in size leave every place undecided.
+    DoubleWordPressure(const Profile& profile, const BallContact& contact)
+        : DoubleWordPressure(profile, contact, contact) {}
+    /// The same with the knots counted from the edges of another zone of the profile, for formula()
+    /// with a place of this contact and the distance from an edge of that zone.
+    DoubleWordPressure(const Profile& profile, const BallContact& contact,
+                       const BallContact& whole);
 
-    struct Knot {
-        DoubleWord inset;  ///< a - knot
-        DoubleWord outset; ///< b + knot
-        Mark<DoubleWord> mark;
-        bool corner;
-        DoubleWord jump; ///< of g'
-        DoubleWord drop; ///< of g''
-    };
+    /// Whether there is a formula in double words.
+    [[nodiscard]] static bool has_form(const Profile& profile);
+
+    /// p at the distance u from an edge, for every u within its radius; unknown (a radius that is
+    /// not finite) for u outside the contact, beside a corner and closer than the radius tells,
+    /// below 2^-300 or not finite, and in a thread that does not round to nearest. Infinite, and no
+    /// radius, exactly on a corner.
+    [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
+        return in_range_ && in_double_words(u) ? kernel_(*this, edge, u) : double_word::unknown();
+    }
+    /// The binary64 nearest to p (ties to even) at the distance u, exactly that binary64: proved.
+    /// Nothing where that is not decided.
+    [[nodiscard]] std::optional<double> nearest(Edge edge, double u) const {
+        return nearest_binary64(at(edge, {u, 0, 0}));
+    }
+
+    /// `at` without its checks.
+    [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
+        return formula({length_, edge, u}, edge, u);
+    }
+    [[nodiscard]] DoubleWord formula(const DoubleWordPlace& x, Edge edge,
+                                     const DoubleWord& u) const {
+        const auto* slope = std::get_if<DoubleWordSlope>(&form_);
+        return slope != nullptr ? slope->pressure(x, edge, u)
+                                : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
+    }
+    /// a + b.
+    [[nodiscard]] const PreciseWord& length() const { return length_; }
+    [[nodiscard]] bool in_range() const { return in_range_; }
 
 private:
-    friend struct DoubleWordKernel;
-    std::vector<Knot> knots_; ///< those that count
-    DoubleWord length_;
-    DoubleWord arc_;
-    DoubleWord factor_;
+    PreciseWord length_;
+    std::variant<DoubleWordSlope, DoubleWordPowerLaw> form_;
     bool in_range_ = true;
-    DoubleWord (*kernel_)(const DoubleWordPressure&, Edge, double);
-    const LogarithmTable* table_;
+    DoubleWordKernel<DoubleWordPressure>::Function kernel_;
 };
 
 } // namespace edgeproof::contact

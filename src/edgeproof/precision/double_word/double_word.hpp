@@ -117,6 +117,9 @@ struct ExactSum {
 
 /// The one binary64 that all numbers of x round to (ties to even); nothing where there are several.
 [[nodiscard]] inline std::optional<double> nearest_binary64(const DoubleWord& x) {
+    if (std::isinf(x.high) && x.radius == 0) {
+        return x.high; // known to be infinite
+    }
     // 1 %: the radii's own roundoff; 2^-105: that of the two sums with it.
     const double radius = 1.01 * x.radius + 2 * double_word::unit * std::fabs(x.high);
     const double above = x.high + (x.low + radius);

@@ -260,9 +260,9 @@ std::string comparison_text(const ComparisonReport& report) {
     if (report.units) {
         out += "units: " + report.units->text() + "\n";
     }
-    out += fmt::format("exact: a and b {}, P {}, c_0 {}; pressures by the batch rule\n",
-                       report.exact->a().route, report.exact->force().route,
-                       report.exact->c(contact::Edge::right, 0).route);
+    out += fmt::format("exact: a and b {}, P {}, c_0 {}; pressures {}\n", report.exact->a().route,
+                       report.exact->force().route, report.exact->c(contact::Edge::right, 0).route,
+                       report.exact->pressure_route());
     out += "edges, fits and limits of the data are estimates; exact p: what the same rule makes of "
            "the exact pressure at these nodes\n\n";
     for (const FileComparison& file : report.comparison.files) {

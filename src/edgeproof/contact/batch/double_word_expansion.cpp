@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/batch/double_word_expansion.hpp"
+
+#include "edgeproof/precision/double_word/double_word_ball.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr std::size_t next_terms = 32;
+
+double unit_of(const BallContact& contact, Edge edge) {
+    return std::ldexp(1.0, std::ilogb(contact.reach(edge).midpoint().convert_to<double>()));
+}
+
+/// c_k unit^k of k = first, ...
+std::vector<DoubleWord> words_of(const std::vector<Ball>& c, std::size_t first, double unit) {
+    std::vector<DoubleWord> words;
+    for (std::size_t k = first; k < c.size(); ++k) {
+        const Ball power = pow_int(Ball(Rational(unit), c[k].bits()), static_cast<long>(k));
+        words.push_back(to_double_word(c[k] * power));
+    }
+    return words;
+}
+
+/// One that vanishes may be known as little more than that.
+bool in_range(const std::vector<DoubleWord>& c) {
+    return std::ranges::all_of(c, [](const DoubleWord& x) {
+        return std::isfinite(x.radius) && x.radius < 0x1p100 && std::fabs(x.high) < 0x1p100;
+    });
+}
+
+} // namespace
+
+DoubleWordSum::DoubleWordSum(const BallContact& contact, Edge edge, std::size_t n)
+    : edge_(edge), length_(to_precise_word(contact.a() + contact.b())),
+      unit_(unit_of(contact, edge)), per_unit_(1 / unit_),
+      c_(words_of(contact.expansion(edge, n), 0, unit_)),
+      in_range_(in_double_words_as_constant(length_.first) && contact::in_range(c_)),
+      kernel_(DoubleWordKernel<DoubleWordSum>::chosen()) {}
+
+DoubleWordRelativeError::DoubleWordRelativeError(const Profile& profile, const BallContact& contact,
+                                                 Edge edge, std::size_t n)
+    : sum_(contact, edge, n), pressure_(profile, contact),
+      in_range_(sum_.in_range_ && pressure_.in_range()),
+      kernel_(DoubleWordKernel<DoubleWordRelativeError>::chosen()) {
+    const Ball rho = Ball(contact.reach(edge).lower(), contact.bits()) / 2;
+    const Ball M = contact.majorant(edge, rho);
+    std::vector<DoubleWord> next = words_of(contact.expansion(edge, n + next_terms), n, sum_.unit_);
+    if (!certainly_positive(rho) || !M.is_finite() || !contact::in_range(next)) {
+        return;
+    }
+    // |c_k| <= M/rho^k: beyond the 32 terms, for u <= rho/8, M (unit/rho)^n 8^-32 (1 + 1/8 + ...).
+    const Ball unit(Rational(sum_.unit_), rho.bits());
+    const Ball cut = M * 8 / 7 * pow_int(unit / rho, static_cast<long>(n)) /
+                     pow_int(Ball(8, rho.bits()), static_cast<long>(next_terms));
+    next_ = std::move(next);
+    near_ = std::nextafter(Ball(rho / 8).lower().convert_to<double>(), 0.0);
+    cut_off_ = std::nextafter(cut.upper().convert_to<double>(), 1e300);
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/batch/double_word_pressure.hpp"
+#include "edgeproof/contact/enclosure/ball_slip.hpp"
+#include "edgeproof/contact/law/shear.hpp"
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+namespace edgeproof::contact {
+
+/// q, correctly rounded to binary64, in double words as the pressure is: under full stick
+/// (law/shear.hpp), similar to p (Q and P grow together), or in partial slip, f (p - p*)
+/// (enclosure/ball_slip.hpp). Undecided where the ball has to decide, as beside an edge of the
+/// stick zone. Immutable: many threads may use one object.
+class DoubleWordShear {
+public:
+    [[nodiscard]] static DoubleWordShear full_stick(const BallContact& contact,
+                                                    const ShearLoad<Ball>& load);
+    /// `ratio`: Q/P.
+    [[nodiscard]] static DoubleWordShear similar(DoubleWordPressure pressure, const Ball& ratio);
+    /// `traction`: f in the direction of Q.
+    [[nodiscard]] static DoubleWordShear partial_slip(const Profile& profile,
+                                                      const BallContact& contact,
+                                                      const BallZone& stick, const Ball& traction);
+
+    /// As DoubleWordPressure::at.
+    [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
+        return in_range_ && in_double_words(u) ? kernel_(*this, edge, u) : double_word::unknown();
+    }
+    [[nodiscard]] std::optional<double> nearest(Edge edge, double u) const {
+        return nearest_binary64(at(edge, {u, 0, 0}));
+    }
+
+    /// `at` without its checks.
+    [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const;
+
+private:
+    /// A p that may be infinite (on a corner).
+    static DoubleWord times(const DoubleWord& factor, const DoubleWord& p) {
+        return std::isinf(p.high) && double_word::well_known(factor)
+                   ? DoubleWord{factor.high * p.high, 0, p.radius}
+                   : factor * p;
+    }
+    struct FullStick {
+        PreciseWord length;
+        DoubleWord Q_over_pi;
+        DoubleWord tension; ///< sigma_0/8
+
+        [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
+            const DoubleWordPlace x(length, edge, u);
+            return x.inside() ? (Q_over_pi + tension * (x.left - x.right)) / sqrt(x.right * x.left)
+                              : double_word::unknown();
+        }
+    };
+    struct Similar {
+        DoubleWordPressure pressure;
+        DoubleWord ratio;
+
+        [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
+            return times(ratio, pressure.formula(edge, u));
+        }
+    };
+    struct Slip {
+        DoubleWordPressure pressure;
+        DoubleWordPressure stick; ///< p*
+        DoubleWord friction;
+        PreciseWord right; ///< of the slip zones
+        PreciseWord left;
+
+        [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
+            const DoubleWord p = pressure.formula(edge, u);
+            const DoubleWord depth = u - (edge == Edge::right ? right : left);
+            const DoubleWordPlace x(stick.length(), edge, depth);
+            if (!double_word::well_known(x.right) || !double_word::well_known(x.left)) {
+                return double_word::unknown();
+            }
+            // By a corner both are large: v - x is the same in them.
+            return x.inside() ? friction * (p - stick.formula(x, edge, u)) : times(friction, p);
+        }
+    };
+    using Form = std::variant<FullStick, Similar, Slip>;
+
+    DoubleWordShear(Form form, bool in_range);
+
+    Form form_;
+    bool in_range_;
+    DoubleWordKernel<DoubleWordShear>::Function kernel_;
+};
+
+} // namespace edgeproof::contact

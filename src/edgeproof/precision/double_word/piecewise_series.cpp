@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/double_word/piecewise_series.hpp"
+
+#include "edgeproof/precision/double_word/double_word_ball.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace edgeproof {
+namespace {
+
+/// f^(j)(c)/j!: the sum of binomial(k, j) a_k c^(k-j).
+Ball taylor_coefficient(const std::vector<Ball>& a, long most, long c, long cells, long j) {
+    const long bits = a.front().bits();
+    Ball weight(1, bits);
+    Ball sum = a[static_cast<std::size_t>(j)];
+    for (long k = j + 1; k < static_cast<long>(a.size()); ++k) {
+        weight = weight * (c * k) / (cells * (k - j));
+        sum += weight * a[static_cast<std::size_t>(k)];
+    }
+    // The next weight, and those after it, which fall at least as fast as a geometric series.
+    const long n = static_cast<long>(a.size());
+    const Ball ratio = Ball(c * n, bits) / (cells * (n - j));
+    const Ball rest = weight * ratio * most / (1 - ratio);
+    arb_add_error(sum.data(), rest.data());
+    return sum;
+}
+
+double above(const Ball& x) {
+    return std::nextafter(abs(x).upper().convert_to<double>(),
+                          std::numeric_limits<double>::infinity());
+}
+
+} // namespace
+
+PiecewiseSeries::PiecewiseSeries(const std::vector<Ball>& a, long most) {
+    const long bits = a.front().bits();
+    // Of t, and what the rounding of x to a cell adds to it.
+    const Ball reach = Ball(Rational((1L << 40) + 1, 1L << 40), bits) / (2 * cells);
+    for (long c = 0; c <= cells / 2; ++c) {
+        Cell& cell = cells_[static_cast<std::size_t>(c)];
+        Ball power(1, bits);
+        Ball size(0, bits); // of the others, at the reach
+        for (std::size_t j = 0; j < terms; ++j) {
+            const Ball f = taylor_coefficient(a, most, c, cells, static_cast<long>(j));
+            if (j < long_terms) {
+                cell.first[j] = to_double_word(f);
+                continue;
+            }
+            cell.others[j - long_terms] = f.midpoint().convert_to<double>();
+            size += abs(f) * power;
+            power *= reach;
+        }
+        // |f^(j)(c)/j!| <= M/(1 - c)^(j+1): what is cut off is a geometric series.
+        const Ball inverse = Ball(cells, bits) / (cells - c);
+        const Ball q = inverse * reach;
+        const Ball cut = most * pow_int(inverse, static_cast<long>(long_terms) + 1) *
+                         pow_int(q, static_cast<long>(terms - long_terms)) / (1 - q);
+        // 2^-46: 3 roundings a term, t's low part and radius, the coefficients' own rounding.
+        cell.error = 2 * above(size) * 0x1p-47 + above(cut);
+    }
+}
+
+} // namespace edgeproof

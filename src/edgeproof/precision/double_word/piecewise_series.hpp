@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof {
+
+/// A power series, the sum of a_k x^k with |a_k| <= M for all k, over 0 <= x <= 1/2 in double
+/// words: Taylor polynomials about 17 centres, none of them 2^-6 away or more. The first
+/// coefficients of each are double words, the others binary64.
+class PiecewiseSeries {
+public:
+    /// `a`: 400 coefficients or more; `most`: M, which holds for those that are not given too.
+    PiecewiseSeries(const std::vector<Ball>& a, long most);
+
+    /// For 0 <= x <= 1/2; unknown elsewhere, and where x is known to less than 2^-60.
+    [[nodiscard]] DoubleWord operator()(const DoubleWord& x) const {
+        if (!(x.high >= 0 && x.high <= 0.5 && x.radius < 0x1p-60)) {
+            return double_word::unknown();
+        }
+        const auto i = static_cast<std::size_t>(x.high * cells + 0.5);
+        const Cell& cell = cells_[i];
+        const DoubleWord t = x - DoubleWord{static_cast<double>(i) / cells, 0, 0};
+        double tail = cell.others[terms - long_terms - 1];
+        for (std::size_t k = terms - long_terms - 1; k-- > 0;) {
+            tail = tail * t.high + cell.others[k];
+        }
+        DoubleWord sum{tail, 0, cell.error};
+        for (std::size_t k = long_terms; k-- > 0;) {
+            sum = sum * t + cell.first[k];
+        }
+        return sum;
+    }
+
+private:
+    static constexpr int cells = 32; ///< a unit of x
+    static constexpr std::size_t long_terms = 10;
+    static constexpr std::size_t terms = 22;
+    struct Cell {
+        std::array<DoubleWord, long_terms> first;
+        std::array<double, terms - long_terms> others;
+        double error; ///< of the sum of the others, roundoff and what is cut off
+    };
+    std::array<Cell, cells / 2 + 1> cells_;
+};
+
+} // namespace edgeproof

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/batch/double_word_shear.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/routes/partial_slip.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace edgeproof;
+
+namespace {
+
+constexpr long word_bits = DoubleWordPressure::contact_bits;
+
+Exact traction_number(const char* text) { return Exact::parse(text); }
+
+} // namespace
+
+TEST_CASE("q under full stick in double words: by the formula in Real, Q and sigma_0 against each "
+          "other") {
+    const BallContact contact(
+        Profile::flat_and_rounded(traction_number("1/2"), traction_number("3")),
+        traction_number("1"), Load::right_edge(traction_number("1")), word_bits);
+    const ShearLoad<Ball> load{Ball(Rational(3, 10), word_bits), Ball(Rational(-7, 9), word_bits)};
+    const DoubleWordShear words = DoubleWordShear::full_stick(contact, load);
+    for (const double u : {1e-60, 1e-17, 0.001, 0.3, 1.0, 1.25, 1.999}) {
+        CAPTURE(u);
+        const PrecisionScope scope(60);
+        const Real right(u);
+        const Real left = 2 - right;
+        const Real q = (Real(3) / 10 / pi<Real>() + Real(-7) / 9 * (left - right) / 8) /
+                       sqrt(Real(right * left));
+        CHECK(words.nearest(Edge::right, u) == q.convert_to<double>());
+    }
+    CHECK_FALSE(words.nearest(Edge::right, 2.5));
+}
+
+TEST_CASE("q in partial slip in double words: that of the route in Real, stuck and slipping") {
+    for (const char* m : {"1", "1/2", "2"}) {
+        CAPTURE(m);
+        const Profile profile = Profile::power_law(traction_number("1"), traction_number(m));
+        const Load load = Load::right_edge(traction_number("1"));
+        const BallContact contact(profile, traction_number("1"), load, word_bits);
+        const NormalContact normal(profile, traction_number("1"), load, 30);
+        const ShearSpec spec{traction_number("1/10"), traction_number("0"),
+                             LoadingPath::normal_first, traction_number("1/2")};
+        const PartialSlip slip(normal, spec);
+        const auto zones = closed_form_zones(contact);
+        const BallSlip balls(contact, *zones, contact.force(),
+                             {Ball(Rational(1, 10), word_bits), Ball(0, word_bits)},
+                             Ball(Rational(1, 2), word_bits));
+        const DoubleWordShear words = DoubleWordShear::partial_slip(
+            profile, contact, balls.stick(), Ball(Rational(1, 2), word_bits));
+        for (const double u : {1e-20, 0.01, 0.05, 0.3, 0.77, 1.3, 1.98}) {
+            CAPTURE(u);
+            const auto q = words.nearest(Edge::left, u);
+            REQUIRE(q);
+            const double second =
+                slip.traction(Edge::left, Exact::of(Rational(u))).convert_to<double>();
+            CHECK(std::abs(*q - second) <= 2e-16 * std::abs(second));
+        }
+    }
+}
+
+TEST_CASE("q similar to p in double words is Q/P times p") {
+    const Profile profile = Profile::power_law(traction_number("2"), traction_number("1"));
+    const BallContact contact(profile, traction_number("1"), Load::right_edge(traction_number("1")),
+                              word_bits);
+    // P = pi E* C a^2/4 = pi/2 and p = C sqrt(1 - x^2)/2.
+    const DoubleWordShear words = DoubleWordShear::similar(
+        {profile, contact}, Ball(Rational(1, 3), word_bits) / contact.force());
+    CHECK(words.nearest(Edge::right, 1.0) == 2 / (3 * std::acos(-1.0)));
+    CHECK(std::abs(*words.nearest(Edge::right, 0.4) - 0.8 * 2 / (3 * std::acos(-1.0))) < 1e-16);
+}

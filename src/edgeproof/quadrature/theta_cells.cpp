@@ -26,7 +26,7 @@ public:
     }
 
     void span(const ThetaSpan& span) {
-        piece_ = span.piece;
+        span_ = &span;
         const Ball from(span.from.midpoint(), bits_);
         const Ball to(span.to.midpoint(), bits_);
         if (certainly_less(from, to)) {
@@ -59,10 +59,17 @@ public:
 private:
     /// The bounds over theta_.
     bool bounded() {
-        acb_cos(s_, theta_, bits_);
-        acb_mul_arb(s_, s_, half_length_.data(), bits_);
-        acb_add_arb(s_, s_, centre_.data(), bits_);
-        return f_.bound(piece_, s_, most_);
+        span_->map(s_, rate_, theta_, centre_, half_length_, bits_);
+        const Magnitude rate(rate_);
+        if (!rate.is_finite() || !f_.bound({*span_, theta_, s_}, most_)) {
+            return false;
+        }
+        if (span_->root != 0) {
+            for (Magnitude& most : most_) {
+                most = most * rate;
+            }
+        }
+        return true;
     }
     [[nodiscard]] bool small(const Magnitude& factor) const {
         for (std::size_t k = 0; k < most_.size(); ++k) {
@@ -74,11 +81,14 @@ private:
     }
     /// Whether s varies over the real cell s_ by more than what it is known to in its middle: where
     /// it does not, halves of the cell are bounded no better.
-    [[nodiscard]] bool resolved(const Ball& middle) const {
-        const Ball s = centre_ + half_length_ * cos(middle);
+    [[nodiscard]] bool resolved(const Ball& middle) {
         Ball width(0, 64);
+        Ball known(0, 64);
         arb_get_rad_arb(width.data(), acb_realref(s_));
-        return certainly_less(Ball(s.radius(), 64) * 4, width);
+        acb_set_arb(theta_, middle.data());
+        span_->map(s_, rate_, theta_, centre_, half_length_, bits_);
+        arb_get_rad_arb(known.data(), acb_realref(s_));
+        return certainly_less(known * 4, width);
     }
     void add(const Magnitude& factor) {
         for (std::size_t k = 0; k < sum_.size(); ++k) {
@@ -103,8 +113,13 @@ private:
                 const std::size_t mirrored = std::min(j, goal_.nodes - 1 - j);
                 const Ball step = half * rule_->x[mirrored];
                 const Ball theta = mirrored == j ? middle + step : middle - step;
-                f_.value(piece_, centre_ + half_length_ * cos(theta), value_);
-                const Ball weight = half * rule_->weight[mirrored];
+                acb_set_arb(theta_, theta.data());
+                span_->map(s_, rate_, theta_, centre_, half_length_, bits_);
+                f_.value({*span_, theta_, s_}, value_);
+                Ball weight = half * rule_->weight[mirrored];
+                if (span_->root != 0) {
+                    arb_mul(weight.data(), weight.data(), acb_realref(rate_), bits_);
+                }
                 for (std::size_t k = 0; k < sum_.size(); ++k) {
                     arb_addmul(sum_[k].data(), value_[k].data(), weight.data(), bits_);
                 }
@@ -136,13 +151,39 @@ private:
     std::vector<Magnitude> most_;
     std::vector<Ball> value_;
     std::vector<Ball> sum_;
-    std::size_t piece_ = 0;
+    const ThetaSpan* span_ = nullptr;
     bool failed_ = false;
     AcbValue theta_;
     AcbValue s_;
+    AcbValue rate_;
 };
 
 } // namespace
+
+void ThetaSpan::map(acb_t s, acb_t rate, const acb_t t, const Ball& centre, const Ball& half_length,
+                    long bits) const {
+    if (root == 0) {
+        acb_one(rate);
+        acb_cos(s, t, bits);
+        acb_mul_arb(s, s, half_length.data(), bits);
+        acb_add_arb(s, s, centre.data(), bits);
+        return;
+    }
+    // ds = side root t^(root - 1) dt, and |dtheta| = |ds|/sqrt(d^2 - (s - c)^2).
+    AcbValue power;
+    acb_pow_ui(power, t, static_cast<ulong>(root - 1), bits);
+    acb_mul(s, power, t, bits);
+    acb_mul_si(s, s, side, bits);
+    acb_add_arb(s, s, knot.data(), bits);
+    acb_sub_arb(rate, s, centre.data(), bits);
+    acb_mul(rate, rate, rate, bits);
+    acb_neg(rate, rate);
+    const Ball square = half_length * half_length;
+    acb_add_arb(rate, rate, square.data(), bits);
+    acb_rsqrt_analytic(rate, rate, 1, bits);
+    acb_mul(rate, rate, power, bits);
+    acb_mul_si(rate, rate, root, bits);
+}
 
 std::vector<Ball> integrate_cells(const ThetaIntegrand& f, const std::vector<ThetaSpan>& spans,
                                   const Ball& centre, const Ball& half_length,

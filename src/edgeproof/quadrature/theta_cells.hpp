@@ -8,11 +8,28 @@
 
 namespace edgeproof::quadrature {
 
-/// A piece of g' as far as the contact reaches: s = c + d cos theta, theta from `from` to `to`.
+/// A piece of g' as far as the contact reaches, or a part of it: s = c + d cos t, t from `from` to
+/// `to`; or beside a knot that is a branch point of g', s = knot + side t^root.
 struct ThetaSpan {
     std::size_t piece;
     Ball from;
     Ball to;
+    std::size_t formula = 0; ///< of g' on it: in s, or in t where there is a root
+    long root = 0;           ///< 0: s = c + d cos t
+    int side = 1;            ///< 1: right of the knot; -1: left of it
+    Ball knot = {};
+
+    /// s and dtheta/dt, up to its sign, over a box of t; the latter is not finite where it may not
+    /// be holomorphic, which matters where the box is not real.
+    void map(acb_t s, acb_t rate, const acb_t t, const Ball& centre, const Ball& half_length,
+             long bits) const;
+};
+
+/// A box of a span, or a point.
+struct ThetaPlace {
+    const ThetaSpan& span;
+    const acb_struct* t;
+    const acb_struct* s;
 };
 
 /// Functions of s that are integrated over theta together.
@@ -20,10 +37,11 @@ class ThetaIntegrand {
 public:
     virtual ~ThetaIntegrand() = default;
     [[nodiscard]] virtual std::size_t count() const = 0;
-    /// What none of them exceeds on a box of s, and that they are holomorphic on it where it is not
+    /// What none of them exceeds on a box, and that they are holomorphic on it where it is not
     /// real; false where that is not shown.
-    virtual bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const = 0;
-    virtual void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const = 0;
+    virtual bool bound(const ThetaPlace& at, std::vector<Magnitude>& most) const = 0;
+    /// At a point, which is real.
+    virtual void value(const ThetaPlace& at, std::vector<Ball>& f) const = 0;
 };
 
 /// How far an integral is driven: |error_k| scale_k <= tolerance on every cell.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 
-#include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/profile/profile_checks.hpp"
@@ -82,33 +81,13 @@ bool IntegratedContact::edge_may_be_on_knot() const {
     return false;
 }
 
-std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
-    // From the right: theta = 0 at the right edge. A knot that may lie on an edge clamps onto it.
-    std::vector<quadrature::ThetaSpan> list;
-    Ball from(0, bits_);
-    for (std::size_t i = knots_.size() + 1; i-- > 0;) {
-        const auto here = i > 0 ? on_edge_[i - 1] : std::optional<Edge>(Edge::left);
-        const Mark<Ball> next =
-            here ? end_mark(Extent<Ball>{a, b}, *here) : clamped_mark({a, b}, knots_[i - 1]);
-        if (i > 0 && next.end == Edge::right) {
-            continue;
-        }
-        list.push_back({i, from, next.h});
-        from = next.h;
-        if (next.end) {
-            break;
-        }
-    }
-    return list;
-}
-
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a, b)) {
-        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a - b) / 2, (a + b) / 2};
+        SlopeIntegrand f = integrand(span, a, b);
         f.harmonic = harmonic;
         f.goal = zone_ ? goal_between(a, b, bits_) : 0;
-        sum += integrate(f, span.from, span.to, bits_);
+        sum += integrate(f, span, bits_);
     }
     return sum;
 }
@@ -143,6 +122,7 @@ std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) con
         std::swap(mirror.a_, mirror.b_);
         mirror.disks_.clear();
         mirror.over_theta_.reset();
+        mirror.roots_.reset();
         return mirror.right_expansion(terms);
     }
     return right_expansion(terms);
@@ -154,13 +134,13 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
                                  taylor.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
-        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a_ - b_) / 2, (a_ + b_) / 2};
+        SlopeIntegrand f = integrand(span, a_, b_);
         f.x = &x;
         f.holds_x = span.piece == piece;
         f.taylor = &head;
         f.from_right_edge = from_right_edge;
         f.goal = zone_ ? goal_between(a_, b_, bits_) : 0;
-        sum += integrate(f, span.from, span.to, bits_);
+        sum += integrate(f, span, bits_);
     }
     return sum;
 }
@@ -260,14 +240,14 @@ Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
     const Ball slope = series_of_slope(piece, x, 1)[0];
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
-        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, (a_ - b_) / 2, (a_ + b_) / 2};
+        SlopeIntegrand f = integrand(span, a_, b_);
         // Of two pieces that meet at x, each by its own expression; their values there are equal.
         const Ball here =
             on_knot && span.piece == *on_knot + 1 ? series_of_slope(span.piece, x, 1)[0] : slope;
         f.x = &x;
         f.slope_at_x = &here;
         f.holds_x = span.piece == piece || (on_knot && span.piece == *on_knot + 1);
-        sum += integrate(f, span.from, span.to, bits_);
+        sum += integrate(f, span, bits_);
     }
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * sum;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/curved/pressure_disk.hpp"
+#include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_pressure.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -71,7 +73,23 @@ public:
                       const Ball& b, long bits);
 
 private:
+    /// From the right edge to the left one, piece by piece.
+    [[nodiscard]] std::vector<quadrature::ThetaSpan> piece_spans(const Ball& a,
+                                                                 const Ball& b) const;
+    /// The same, halves of pieces beside a branch point on a knot in a variable without it.
     [[nodiscard]] std::vector<quadrature::ThetaSpan> spans(const Ball& a, const Ball& b) const;
+    /// What spans() and its formulas are made of.
+    struct Roots {
+        struct Root {
+            std::size_t formula = 0;
+            long root = 0; ///< 0: no branch point
+        };
+        std::vector<formula::Expr> formulas;       ///< of the pieces, then in roots
+        std::vector<std::array<Root, 2>> of_knots; ///< left of it, right of it
+    };
+    [[nodiscard]] const Roots& roots() const;
+    [[nodiscard]] SlopeIntegrand integrand(const quadrature::ThetaSpan& span, const Ball& a,
+                                           const Ball& b) const;
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
     [[nodiscard]] std::vector<Ball> series_of_slope(std::size_t piece, const Ball& x,
@@ -107,6 +125,9 @@ private:
     [[nodiscard]] const Disk* disk_for(Edge edge, const Ball& u, std::size_t order) const;
     [[nodiscard]] const Disk* disk_at(Edge edge, const Ball& u, std::size_t terms) const;
     [[nodiscard]] const Disk* disk_at_edge(Edge edge) const;
+    /// The integral over theta from one side of a knot to the other, for x within half of it.
+    [[nodiscard]] Ball beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
+                                   const Ball& width) const;
     /// I over a ball that meets a knot; `least`: a number below it, where it is infinite.
     [[nodiscard]] Ball over_knot(const Ball& x, bool least) const;
     [[nodiscard]] Ball with_root(const Ball& u, const Ball& I) const;
@@ -124,6 +145,7 @@ private:
     bool zone_ = false; ///< no contact, so that b may differ from a where g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
+    mutable std::shared_ptr<const Roots> roots_; ///< of the profile
 };
 
 } // namespace edgeproof::contact

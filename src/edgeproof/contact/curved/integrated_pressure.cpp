@@ -62,14 +62,13 @@ std::optional<std::size_t> IntegratedContact::piece_of(const Ball& x) const {
 const SlopeOverTheta& IntegratedContact::over_theta() const {
     if (!over_theta_) {
         SlopeOverTheta all;
-        for (const SlopePiece& piece : profile_.pieces()) {
-            all.slopes.push_back(piece.slope);
-        }
+        all.formulas = roots().formulas;
         all.spans = spans(a_, b_);
+        all.pieces = piece_spans(a_, b_);
         all.centre = (a_ - b_) / 2;
         all.half_length = (a_ + b_) / 2;
-        const Ball highest = series_of_slope(all.spans.front().piece, a_, 1)[0];
-        const Ball lowest = series_of_slope(all.spans.back().piece, -b_, 1)[0];
+        const Ball highest = series_of_slope(all.pieces.front().piece, a_, 1)[0];
+        const Ball lowest = series_of_slope(all.pieces.back().piece, -b_, 1)[0];
         all.most_change = Magnitude(Ball(highest - lowest));
         over_theta_ = std::make_shared<const SlopeOverTheta>(std::move(all));
     }
@@ -234,6 +233,33 @@ Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(a_ + b_ + rho) * most;
 }
 
+/// The quotient of I is a mean of g''. Where that is infinite on the knot, |s - v| = w^n and g' has
+/// the rate L by w at most: |w_s - w_x| <= |s - x|^(1/n), so that the quotient, which is not
+/// negative, is at most the sum over both sides of L |s - x|^(1/n - 1).
+Ball IntegratedContact::beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
+                                    const Ball& width) const {
+    const Ball& v = knots_[knot];
+    const Ball before = series_of_slope(knot, Ball::hull(lo, v), 2)[1];
+    const Ball after = series_of_slope(knot + 1, Ball::hull(v, hi), 2)[1];
+    if (before.is_finite() && after.is_finite()) {
+        return width * Ball::hull(before, after);
+    }
+    const Ball r = hi - lo;                                        // at least as long as s - x
+    const Ball nearest = Field<Ball>::root((a_ - hi) * (b_ + lo)); // of |ds/dtheta|
+    Ball most(0, bits_);
+    for (const std::size_t side : {0U, 1U}) {
+        const Roots::Root& root = roots().of_knots[knot].at(side);
+        const long n = std::max(root.root, 1L);
+        Ball rate = side == 0 ? before : after;
+        if (root.root != 0) {
+            const Ball all = Ball::hull(Ball(0, bits_), pow(r, Rational(1, n)));
+            rate = slope_series(roots().formulas[root.formula], all, 2, bits_)[1];
+        }
+        most += abs(rate) * 2 * n * pow(r, Rational(1, n));
+    }
+    return Ball::hull(Ball(0, bits_), Ball(Ball(most / nearest).upper(), bits_));
+}
+
 Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     std::optional<std::size_t> met;
     for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -265,7 +291,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     const SlopeOverTheta& all = over_theta();
     const Ball from = clamped_mark({a_, b_}, hi).h;
     const Ball to = clamped_mark({a_, b_}, lo).h;
-    std::vector<quadrature::ThetaSpan> outer(all.spans);
+    std::vector<quadrature::ThetaSpan> outer(all.pieces);
     for (quadrature::ThetaSpan& span : outer) {
         if (span.piece == i + 1) {
             span.to = from;
@@ -275,9 +301,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     }
     Ball inner(0, bits_);
     if (!profile_.has_corner(i)) {
-        const Ball before = series_of_slope(i, Ball::hull(lo, v), 2)[1];
-        const Ball after = series_of_slope(i + 1, Ball::hull(v, hi), 2)[1];
-        inner = (to - from) * Ball::hull(before, after);
+        inner = beside_knot(i, lo, hi, to - from);
     }
     // x is on one side of the knot, or on the other.
     std::optional<Ball> either;

@@ -27,7 +27,12 @@ long bits_over(const acb_t s) {
     return box_bits + std::clamp<slong>(accuracy, 0, most_box_bits);
 }
 
-/// g'(s) - g0.
+/// What the formula of g' on a span is in.
+const acb_struct* variable(const quadrature::ThetaPlace& at) {
+    return at.span.root == 0 ? at.s : at.t;
+}
+
+/// g' - g0.
 void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, const Ball& g0,
                   long bits) {
     AcbPolyValue taylor;
@@ -86,9 +91,10 @@ public:
         }
     }
     [[nodiscard]] std::size_t count() const override { return terms_; }
-    bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
+    bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
+        const std::size_t piece = at.span.piece;
         acb_ptr gap = gap_;
-        acb_sub_arb(gap, s, x_.data(), bits_);
+        acb_sub_arb(gap, at.s, x_.data(), bits_);
         if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
             std::copy_n(near_bounds_.begin(), terms_, most.begin());
             return true;
@@ -97,10 +103,11 @@ public:
         if (least.is_zero() || (piece == holds_ && least <= Magnitude(far_))) {
             return false;
         }
-        slope_change(change_, integral_.slopes[piece], s, g_[0], bits_over(s));
+        const acb_struct* t = variable(at);
+        slope_change(change_, integral_.formulas[at.span.formula], t, g_[0], bits_over(t));
         Magnitude size(change_);
         if (!size.is_finite()) {
-            if (arb_is_zero(acb_imagref(s)) == 0) {
+            if (arb_is_zero(acb_imagref(t)) == 0) {
                 return false;
             }
             size = integral_.most_change;
@@ -111,9 +118,10 @@ public:
         }
         return true;
     }
-    void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const override {
-        const Ball gap = s - x_;
-        if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
+    void value(const quadrature::ThetaPlace& at, std::vector<Ball>& f) const override {
+        Ball gap(0, bits_);
+        arb_sub(gap.data(), acb_realref(at.s), x_.data(), bits_);
+        if (at.span.piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
             Ball D = near_bounds_.back().ball(bits_);
             for (std::size_t k = g_.size(); --k > 0;) {
                 D *= gap;
@@ -124,7 +132,7 @@ public:
             }
             return;
         }
-        slope_change(change_, integral_.slopes[piece], acb_of(s), g_[0], bits_);
+        slope_change(change_, integral_.formulas[at.span.formula], variable(at), g_[0], bits_);
         Ball D(0, bits_);
         arb_set(D.data(), acb_realref(change_));
         const Ball inverse = 1 / gap;
@@ -138,11 +146,6 @@ public:
     }
 
 private:
-    acb_srcptr acb_of(const Ball& s) const {
-        acb_set_arb(gap_, s.data());
-        return gap_;
-    }
-
     const SlopeOverTheta& integral_;
     std::size_t holds_;
     const Ball& x_;
@@ -170,7 +173,7 @@ public:
                     Magnitude::least(r)) {}
 
     std::optional<Magnitude> operator()() {
-        for (const quadrature::ThetaSpan& span : integral_.spans) {
+        for (const quadrature::ThetaSpan& span : integral_.pieces) {
             // The radii of its ends included, which cells of two spans may share.
             const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
             const Ball hi(span.to.with_bits(box_bits).upper(), box_bits);
@@ -195,7 +198,7 @@ private:
         const Ball width(s.radius(), box_bits);
         if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
             acb_set_arb(s_, s.data());
-            slope_change(change_, integral_.slopes[piece], s_, g0_, bits_over(s_));
+            slope_change(change_, integral_.formulas[piece], s_, g0_, bits_over(s_));
             Magnitude size(change_);
             if (!(size <= integral_.most_change)) {
                 size = integral_.most_change;
@@ -228,22 +231,23 @@ public:
     OuterIntegrand(const SlopeOverTheta& integral, const Ball& x, const Ball& slope_at_x, long bits)
         : integral_(integral), x_(x), slope_at_x_(slope_at_x), bits_(bits) {}
     [[nodiscard]] std::size_t count() const override { return 1; }
-    bool bound(std::size_t piece, const acb_t s, std::vector<Magnitude>& most) const override {
-        acb_sub_arb(gap_, s, x_.data(), bits_);
+    bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
+        acb_sub_arb(gap_, at.s, x_.data(), bits_);
         const Magnitude least = Magnitude::least(gap_);
-        slope_change(change_, integral_.slopes[piece], s, slope_at_x_, bits_over(s));
+        const acb_struct* t = variable(at);
+        slope_change(change_, integral_.formulas[at.span.formula], t, slope_at_x_, bits_over(t));
         Magnitude size(change_);
-        if (!size.is_finite() && arb_is_zero(acb_imagref(s)) != 0) {
+        if (!size.is_finite() && arb_is_zero(acb_imagref(t)) != 0) {
             size = integral_.most_change;
         }
         most[0] = size / least;
         return most[0].is_finite();
     }
-    void value(std::size_t piece, const Ball& s, std::vector<Ball>& f) const override {
-        acb_set_arb(gap_, s.data());
-        slope_change(change_, integral_.slopes[piece], gap_, slope_at_x_, bits_);
-        arb_set(f[0].data(), acb_realref(change_));
-        f[0] /= s - x_;
+    void value(const quadrature::ThetaPlace& at, std::vector<Ball>& f) const override {
+        slope_change(change_, integral_.formulas[at.span.formula], variable(at), slope_at_x_,
+                     bits_);
+        acb_sub_arb(gap_, at.s, x_.data(), bits_);
+        arb_div(f[0].data(), acb_realref(change_), acb_realref(gap_), bits_);
     }
 
 private:
@@ -260,7 +264,7 @@ private:
 PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, const Ball& x,
                            const Ball& gap, std::size_t terms, long bits)
     : terms_(terms), bits_(bits) {
-    const formula::Expr& slope = integral.slopes[holds];
+    const formula::Expr& slope = integral.formulas[holds];
     const Ball g0 = slope_series(slope, x, 1, bits)[0];
     if (!g0.is_finite() || !certainly_positive(gap)) {
         return;
@@ -354,7 +358,7 @@ bool PressureDisk::good_to(const Ball& z, long bits) const {
 
 Ball outer_integral(const SlopeOverTheta& integral, const std::vector<quadrature::ThetaSpan>& outer,
                     std::size_t holds, const Ball& x, long bits) {
-    const Ball slope = slope_series(integral.slopes[holds], x, 1, bits)[0];
+    const Ball slope = slope_series(integral.formulas[holds], x, 1, bits)[0];
     const OuterIntegrand integrand(integral, x, slope, bits);
     quadrature::ThetaGoal goal;
     Ball tolerance = integral.most_change.ball(box_bits) / integral.half_length;

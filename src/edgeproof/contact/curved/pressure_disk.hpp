@@ -14,8 +14,9 @@ namespace edgeproof::contact {
 /// What the integral I(x) of (g'(s) - g'(x))/(s - x) over theta is taken of. p = E*/(2 pi) w(x)
 /// I(x) (eqn:SIEPressure, the principal value of 1/(s - x) being none).
 struct SlopeOverTheta {
-    std::vector<formula::Expr> slopes; ///< of the pieces
+    std::vector<formula::Expr> formulas; ///< of the pieces in s, and of spans with a root
     std::vector<quadrature::ThetaSpan> spans;
+    std::vector<quadrature::ThetaSpan> pieces; ///< the same without roots
     Ball centre;
     Ball half_length;
     Magnitude most_change; ///< of g' from one edge to the other: g' does not decrease

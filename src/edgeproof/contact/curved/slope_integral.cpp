@@ -10,13 +10,13 @@ namespace {
 
 /// (g'(s) - T_k(s))/(s - x)^(k+1).
 void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeIntegrand& f,
-                     slong order, slong bits) {
+                     bool rooted, slong order, slong bits) {
     const auto terms = static_cast<slong>(f.taylor->size());
     AcbValue r;
     AcbValue power;
     AcbPolyValue g;
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
-    if (f.from_right_edge) {
+    if (f.from_right_edge && !rooted) {
         // s - a = -2 d sin^2(theta/2)
         acb_mul_2exp_si(r, theta, -1);
         acb_sin(r, r, bits);
@@ -38,7 +38,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
             acb_mul(sum, sum, r, bits);
             acb_add_arb(sum, sum, (*f.taylor)[static_cast<std::size_t>(k)].data(), bits);
         }
-        taylor(g, *f.slope, s, 1, bits);
+        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
         acb_sub(out, out, sum, bits);
         acb_pow_ui(power, r, static_cast<ulong>(terms), bits);
@@ -51,6 +51,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
 /// whoever called it throws.
 struct Evaluation {
     const SlopeIntegrand& f;
+    const quadrature::ThetaSpan& span;
     bool interrupted = false;
 };
 int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong bits) {
@@ -61,20 +62,26 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
         acb_zero(out);
         return 0;
     }
-    AcbValue cosine;
+    AcbValue rate;
     AcbValue s;
     AcbPolyValue g;
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
-    acb_cos(cosine, theta, bits);
-    acb_mul_arb(s, cosine, f.half_length.data(), bits);
-    acb_add_arb(s, s, f.centre.data(), bits);
+    const bool rooted = evaluation.span.root != 0;
+    evaluation.span.map(s, rate, theta, f.centre, f.half_length, bits);
     if (f.taylor != nullptr) {
-        taylor_quotient(out, theta, s, f, order, bits);
+        taylor_quotient(out, theta, s, f, rooted, order, bits);
     } else if (f.x == nullptr) {
-        taylor(g, *f.slope, s, 1, bits);
+        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
-        acb_mul_si(cosine, theta, f.harmonic, bits);
-        acb_cos(cosine, cosine, bits);
+        AcbValue cosine;
+        if (rooted) {
+            acb_sub_arb(cosine, s, f.centre.data(), bits);
+            acb_div_arb(cosine, cosine, f.half_length.data(), bits);
+            acb_chebyshev_t_ui(cosine, static_cast<ulong>(f.harmonic), cosine, bits);
+        } else {
+            acb_mul_si(cosine, theta, f.harmonic, bits);
+            acb_cos(cosine, cosine, bits);
+        }
         acb_mul(out, out, cosine, bits);
     } else {
         AcbValue gap;
@@ -87,32 +94,35 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
             taylor(g, *f.slope, hull, 2, bits);
             acb_poly_get_coeff_acb(out, g, 1);
         } else {
-            taylor(g, *f.slope, s, 1, bits);
+            taylor(g, *f.formula, rooted ? theta : s, 1, bits);
             acb_poly_get_coeff_acb(out, g, 0);
             acb_sub_arb(out, out, f.slope_at_x->data(), bits);
             acb_div(out, out, gap, bits);
         }
+    }
+    if (rooted) {
+        acb_mul(out, out, rate, bits);
     }
     return 0;
 }
 
 } // namespace
 
-Ball integrate(const SlopeIntegrand& f, const Ball& lo, const Ball& hi, long bits) {
+Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
     AcbValue from;
     AcbValue to;
     AcbValue sum;
     AcbValue end;
-    arb_get_mid_arb(acb_realref(from), lo.data());
-    arb_get_mid_arb(acb_realref(to), hi.data());
+    arb_get_mid_arb(acb_realref(from), span.from.data());
+    arb_get_mid_arb(acb_realref(to), span.to.data());
     MagValue tolerance;
     mag_set_ui_2exp_si(tolerance, 1, -bits - 64);
-    Evaluation evaluation{f};
+    Evaluation evaluation{f, span};
     acb_calc_integrate(sum, evaluate, &evaluation, from, to, f.goal != 0 ? f.goal : bits, tolerance,
                        nullptr, bits);
     Ball result(0, bits);
     arb_set(result.data(), acb_realref(sum));
-    for (const Ball* limit : {&lo, &hi}) {
+    for (const Ball* limit : {&span.from, &span.to}) {
         acb_set_arb(from, limit->data());
         evaluate(end, from, &evaluation, 0, bits);
         Ball rest(0, bits);

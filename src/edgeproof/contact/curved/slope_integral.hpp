@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/quadrature/theta_cells.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -12,7 +13,8 @@ namespace edgeproof::contact {
 /// (g'(s) - g'(x))/(s - x), or with a Taylor polynomial T_k of g' about x given
 /// (g'(s) - T_k(s))/(s - x)^(k+1): what the former's k-th derivative in x comes to, over k!.
 struct SlopeIntegrand {
-    const formula::Expr* slope;
+    const formula::Expr* slope;   ///< in s
+    const formula::Expr* formula; ///< the same in the variable of the span
     Ball centre;
     Ball half_length;
     long harmonic = 0;
@@ -24,10 +26,10 @@ struct SlopeIntegrand {
     long goal = 0; ///< bits of the integral that are worth their work; 0: all
 };
 
-/// The integral from lo to hi, enclosed by Arb's rigorous integration: F. Johansson, "Numerical
-/// integration in arbitrary-precision ball arithmetic" (2018). Between the middles of lo and hi by
+/// The integral over a span, enclosed by Arb's rigorous integration: F. Johansson, "Numerical
+/// integration in arbitrary-precision ball arithmetic" (2018). Between the middles of its ends by
 /// Arb, and what their radii leave by the largest value of the integrand over them.
-[[nodiscard]] Ball integrate(const SlopeIntegrand& f, const Ball& lo, const Ball& hi, long bits);
+[[nodiscard]] Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits);
 
 /// The Taylor series of g' about x, `terms` terms, each an enclosure for every point of the ball.
 [[nodiscard]] std::vector<Ball> slope_series(const formula::Expr& slope, const Ball& x,

@@ -239,7 +239,6 @@ private:
             nowhere(r);
             return;
         }
-        inverse_function(f)(z, z, bits_);
         AcbPolyValue rate;
         acb_poly_derivative(rate, x, bits_);
         if (f == Builtin::acosh) {
@@ -254,13 +253,26 @@ private:
         } else if (!rational) {
             acb_poly_sqrt_series(square, square, terms_, bits_);
         }
-        acb_poly_div_series(r, rate, square, terms_, bits_);
         if (f == Builtin::acos) {
-            acb_poly_neg(r, r);
+            acb_poly_neg(square, square);
         }
+        mean_value(z, square, f);
+        acb_poly_div_series(r, rate, square, terms_, bits_);
         acb_poly_integral(r, r, bits_);
         acb_poly_set_coeff_acb(r, 0, z);
         acb_poly_truncate(r, terms_);
+    }
+    /// f over the box z, on which it is holomorphic with the rate 1/slowness: Arb's functions of a
+    /// wide box may subtract what hardly differs, sqrt(1 + z^2) - z.
+    void mean_value(acb_t z, const acb_poly_struct* slowness, Builtin f) const {
+        AcbValue middle;
+        AcbValue rate;
+        acb_get_mid(middle, z);
+        acb_sub(z, z, middle, bits_);
+        acb_poly_get_coeff_acb(rate, slowness, 0);
+        acb_div(z, z, rate, bits_);
+        inverse_function(f)(middle, middle, bits_);
+        acb_add(z, z, middle, bits_);
     }
     static bool certainly_beyond_one(const arb_t x) {
         ArbValue y;

@@ -124,7 +124,10 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
               ::_exit(0); // no destructor
           }) == 0);
     ChildGroup leader([] { return start_shell("sleep 100 & exit 7"); });
-    CHECK(WEXITSTATUS(leader.wait()) == 7);
+    double seconds = -1;
+    CHECK(WEXITSTATUS(leader.wait(seconds)) == 7);
+    CHECK(seconds >= 0);
+    CHECK(seconds < 5);
     ::close(ends[1]);
     pollfd end{ends[0], POLLIN, 0};
     CHECK(::poll(&end, 1, 20'000) == 1);

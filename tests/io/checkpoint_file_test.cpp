@@ -32,13 +32,13 @@ void write(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-/// Two pieces: entries 0 and 2, then 1.
+/// Two pieces: items 0, 2 and 3, then 1.
 void fill(CheckpointFile& part) {
     if (!part.has(0)) {
-        part.add(0, CheckpointFile::body({{0, false, "zero\nof two lines"}, {2, true, "two"}}));
+        part.add(0, CheckpointFile::body({{0, 1, 0, "zero\nof two lines"}, {2, 2, 1, "two"}}));
     }
     if (!part.has(1)) {
-        part.add(1, CheckpointFile::body({{1, true, "one"}}));
+        part.add(1, CheckpointFile::body({{1, 1, 1, "one"}}));
     }
 }
 
@@ -46,7 +46,8 @@ std::string all(const CheckpointFile& part) {
     std::string text;
     for (const std::size_t piece : {0U, 1U}) {
         for (const CheckpointFile::Entry& entry : part.piece(piece)) {
-            text += std::to_string(entry.index) + (entry.mark ? "!" : ".") + entry.text + "|";
+            text += std::to_string(entry.index) + std::string(entry.items, '.') +
+                    std::string(entry.marked, '!') + entry.text + "|";
         }
     }
     return text;
@@ -60,7 +61,7 @@ TEST_CASE("a part file gives back what was whole in it, wherever it was cut off"
     {
         CheckpointFile part(file, 7, 2);
         fill(part);
-        CHECK(part.entries() == 3);
+        CHECK(part.items() == 4);
         CHECK(part.marked() == 2);
     }
     const std::string whole = read_text(file, "part file");
@@ -68,9 +69,9 @@ TEST_CASE("a part file gives back what was whole in it, wherever it was cut off"
         write(file, whole.substr(0, size));
         CheckpointFile part(file, 7, 2);
         CAPTURE(size);
-        CHECK(part.entries() == (size == whole.size() ? 3 : part.has(0) ? 2 : 0));
+        CHECK(part.items() == (size == whole.size() ? 4 : part.has(0) ? 3 : 0));
         fill(part);
-        CHECK(all(part) == "0.zero\nof two lines|2!two|1!one|");
+        CHECK(all(part) == "0.zero\nof two lines|2..!two|1.!one|");
         CHECK(part.marked() == 2);
         CHECK(read_text(file, "part file") == whole);
     }
@@ -87,14 +88,14 @@ TEST_CASE("a part file drops what is not what was written, and work of another k
     std::string changed = whole;
     changed[changed.find("two lines")] = 'T';
     write(file, changed);
-    CHECK(CheckpointFile(file, 7, 2).entries() == 0); // what comes after it is not trusted either
+    CHECK(CheckpointFile(file, 7, 2).items() == 0); // what comes after it is not trusted either
     write(file, whole);
-    CHECK(CheckpointFile(file, 8, 2).entries() == 0);
+    CHECK(CheckpointFile(file, 8, 2).items() == 0);
     // An older version's is begun anew, and a torn first line.
     for (const char* const text :
-         {"edgeproof part file 2, 0000000000000007\n0 12 99\n", "edgepr"}) {
+         {"edgeproof part file 3, 0000000000000007\n0 12 99\n", "edgepr"}) {
         write(file, text);
-        CHECK(CheckpointFile(file, 7, 2).entries() == 0);
+        CHECK(CheckpointFile(file, 7, 2).items() == 0);
     }
 }
 
@@ -103,7 +104,7 @@ TEST_CASE("a part file's checksum holds the number of the piece and its size") {
     const fs::path file = folder.path / "t.part";
     {
         CheckpointFile part(file, 7, 12);
-        part.add(1, CheckpointFile::body({{0, false, "zero"}}));
+        part.add(1, CheckpointFile::body({{0, 1, 0, "zero"}}));
     }
     const std::string whole = read_text(file, "part file");
     const std::size_t number = whole.find('\n') + 1;
@@ -112,7 +113,7 @@ TEST_CASE("a part file's checksum holds the number of the piece and its size") {
         changed.replace(number, 1, other);
         write(file, changed);
         CAPTURE(other);
-        CHECK(CheckpointFile(file, 7, 12).entries() == 0);
+        CHECK(CheckpointFile(file, 7, 12).items() == 0);
     }
     write(file, whole);
     CHECK(CheckpointFile(file, 7, 12).has(1));
@@ -167,13 +168,13 @@ TEST_CASE("a part file removes itself, not what has come under its name since") 
 TEST_CASE("a part file takes nothing but whole pieces that it does not have") {
     const Folder folder;
     CheckpointFile part(folder.path / "t.part", 7, 2);
-    const std::string body = CheckpointFile::body({{0, false, "zero"}, {2, true, "two"}});
+    const std::string body = CheckpointFile::body({{0, 1, 0, "zero"}, {2, 1, 1, "two"}});
     CHECK_THROWS_AS(part.add(0, ""), Error);
     CHECK_THROWS_AS(part.add(0, body.substr(0, body.size() - 1)), Error);
     CHECK_THROWS_AS(part.add(2, body), Error);
     part.add(0, body);
     CHECK_THROWS_AS(part.add(0, body), Error);
-    CHECK(part.entries() == 2);
+    CHECK(part.items() == 2);
 }
 
 TEST_CASE("a part file that is in use, removed, or in no folder is told in one line") {
@@ -185,7 +186,7 @@ TEST_CASE("a part file that is in use, removed, or in no folder is told in one l
         (file.string() + " is in use; wait for the other run, or name another file").c_str(),
         InputError);
     fs::remove(file);
-    CHECK_THROWS_AS(part.add(0, CheckpointFile::body({{0, false, "zero"}})), InputError);
+    CHECK_THROWS_AS(part.add(0, CheckpointFile::body({{0, 1, 0, "zero"}})), InputError);
     CHECK_THROWS_AS(CheckpointFile(folder.path / "nowhere" / "t.part", 7, 2), InputError);
 }
 

@@ -6,6 +6,12 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
 using Cells = std::vector<std::string>;
 
 TEST_CASE("CSV: notes, quotes, blanks, either line end, ragged rows, each with its line") {
@@ -110,4 +116,41 @@ TEST_CASE("the checksum is FNV-1a, 64 bits") {
     CHECK(fnv1a("") == 0xcbf29ce484222325U);
     CHECK(fnv1a("a") == 0xaf63dc4c8601ec8cU);
     CHECK(fnv1a("foobar") == 0x85944171f73967e8U);
+}
+
+TEST_CASE("a file read in blocks gives the rows of its text, wherever a block ends") {
+    // Notes, blank lines, line ends and separators in quotes, faults: over more than two blocks.
+    std::string text = "\xEF\xBB\xBF# first note\nid,value,what\n";
+    for (std::size_t k = 0; text.size() < 2'500'000; ++k) {
+        const std::string number = std::to_string(k * k % 1009);
+        text += k % 97 == 0    ? "# note " + number + "\n\n"
+                : k % 31 == 0  ? "\"a\nb, \"\"" + number + "\"\"\"," + number + ",\"\n\"\r\n"
+                : k % 101 == 0 ? "x" + number + ",y\"z\",\n"
+                               : number + "," + std::string(k % 53, '7') + ", c \n";
+    }
+    text += "last,row,without an end";
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("edgeproof-csv-" + std::to_string(::getpid()));
+    std::ofstream(file, std::ios::binary) << text;
+    const Csv whole = parse_csv(text, file.string(), {.keep_faults = true});
+    std::size_t rows = 0;
+    std::size_t differing = 0;
+    std::size_t most_kept = 0;
+    {
+        CsvReader reader(file, "table");
+        for (Csv::Row row; reader.next(row); ++rows) {
+            const Csv::Row& same = whole.rows.at(rows);
+            differing +=
+                row.line == same.line && row.cells == same.cells && row.fault == same.fault ? 0 : 1;
+            most_kept = std::max(most_kept, reader.kept());
+        }
+        CHECK(reader.head().notes == whole.notes);
+        CHECK(reader.head().header.cells == whole.header.cells);
+        CHECK(reader.bytes() == text.size());
+    }
+    std::filesystem::remove(file);
+    CHECK(rows == whole.rows.size());
+    CHECK(rows > 50'000);
+    CHECK(differing == 0);
+    CHECK(most_kept < 1'200'000); // of 2,500,000 bytes
 }

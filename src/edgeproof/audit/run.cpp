@@ -4,6 +4,7 @@
 #include "edgeproof/audit/counterexample.hpp"
 #include "edgeproof/audit/later_results.hpp"
 #include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/parallel/thread_seconds.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -168,8 +169,12 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     };
     const auto run_claim = [&](std::size_t i) {
         check_interruption();
+        const double begun = parallel::thread_seconds();
         try {
             judge(*chosen[i], result.claims[i]);
+            if (options.timed) {
+                result.claims[i].seconds = parallel::thread_seconds() - begun;
+            }
         } catch (const InputError& error) {
             if (options.errors == ClaimErrors::thrown) {
                 throw;

@@ -16,6 +16,7 @@ struct AuditOptions {
     int threads = 0;        ///< 0: as many as the machine has
     std::string only = "*"; ///< a pattern of ids, * and ? as in a shell
     std::function<void(std::size_t done, std::size_t total)> progress; ///< from any thread
+    bool timed = false; ///< take the processor time of each claim
     /// Of an error in one claim that shows when it is checked.
     ClaimErrors errors = ClaimErrors::thrown;
 };

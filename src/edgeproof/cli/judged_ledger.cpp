@@ -6,11 +6,12 @@
 namespace edgeproof::cli {
 
 audit::AuditResult judged_ledger(const audit::Ledger& ledger, unsigned digits, int threads,
-                                 const std::string& only) {
+                                 const std::string& only, bool timed) {
     audit::AuditOptions options;
     options.digits = digits;
     options.threads = threads;
     options.only = only;
+    options.timed = timed;
     options.errors = audit::ClaimErrors::kept;
     Progress progress("claims");
     options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/effects.hpp"
 
-#include "edgeproof/cost/machine.hpp"
 #include "edgeproof/cost/measure.hpp"
+#include "edgeproof/parallel/thread_seconds.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -84,9 +84,9 @@ effect_costs(unsigned digits, bool timed,
         double spent = 0;
         while (timed && (seconds.size() < fewest_runs ||
                          (spent < enough_seconds_of_an_effect && seconds.size() < most_runs))) {
-            const double begun = thread_seconds();
+            const double begun = parallel::thread_seconds();
             (void)run_scene(scene);
-            seconds.push_back(thread_seconds() - begun);
+            seconds.push_back(parallel::thread_seconds() - begun);
             spent += seconds.back();
         }
         cost.seconds = quartiles(std::move(seconds)).median;

@@ -56,10 +56,4 @@ std::vector<std::pair<std::string, std::string>> machine() {
     return facts;
 }
 
-double thread_seconds() {
-    timespec now{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 } // namespace edgeproof::cost

@@ -9,7 +9,4 @@ namespace edgeproof::cost {
 /// Where times were taken, as name and value: processor, cores, compiler, libraries with versions.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> machine();
 
-/// Processor time of this thread so far, in seconds.
-[[nodiscard]] double thread_seconds();
-
 } // namespace edgeproof::cost

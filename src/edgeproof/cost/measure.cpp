@@ -3,7 +3,7 @@
 
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/cost/machine.hpp"
+#include "edgeproof/parallel/thread_seconds.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
@@ -60,8 +60,8 @@ double clock_seconds() {
     static const double seconds = [] {
         std::vector<double> looks;
         for (int k = 0; k < 200; ++k) {
-            const double begun = thread_seconds();
-            looks.push_back(thread_seconds() - begun);
+            const double begun = parallel::thread_seconds();
+            looks.push_back(parallel::thread_seconds() - begun);
         }
         return quartiles(std::move(looks)).median;
     }();
@@ -109,11 +109,11 @@ private:
         const double about = samples_[p].empty() ? batch_seconds : samples_[p].back();
         const auto calls =
             static_cast<std::size_t>(std::ceil(batch_seconds / std::max(about, 1e-8)));
-        const double begun = thread_seconds();
+        const double begun = parallel::thread_seconds();
         for (std::size_t k = 0; k < calls; ++k) {
             (void)contact_.at(points_[p].point);
         }
-        const double seconds = thread_seconds() - begun - clock_seconds();
+        const double seconds = parallel::thread_seconds() - begun - clock_seconds();
         return std::max(seconds, 0.0) / static_cast<double>(calls);
     }
 
@@ -180,9 +180,9 @@ public:
         const std::vector<Ball>& exact = exact_at(digits, chosen);
         CostCell cell{case_.name, route->name, route->arithmetic, digits, route->proves, 0, {}};
         try {
-            const double begun = thread_seconds();
+            const double begun = parallel::thread_seconds();
             const auto contact = route->ready(case_, digits);
-            cell.contact_seconds = thread_seconds() - begun;
+            cell.contact_seconds = parallel::thread_seconds() - begun;
             for (std::size_t p = 0; p < chosen.size(); ++p) { // tables are made, caches warm
                 check_interruption();
                 cell.points.push_back(point_cost(*contact, chosen[p], exact[p]));

@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -43,13 +44,20 @@ std::size_t hash_of(const Rational& q) {
 
 /// True if the decimal expansion of q ends.
 bool terminates(const Rational& q) {
-    Integer d(denominator(q));
+    const auto* const denominator = mpq_denref(q.backend().data());
+    if (mpz_fits_ulong_p(denominator) != 0) {
+        unsigned long d = mpz_get_ui(denominator);
+        d >>= static_cast<unsigned>(std::countr_zero(d));
+        while (d % 5 == 0) {
+            d /= 5;
+        }
+        return d == 1;
+    }
     Integer odd;
-    const Integer two(2);
+    mpz_tdiv_q_2exp(odd.backend().data(), denominator, mpz_scan1(denominator, 0));
     const Integer five(5);
-    mpz_remove(odd.backend().data(), d.backend().data(), two.backend().data());
-    mpz_remove(d.backend().data(), odd.backend().data(), five.backend().data());
-    return d == 1;
+    mpz_remove(odd.backend().data(), odd.backend().data(), five.backend().data());
+    return odd == 1;
 }
 
 std::optional<Expr::Kind> binder_kind(std::string_view name) {
@@ -107,7 +115,7 @@ Expr::Expr() {
 }
 
 Expr Expr::number(const Rational& q) {
-    if (q < 0) {
+    if (q.sign() < 0) {
         return -number(-q);
     }
     if (!terminates(q)) {

@@ -37,19 +37,23 @@ struct Decimal {
 };
 
 Decimal decimal_of(const Rational& q) {
-    const Integer ten(10);
-    const Integer two(2);
-    const Integer five(5);
-    Integer rest;
-    Integer d(denominator(q));
-    const auto twos = mpz_remove(rest.backend().data(), d.backend().data(), two.backend().data());
-    const auto fives =
-        mpz_remove(rest.backend().data(), rest.backend().data(), five.backend().data());
-    const auto places = std::max(twos, fives);
-    Integer scale;
-    mpz_ui_pow_ui(scale.backend().data(), 10, places);
-    std::string digits = Integer(numerator(q) * (scale / d)).str();
-    long exponent = -static_cast<long>(places);
+    std::string digits;
+    long exponent = 0;
+    if (Integer d(denominator(q)); d == 1) {
+        digits = Integer(numerator(q)).str();
+    } else {
+        const Integer five(5);
+        Integer rest;
+        const auto twos = mpz_scan1(d.backend().data(), 0);
+        mpz_tdiv_q_2exp(rest.backend().data(), d.backend().data(), twos);
+        const auto fives =
+            mpz_remove(rest.backend().data(), rest.backend().data(), five.backend().data());
+        const auto places = std::max(twos, fives);
+        Integer scale;
+        mpz_ui_pow_ui(scale.backend().data(), 10, places);
+        digits = Integer(numerator(q) * (scale / d)).str();
+        exponent = -static_cast<long>(places);
+    }
     const std::size_t last = digits.find_last_not_of('0');
     if (last != std::string::npos) {
         exponent += static_cast<long>(digits.size() - last - 1);

@@ -25,9 +25,22 @@ namespace {
 /// What every version of these files begins with: only such a file is written over, or removed.
 constexpr std::string_view first_words = "edgeproof part file ";
 
+/// Tells a text that was torn or changed by accident; eight bytes at a time, as every row passes
+/// it.
+std::uint64_t hash_of_words(std::string_view text, std::uint64_t hash) {
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+    for (std::size_t i = 0; i < text.size(); i += sizeof(std::uint64_t)) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, text.data() + i, std::min(sizeof word, text.size() - i));
+        hash = (hash ^ word) * odd;
+        hash ^= hash >> 32U;
+    }
+    return hash;
+}
+
 /// Of a piece: its number and its size count as well as its text.
 std::uint64_t checksum(std::uint64_t piece, const std::string& body) {
-    return fnv1a(body, fnv1a(fmt::format("{} {} ", piece, body.size())));
+    return hash_of_words(body, fnv1a(fmt::format("{} {} ", piece, body.size())));
 }
 
 /// Numbers, a blank between two, to the end of the line.
@@ -46,20 +59,23 @@ std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int b
     return all;
 }
 
-/// The entries of a piece's body; nothing where it is none.
-std::optional<std::vector<CheckpointFile::Entry>> entries_of(std::string_view body) {
-    std::vector<CheckpointFile::Entry> entries;
+/// Hands over the entries of a piece's body; false where it is none.
+template <class Take> bool each_entry(std::string_view body, const Take& take) {
     for (std::size_t i = 0; i < body.size();) {
         const std::size_t stop = body.find('\n', i);
-        const auto head = numbers<3>(body.substr(i, stop - i), 10);
-        if (!head || stop + 1 + (*head)[2] + 1 > body.size()) {
-            return {};
+        const auto head = numbers<4>(body.substr(i, stop - i), 10);
+        if (stop == std::string_view::npos || !head || (*head)[3] >= body.size() - stop) {
+            return false;
         }
-        entries.push_back({static_cast<std::size_t>((*head)[0]), (*head)[1] != 0,
-                           std::string(body.substr(stop + 1, (*head)[2]))});
-        i = stop + 1 + (*head)[2] + 1;
+        const auto [index, items, marked, size] = *head;
+        take(index, items, marked, body.substr(stop + 1, size));
+        i = stop + 1 + size;
     }
-    return entries;
+    return true;
+}
+
+bool is_body(std::string_view body) {
+    return each_entry(body, [](auto...) {});
 }
 
 } // namespace
@@ -69,7 +85,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path file, std::uint64_t fingerp
     : file_(std::move(file)),
       // No link is followed and no FIFO waited for: what has this name may be anybody's.
       fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666)),
-      head_(fmt::format("{}3, {:016x}\n", first_words, fingerprint)), places_(pieces) {
+      head_(fmt::format("{}4, {:016x}\n", first_words, fingerprint)), places_(pieces) {
     if (fd_ < 0) {
         if (errno == ELOOP || errno == EISDIR || errno == ENXIO) {
             not_ours();
@@ -125,8 +141,8 @@ std::string CheckpointFile::at(std::uint64_t offset, std::size_t size) const {
     return text;
 }
 
-// A piece is a line "piece BYTES CHECKSUM", then for each entry a line "INDEX MARK BYTES" and its
-// text with a line's end.
+// A piece is a line "piece BYTES CHECKSUM", then for each entry a line "INDEX ITEMS MARKED BYTES"
+// and its text.
 void CheckpointFile::read() {
     end_ = head_.size();
     constexpr std::size_t longest_head = 80;
@@ -151,15 +167,10 @@ void CheckpointFile::read() {
         if (body.size() != (*head)[1] || checksum((*head)[0], body) != (*head)[2]) {
             break;
         }
-        const auto entries = entries_of(body);
-        if (!entries) {
+        if (!is_body(body)) {
             break;
         }
-        for (const Entry& entry : *entries) {
-            marked_ += entry.mark ? 1 : 0;
-            ++count_;
-        }
-        places_[(*head)[0]] = {begin, body.size()};
+        count((*head)[0], body, begin);
         end_ = begin + body.size();
     }
     const std::uint64_t keep = ours ? end_ : 0;
@@ -175,18 +186,25 @@ void CheckpointFile::read() {
     }
 }
 
+void CheckpointFile::count(std::size_t piece, std::string_view body, std::uint64_t offset) {
+    (void)each_entry(body, [&](std::size_t, std::size_t items, std::size_t marked, auto) {
+        items_ += items;
+        marked_ += marked;
+    });
+    places_[piece] = {offset, body.size()};
+}
+
 std::string CheckpointFile::body(const std::vector<Entry>& entries) {
     std::string text;
-    for (const Entry& entry : entries) {
-        text += fmt::format("{} {} {}\n", entry.index, entry.mark ? 1 : 0, entry.text.size());
-        text += entry.text + "\n";
+    for (const Entry& e : entries) {
+        text += fmt::format("{} {} {} {}\n", e.index, e.items, e.marked, e.text.size());
+        text += e.text;
     }
     return text;
 }
 
 void CheckpointFile::add(std::size_t piece, const std::string& body) {
-    const auto entries = entries_of(body);
-    if (!entries || entries->empty() || piece >= places_.size() || has(piece)) {
+    if (body.empty() || !is_body(body) || piece >= places_.size() || has(piece)) {
         throw Error(
             fmt::format("piece {} of {} is not one that was asked for", piece, file_.string()));
     }
@@ -200,21 +218,21 @@ void CheckpointFile::add(std::size_t piece, const std::string& body) {
         (void)::ftruncate(fd_, static_cast<off_t>(end_));
         cannot("write", error);
     }
-    for (const Entry& entry : *entries) {
-        marked_ += entry.mark ? 1 : 0;
-        ++count_;
-    }
-    places_[piece] = {end_ + head.size(), body.size()};
+    count(piece, body, end_ + head.size());
     end_ += head.size() + body.size();
 }
 
 std::vector<CheckpointFile::Entry> CheckpointFile::piece(std::size_t number) const {
     const std::string body = at(places_[number].offset, places_[number].size);
-    auto entries = entries_of(body);
-    if (body.size() != places_[number].size || !entries) {
+    std::vector<Entry> entries;
+    const bool whole = each_entry(
+        body, [&](std::size_t index, std::size_t items, std::size_t marked, std::string_view text) {
+            entries.push_back({index, items, marked, std::string(text)});
+        });
+    if (body.size() != places_[number].size || !whole) {
         cannot("read", EIO);
     }
-    return std::move(*entries);
+    return entries;
 }
 
 void CheckpointFile::remove() {

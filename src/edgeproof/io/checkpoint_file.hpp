@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::io {
@@ -13,10 +14,12 @@ namespace edgeproof::io {
 /// piece, where it is torn, is dropped. Only the places of pieces are kept in memory.
 class CheckpointFile {
 public:
-    /// One entry: where it belongs in the whole, a mark, and its text.
+    /// What stands together in the whole: the number of its first item, how many items it is made
+    /// of, how many of them are marked, and their text.
     struct Entry {
         std::size_t index = 0;
-        bool mark = false;
+        std::size_t items = 1;
+        std::size_t marked = 0;
         std::string text;
     };
 
@@ -31,7 +34,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
     [[nodiscard]] bool has(std::size_t piece) const { return places_[piece].size > 0; }
-    [[nodiscard]] std::size_t entries() const { return count_; } ///< that there are
+    [[nodiscard]] std::size_t items() const { return items_; } ///< that there are
     [[nodiscard]] std::size_t marked() const { return marked_; }
 
     /// Entries as one text, as it stands in the file.
@@ -47,6 +50,7 @@ public:
 
 private:
     void read();
+    void count(std::size_t piece, std::string_view body, std::uint64_t offset);
     [[nodiscard]] std::string at(std::uint64_t offset, std::size_t size) const;
     [[noreturn]] void cannot(const char* what, int error) const;
     [[noreturn]] void not_ours() const;
@@ -60,7 +64,7 @@ private:
         std::uint64_t size = 0;   ///< 0: not there
     };
     std::vector<Place> places_;
-    std::size_t count_ = 0;
+    std::size_t items_ = 0;
     std::size_t marked_ = 0;
 };
 

@@ -12,11 +12,11 @@ namespace {
 constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-std::string trimmed(std::string_view text) {
+std::string_view trimmed(std::string_view text) {
     const std::size_t from = text.find_first_not_of(blanks);
     return from == std::string_view::npos
-               ? std::string{}
-               : std::string(text.substr(from, text.find_last_not_of(blanks) - from + 1));
+               ? std::string_view{}
+               : text.substr(from, text.find_last_not_of(blanks) - from + 1);
 }
 
 /// Of the header line, outside its quotes: a comma, or else a tab, or else a semicolon.
@@ -34,107 +34,6 @@ char separator_of(std::string_view line) {
     }
     return tab ? '\t' : semicolon ? ';' : ',';
 }
-
-class Parser {
-public:
-    explicit Parser(std::string_view text) : text_(text) {}
-
-    /// The next row that is no note and not blank. The first tells the separator.
-    bool next(Csv& csv, Csv::Row& row) {
-        while (at_ < text_.size()) {
-            const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-            const std::string_view line = text_.substr(at_, end - at_);
-            const std::size_t first = line.find_first_not_of(blanks);
-            const bool blank = first == std::string_view::npos && !has_cells(line);
-            if (!blank && (first == std::string_view::npos || line[first] != '#')) {
-                if (separator_ == '\0') {
-                    separator_ = separator_of(line);
-                    csv.separator = separator_;
-                }
-                read(row);
-                return true;
-            }
-            if (!blank) {
-                csv.notes.push_back(trimmed(line.substr(first + 1)));
-            }
-            at_ = std::min(end + 1, text_.size());
-            ++line_;
-        }
-        return false;
-    }
-    /// The header is still to come: what was read was a note.
-    void again() { separator_ = '\0'; }
-
-private:
-    /// A line of nothing but tabs is a row of empty cells where tabs separate.
-    [[nodiscard]] bool has_cells(std::string_view line) const {
-        return separator_ == '\t' && line.find('\t') != std::string_view::npos;
-    }
-    [[nodiscard]] bool is_blank(char c) const {
-        return (c == ' ' || c == '\t' || c == '\r') && c != separator_;
-    }
-    [[nodiscard]] bool ends_cell(std::size_t at) const {
-        return at >= text_.size() || text_[at] == separator_ || text_[at] == '\n';
-    }
-
-    void read(Csv::Row& row) {
-        row = {line_, {}, {}};
-        for (bool more = true; more;) {
-            row.cells.push_back(cell(row.fault));
-            more = at_ < text_.size() && text_[at_] == separator_;
-            at_ += more ? 1 : 0;
-        }
-        at_ = std::min(at_ + 1, text_.size()); // the line's end
-        ++line_;
-    }
-    /// Up to the separator or the line's end, which it leaves.
-    std::string cell(std::string& fault) {
-        const std::size_t from = at_;
-        skip_blanks();
-        if (at_ < text_.size() && text_[at_] == '"') {
-            ++at_;
-            return quoted(fault);
-        }
-        while (!ends_cell(at_)) {
-            if (text_[at_] == '"') {
-                fault = "a quote stands within a cell that does not begin with one";
-            }
-            ++at_;
-        }
-        return trimmed(text_.substr(from, at_ - from));
-    }
-    std::string quoted(std::string& fault) {
-        std::string cell;
-        while (at_ < text_.size()) {
-            const char c = text_[at_++];
-            if (c != '"') {
-                cell += c;
-                line_ += c == '\n' ? 1 : 0;
-            } else if (at_ < text_.size() && text_[at_] == '"') {
-                cell += text_[at_++];
-            } else {
-                skip_blanks();
-                while (!ends_cell(at_)) {
-                    fault = "something follows a closing quote";
-                    cell += text_[at_++];
-                }
-                return cell;
-            }
-        }
-        fault = "a quote begins here and does not end";
-        return cell;
-    }
-    void skip_blanks() {
-        while (at_ < text_.size() && is_blank(text_[at_])) {
-            ++at_;
-        }
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    std::size_t line_ = 1;
-    char separator_ = '\0';
-};
 
 /// Throws for a text that is no lines of ASCII or UTF-8.
 void check_encoding(std::string_view text, const std::string& file) {
@@ -160,7 +59,142 @@ void throw_fault(const Csv& csv, const Csv::Row& row) {
         .at(csv.file, row.line);
 }
 
+constexpr std::size_t block_bytes = 1U << 20U;
+
 } // namespace
+
+/// Rows out of a text, of which more may follow.
+class CsvReader::Parser {
+public:
+    enum class Got {
+        row,
+        end,
+        part ///< the text ends within a row or a note: give more of it
+    };
+
+    /// The text from where the parser stands on; `whole`: to the end.
+    void go_on(std::string_view text, bool whole) {
+        text_ = text;
+        at_ = 0;
+        whole_ = whole;
+    }
+    [[nodiscard]] std::size_t at() const { return at_; }
+
+    /// The next row that is no note and not blank. The first tells the separator.
+    Got next(Csv& csv, Csv::Row& row) {
+        while (at_ < text_.size()) {
+            const std::size_t found = text_.find('\n', at_);
+            const std::size_t end = std::min(found, text_.size());
+            if (found == std::string_view::npos && !whole_) {
+                return Got::part;
+            }
+            const std::string_view line = text_.substr(at_, end - at_);
+            const std::size_t first = line.find_first_not_of(blanks);
+            const bool blank = first == std::string_view::npos && !has_cells(line);
+            if (!blank && (first == std::string_view::npos || line[first] != '#')) {
+                if (separator_ == '\0') {
+                    separator_ = separator_of(line);
+                    csv.separator = separator_;
+                }
+                return read(row) ? Got::row : Got::part;
+            }
+            if (!blank) {
+                csv.notes.emplace_back(trimmed(line.substr(first + 1)));
+            }
+            at_ = std::min(end + 1, text_.size());
+            ++line_;
+        }
+        return whole_ ? Got::end : Got::part;
+    }
+    /// The header is still to come: what was read was a note.
+    void again() { separator_ = '\0'; }
+
+private:
+    /// A line of nothing but tabs is a row of empty cells where tabs separate.
+    [[nodiscard]] bool has_cells(std::string_view line) const {
+        return separator_ == '\t' && line.find('\t') != std::string_view::npos;
+    }
+    [[nodiscard]] bool is_blank(char c) const {
+        return (c == ' ' || c == '\t' || c == '\r') && c != separator_;
+    }
+    [[nodiscard]] bool ends_cell(std::size_t at) const {
+        return at >= text_.size() || text_[at] == separator_ || text_[at] == '\n';
+    }
+
+    /// False, and nothing read, where the text ends within the row.
+    bool read(Csv::Row& row) {
+        const std::size_t begin = at_;
+        const std::size_t first_line = line_;
+        row.line = line_;
+        row.fault.clear();
+        std::size_t cells = 0;
+        for (bool more = true; more; ++cells) {
+            if (cells == row.cells.size()) {
+                row.cells.emplace_back();
+            }
+            cell(row.cells[cells], row.fault);
+            more = at_ < text_.size() && text_[at_] == separator_;
+            at_ += more ? 1 : 0;
+        }
+        row.cells.resize(cells);
+        if (at_ >= text_.size() && !whole_) {
+            at_ = begin;
+            line_ = first_line;
+            return false;
+        }
+        at_ = std::min(at_ + 1, text_.size()); // the line's end
+        ++line_;
+        return true;
+    }
+    /// Up to the separator or the line's end, which it leaves.
+    void cell(std::string& cell, std::string& fault) {
+        const std::size_t from = at_;
+        skip_blanks();
+        if (at_ < text_.size() && text_[at_] == '"') {
+            ++at_;
+            cell.clear();
+            quoted(cell, fault);
+            return;
+        }
+        while (!ends_cell(at_)) {
+            if (text_[at_] == '"') {
+                fault = "a quote stands within a cell that does not begin with one";
+            }
+            ++at_;
+        }
+        cell = trimmed(text_.substr(from, at_ - from));
+    }
+    void quoted(std::string& cell, std::string& fault) {
+        while (at_ < text_.size()) {
+            const char c = text_[at_++];
+            if (c != '"') {
+                cell += c;
+                line_ += c == '\n' ? 1 : 0;
+            } else if (at_ < text_.size() && text_[at_] == '"') {
+                cell += text_[at_++];
+            } else {
+                skip_blanks();
+                while (!ends_cell(at_)) {
+                    fault = "something follows a closing quote";
+                    cell += text_[at_++];
+                }
+                return;
+            }
+        }
+        fault = "a quote begins here and does not end";
+    }
+    void skip_blanks() {
+        while (at_ < text_.size() && is_blank(text_[at_])) {
+            ++at_;
+        }
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;
+    char separator_ = '\0';
+    bool whole_ = true;
+};
 
 std::optional<std::size_t> Csv::column(std::string_view name) const {
     const auto at = std::find(header.cells.begin(), header.cells.end(), name);
@@ -169,40 +203,81 @@ std::optional<std::size_t> Csv::column(std::string_view name) const {
                : std::optional(static_cast<std::size_t>(at - header.cells.begin()));
 }
 
-Csv parse_csv(std::string_view text, const std::string& file, const CsvReading& reading) {
-    Csv csv;
-    csv.file = file;
+CsvReader::CsvReader(std::string_view text, const std::string& file)
+    : parser_(std::make_unique<Parser>()) {
+    head_.file = file;
     check_encoding(text, file);
     if (text.starts_with(byte_order_mark)) {
         text.remove_prefix(byte_order_mark.size());
     }
-    Parser parser(text);
+    parser_->go_on(text, true);
+    begin();
+}
+
+CsvReader::CsvReader(const std::filesystem::path& file, const std::string& what)
+    : file_(std::make_unique<TextReader>(file, what)), parser_(std::make_unique<Parser>()) {
+    head_.file = input_name(file);
+    bool more = true;
+    while (more && block_.find('\n') == std::string::npos) {
+        more = file_->read(block_, block_bytes);
+    }
+    check_encoding(block_, head_.file);
+    if (block_.starts_with(byte_order_mark)) {
+        block_.erase(0, byte_order_mark.size());
+    }
+    parser_->go_on(block_, !more);
+    begin();
+}
+
+CsvReader::~CsvReader() = default;
+
+void CsvReader::begin() {
     // A spreadsheet quotes a note that holds a separator.
     for (bool note = true; note;) {
-        if (!parser.next(csv, csv.header)) {
+        if (!next(head_.header)) {
             throw InputError("there is no header line", "write the names of the columns first")
-                .at(file, 1);
+                .at(head_.file, 1);
         }
-        const std::string& first = csv.header.cells.front();
+        const std::string& first = head_.header.cells.front();
         note = first.starts_with('#');
         if (note) {
-            csv.notes.push_back(trimmed(std::string_view(first).substr(1)));
-            parser.again();
+            head_.notes.emplace_back(trimmed(std::string_view(first).substr(1)));
+            parser_->again();
         }
     }
-    if (!csv.header.fault.empty()) {
-        throw_fault(csv, csv.header);
+    if (!head_.header.fault.empty()) {
+        throw_fault(head_, head_.header);
     }
-    for (Csv::Row row; parser.next(csv, row);) {
-        if (csv.rows.size() >= reading.most_rows) {
-            csv.cut = true;
+}
+
+bool CsvReader::next(Csv::Row& row) {
+    Parser::Got got = Parser::Got::part;
+    while ((got = parser_->next(head_, row)) == Parser::Got::part) {
+        block_.erase(0, parser_->at());
+        const bool more = file_->read(block_, std::max(block_bytes, block_.size()));
+        parser_->go_on(block_, !more);
+    }
+    return got == Parser::Got::row;
+}
+
+Csv parse_csv(std::string_view text, const std::string& file, const CsvReading& reading) {
+    CsvReader reader(text, file);
+    std::vector<Csv::Row> rows;
+    bool cut = false;
+    for (Csv::Row row; reader.next(row);) {
+        if (rows.size() >= reading.most_rows) {
+            cut = true;
             break;
         }
         if (!row.fault.empty() && !reading.keep_faults) {
-            throw_fault(csv, row);
+            throw_fault(reader.head(), row);
         }
-        csv.rows.push_back(std::move(row));
+        rows.push_back(std::move(row));
+        row = {};
     }
+    Csv csv = reader.head();
+    csv.rows = std::move(rows);
+    csv.cut = cut;
     return csv;
 }
 

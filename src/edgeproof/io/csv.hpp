@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/io/text_file.hpp"
+
 #include <cstddef>
+#include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +39,37 @@ struct CsvReading {
     /// that does not end makes one row of all that follows.
     bool keep_faults = false;
     std::size_t most_rows = std::numeric_limits<std::size_t>::max(); ///< the rest is not read
+};
+
+/// Rows one by one. Of a file, which is read as it is needed, no more is kept than a block, or the
+/// longest row.
+class CsvReader {
+public:
+    /// Throws InputError for a text without a header line, for one in UTF-16 or whose lines end in
+    /// CR alone, and as TextReader does.
+    CsvReader(std::string_view text, const std::string& file);
+    CsvReader(const std::filesystem::path& file, const std::string& what);
+    ~CsvReader();
+    CsvReader(const CsvReader&) = delete;
+    CsvReader& operator=(const CsvReader&) = delete;
+
+    /// The header and the notes that were met so far; no rows.
+    [[nodiscard]] const Csv& head() const { return head_; }
+    /// Of the file, that were read.
+    [[nodiscard]] std::size_t bytes() const { return file_ ? file_->bytes() : 0; }
+    /// Of them, that are in memory.
+    [[nodiscard]] std::size_t kept() const { return block_.size(); }
+    /// The next row, its fault told where it breaks the rules; false behind the last.
+    [[nodiscard]] bool next(Csv::Row& row);
+
+private:
+    class Parser;
+    void begin();
+
+    Csv head_;
+    std::unique_ptr<TextReader> file_; ///< null: of a text
+    std::string block_;                ///< of the file
+    std::unique_ptr<Parser> parser_;
 };
 
 /// Throws InputError for a text without a header line, for one in UTF-16 or whose lines end in CR

@@ -4,7 +4,6 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <atomic>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -14,45 +13,57 @@ std::string input_name(const std::filesystem::path& file) {
     return file == "-" ? "stdin" : file.string();
 }
 
-std::string read_text(const std::filesystem::path& file, const std::string& what,
-                      std::size_t most) {
-    const auto refuse = [&](const std::string& problem, const std::string& instead) {
-        throw InputError(problem, instead).at(input_name(file), 0);
-    };
-    const std::string give = "give the path of a " + what;
+TextReader::TextReader(const std::filesystem::path& file, const std::string& what, std::size_t most)
+    : name_(input_name(file)), give_("give the path of a " + what), in_(&opened_), most_(most) {
     const bool standard = file == "-";
     static std::atomic<bool> taken = false;
     if (standard && taken.exchange(true)) {
-        refuse("standard input has been read already", give + " where - stands again");
+        refuse("standard input has been read already", give_ + " where - stands again");
     }
     std::error_code error;
     if (!standard && std::filesystem::is_directory(file, error)) {
-        refuse("this is a folder, not a file", give);
+        refuse("this is a folder, not a file", give_);
     }
     if (!standard && !std::filesystem::exists(file, error)) {
-        refuse("there is no such file", give);
+        refuse("there is no such file", give_);
     }
-    std::ifstream opened;
-    if (!standard) {
-        opened.open(file, std::ios::binary);
+    if (standard) {
+        in_ = &std::cin;
+    } else {
+        opened_.open(file, std::ios::binary);
     }
-    std::istream& in = standard ? std::cin : opened;
-    if (!in) {
+    if (!*in_) {
         refuse("the file cannot be read", "check its permissions");
     }
+}
+
+bool TextReader::read(std::string& text, std::size_t bytes) {
+    const std::size_t had = text.size();
+    if (*in_) {
+        text.resize(had + bytes);
+        in_->read(text.data() + had, static_cast<std::streamsize>(bytes));
+        text.resize(had + static_cast<std::size_t>(in_->gcount()));
+    }
+    if (in_->bad()) {
+        refuse("the file cannot be read", "check its permissions");
+    }
+    done_ += text.size() - had;
+    if (done_ > most_) {
+        refuse("the file holds more than " + std::to_string(most_) + " bytes", give_);
+    }
+    return text.size() > had;
+}
+
+void TextReader::refuse(const std::string& problem, const std::string& instead) const {
+    throw InputError(problem, instead).at(name_, 0);
+}
+
+std::string read_text(const std::filesystem::path& file, const std::string& what,
+                      std::size_t most) {
     constexpr std::size_t block = 1U << 16U;
+    TextReader reader(file, what, most);
     std::string text;
-    while (in && text.size() <= most) {
-        const std::size_t had = text.size();
-        text.resize(had + block);
-        in.read(text.data() + had, static_cast<std::streamsize>(block));
-        text.resize(had + static_cast<std::size_t>(in.gcount()));
-    }
-    if (in.bad()) {
-        refuse("the file cannot be read", "check its permissions");
-    }
-    if (text.size() > most) {
-        refuse("the file holds more than " + std::to_string(most) + " bytes", give);
+    while (reader.read(text, block)) {
     }
     return text;
 }

@@ -3,3 +3,4 @@
 #include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/parallel/processes.hpp"
+#include "edgeproof/parallel/thread_seconds.hpp"

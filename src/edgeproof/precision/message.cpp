@@ -43,9 +43,13 @@ bool steers(std::uint32_t code) {
            code == 0x200EU || code == 0x200FU || code == 0xFFFEU || code == 0xFFFFU;
 }
 
+bool is_graphic(char c) { return c >= ' ' && c <= '~'; }
+
 std::string escaped(std::string_view text, bool lines) {
     static constexpr std::string_view hex = "0123456789abcdef";
-    std::string out;
+    const auto* const plain = std::find_if_not(text.begin(), text.end(), is_graphic);
+    std::string out(text.begin(), plain);
+    text.remove_prefix(out.size());
     while (!text.empty()) {
         const char c = text.front();
         std::uint32_t code = 0;

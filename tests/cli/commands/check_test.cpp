@@ -240,3 +240,26 @@ TEST_CASE("check --exec: the program is run and asked; however it ends, the chec
     CHECK(slow.code == 1);
     CHECK(has(slow.out, "the program was stopped: it took longer than --timeout allows"));
 }
+
+TEST_CASE("check: a file of many answers is reported as one that is read at once") {
+    const Folder folder;
+    // 3-4-5 and 5-12-13 triangles, some of them wrong; one id twice, and a row that is torn.
+    std::string text = "# questions: 6000\n" + header;
+    for (int k = 0; k < 5500; ++k) {
+        const bool wrong = k % 1100 == 7;
+        const char* const value = k % 2 == 0 ? wrong ? "0.31" : "0.3" : wrong ? "0.5" : "0.4";
+        text += k == 5200 ? std::string("torn\n")
+                          : "q" + std::to_string(k == 5300 ? 17 : k) + hertz_cells + "p," +
+                                (k % 3 == 0 ? "right," : "left,") + (k % 2 == 0 ? "0.2" : "0.4") +
+                                "," + value + "\n";
+    }
+    folder.write("a.csv", text);
+    const Outcome blocks = run(folder, "check a.csv --errors 4");
+    const Outcome once = run(folder, "check a.csv --errors 4 --junit j.xml"); // that needs them all
+    CHECK(blocks.code == 1);
+    CHECK(once.code == 1);
+    CHECK(blocks.out == once.out);
+    CHECK(has(blocks.out, "a.csv:5303: q17 is answered twice, first in line 20"));
+    CHECK(lines(blocks.out).back() == "FAIL: 5498 answers, 5 failures, 3 faults of the rows or the "
+                                      "program");
+}

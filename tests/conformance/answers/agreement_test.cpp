@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/agreement.hpp"
-#include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/conformance/causes/failing_rows.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 namespace {
 
@@ -328,4 +329,70 @@ TEST_CASE("another convention is recognised and said, with how far it holds") {
           "p, left edge: minus ours in 4");
     // Values that are simply wrong have no convention.
     CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
+}
+
+TEST_CASE("answers read in blocks are those read at once, and no more than a block is kept") {
+    // Ids that occur twice far apart, rows that cannot be read, and questions that are missing.
+    std::string text = "# questions: 5000\n" + agreement_header;
+    for (int k = 0; k < 4000; ++k) {
+        text += k % 500 == 499
+                    ? "torn,row\n"
+                    : "q" + std::to_string(k % 1777 == 1700 ? k - 1700 : k) + hertz_cells +
+                          "p,right,0." + std::to_string(1000 + k) + ",0.3\n";
+    }
+    const Answers whole = echoed_answers(parse_csv(text, "a.csv"));
+    std::vector<std::string> ids;
+    std::vector<std::string> faults;
+    std::vector<std::size_t> lines;
+    std::size_t most = 0;
+    std::set<std::size_t> twice;
+    for (int reading = 0; reading < 2; ++reading) {
+        ids.clear();
+        faults.clear();
+        lines.clear();
+        io::CsvReader rows(std::string_view(text), "a.csv");
+        AnswerReader reader(
+            rows.head(), [&](Csv::Row& row) { return rows.next(row); }, twice);
+        for (Answers block; reader.next(block, 250);) {
+            most = std::max(most, block.given.size());
+            for (const Question& q : block.questions.list) {
+                ids.push_back(q.id);
+            }
+            for (const Answer& answer : block.given) {
+                lines.push_back(answer.line);
+            }
+            faults.insert(faults.end(), block.faults.begin(), block.faults.end());
+        }
+        if (reading == 0) {
+            twice = reader.maybe_twice();
+            CHECK(twice.size() == 4); // two ids, each in two lines
+        }
+    }
+    CHECK(most == 250);
+    CHECK(faults == whole.faults);
+    CHECK(faults.size() == 8 + 2 + 1);
+    REQUIRE(ids.size() == whole.given.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        CHECK(ids[i] == whole.questions.list[i].id);
+        CHECK(lines[i] == whole.given[i].line);
+    }
+}
+
+TEST_CASE("of rows that fail a bounded number is kept, with its own contacts") {
+    const Answers answers =
+        answered("1" + hertz_cells + "p,right,0.2,0.6\n2" + hertz_cells + "p,right,0.4,0.4\n3" +
+                 hertz_cells + "p,left,0.4,0.8\n4" + hertz_cells + "p,left,0.3,0.7\n");
+    const Agreements agreements = held(answers);
+    FailingRows failing;
+    for (std::size_t k = 0; k < FailingRows::most / 3; ++k) {
+        failing.add(answers, agreements);
+    }
+    CHECK(failing.seen() == 3 * (FailingRows::most / 3));
+    CHECK_FALSE(failing.cut());
+    for (int k = 0; k < 100; ++k) {
+        failing.add(answers, agreements);
+    }
+    CHECK(failing.kept() == FailingRows::most);
+    CHECK(failing.seen() == 3 * (FailingRows::most / 3 + 100));
+    CHECK(failing.cut());
 }

@@ -176,10 +176,16 @@ TEST_CASE("whether all of a ball rounds alike, at a glance") {
         const Ball x =
             Ball(middle, bits) + Ball::from_interval(Real(-1), Real(1), bits) * Ball(radius, bits);
         for (const Rounding mode : modes) {
-            const bool complete = round_ball(x, digits, mode).complete;
+            // By the ends as rational numbers, which is another way.
+            const Rational from = Rational(x.midpoint()) - Rational(x.radius());
+            const Rational to = Rational(x.midpoint()) + Rational(x.radius());
+            const std::string text = to_decimal(from, digits, mode);
+            const bool complete = text == to_decimal(to, digits, mode);
             CAPTURE(to_decimal(middle, 30, Rounding::nearest));
             CAPTURE(digits);
             CHECK((complete || !rounds_alike(x, digits, mode)));
+            CHECK(round_ball(x, digits, mode).complete == complete);
+            CHECK((!complete || round_ball(x, digits, mode).text == text));
             alike += complete ? 1 : 0;
             seen += rounds_alike(x, digits, mode) ? 1 : 0;
         }
@@ -191,6 +197,42 @@ TEST_CASE("whether all of a ball rounds alike, at a glance") {
     CHECK_FALSE(rounds_alike(Ball(Rational(1, 4), 200), 1, Rounding::nearest)); // a tie
     CHECK_FALSE(rounds_alike(Ball(0, 200), 10, Rounding::nearest));
     CHECK_FALSE(rounds_alike(Ball(Rational(1, 3), 200), 10, Rounding::enclosure));
+}
+
+TEST_CASE("a bound of two digits is the least that is not below: judged in exact rationals") {
+    std::mt19937_64 seeded(41);
+    std::uniform_real_distribution<double> uniform(-700, 700);
+    const PrecisionScope scope(60);
+    for (int k = 0; k < 3000; ++k) {
+        Real x = exp(Real(uniform(seeded)) * (k % 10 == 0 ? 100 : 1));
+        if (k % 3 == 0) { // beside a number of two digits
+            x = Real(parse_decimal(bound_text(x))) *
+                (1 + (k % 2 == 0 ? 1 : -1) * ldexp(Real(1), -k % 190));
+        }
+        CHECK(bound_text(x) == to_decimal(Rational(x), 2, Rounding::up));
+    }
+}
+
+TEST_CASE("the binary64 of a ball is that of both its ends") {
+    std::mt19937_64 seeded(43);
+    std::uniform_real_distribution<double> uniform(-740, 700);
+    for (int k = 0; k < 3000; ++k) {
+        const PrecisionScope scope(60);
+        Real middle = exp(Real(uniform(seeded)));
+        if (k % 4 == 0) { // half-way between two, nearly
+            const double x = middle.convert_to<double>();
+            middle = (Real(x) + Real(std::nextafter(x, 2 * x))) / 2;
+        }
+        const Ball x =
+            Ball::around(k % 2 == 0 ? middle : -middle, ldexp(middle, -40 - k % 130), 260);
+        const double lower =
+            nearest_binary64(Rational(Rational(x.midpoint()) - Rational(x.radius())));
+        const double upper =
+            nearest_binary64(Rational(Rational(x.midpoint()) + Rational(x.radius())));
+        const auto found = nearest_binary64(x);
+        CHECK(found.has_value() == (lower == upper));
+        CHECK((!found || *found == lower));
+    }
 }
 
 TEST_CASE("the nearest binary64, once") {

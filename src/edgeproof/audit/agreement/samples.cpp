@@ -54,6 +54,17 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
 
 } // namespace
 
+namespace {
+
+std::optional<Difference> difference_at(const SampleAgreement& s, double digits_needed) {
+    const ValuePair* v = s.values();
+    return v != nullptr && v->digits < digits_needed
+               ? Difference::of(v->printed, v->exact, v->error)
+               : std::nullopt;
+}
+
+} // namespace
+
 double SampleAgreement::digits() const {
     const ValuePair* both = values();
     return both == nullptr ? -all_digits : both->digits;
@@ -75,13 +86,30 @@ bool Agreement::to(double digits) const {
 
 std::optional<Difference> Agreement::difference(double digits_needed) const {
     for (const SampleAgreement& s : samples_at) {
-        if (const ValuePair* v = s.values(); v != nullptr && v->digits < digits_needed) {
-            if (auto found = Difference::of(v->printed, v->exact, v->error)) {
-                return found;
-            }
+        if (auto found = difference_at(s, digits_needed)) {
+            return found;
         }
     }
     return std::nullopt;
+}
+
+SampleUse Agreement::use(double digits_needed) const {
+    SampleUse use;
+    use.samples = samples_at.size();
+    for (std::size_t i = 0; i < samples_at.size(); ++i) {
+        if (difference_at(samples_at[i], digits_needed)) {
+            use.first_refuting = use.refuting++ == 0 ? i + 1 : use.first_refuting;
+        }
+        const double digits = samples_at[i].digits();
+        if (i == 0 || digits < use.digits) {
+            use.worst = i + 1;
+            use.digits = digits;
+        }
+        if (i < (samples_at.size() + 1) / 2) {
+            use.first_half_digits = use.digits;
+        }
+    }
+    return use;
 }
 
 std::size_t Agreement::without_value() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/ledger/judgement.hpp"
+#include "edgeproof/audit/ledger/outcome.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 
@@ -69,6 +70,8 @@ struct Agreement {
     [[nodiscard]] std::optional<Difference> difference(double digits_needed) const;
     /// EvaluatedSamples where the printed formula has no value, and why at the first of them.
     [[nodiscard]] std::size_t without_value() const;
+    /// Which samples decide.
+    [[nodiscard]] SampleUse use(double digits_needed) const;
     /// For a reader: what keeps the formula from a verdict by its values.
     [[nodiscard]] std::string obstacle(double digits_needed) const;
 };

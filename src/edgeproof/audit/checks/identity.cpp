@@ -68,6 +68,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     if (!samples_at.all().empty()) {
         outcome.verdict = judge_samples(agreement, context.digits_needed());
     }
+    outcome.sample_use = agreement.use(context.digits_needed());
     report_agreement(agreement, samples_at, context.digits(), outcome.evidence);
     add_enclosures(agreement, samples_at, printed, exact, std::nullopt, context.digits(), outcome);
     judge_rounded(claim, samples_at, exact, context.digits(), outcome);

@@ -25,6 +25,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     const double needed = AuditContext::digits_needed(digits);
     outcome.verdict = judge_samples(agreement, needed);
     outcome.evidence.add("of", claim.text("of"));
+    outcome.sample_use = agreement.use(needed);
     report_agreement(agreement, samples_at, digits, outcome.evidence);
     add_enclosures(agreement, samples_at, printed, exact, scale, digits, outcome);
     judge_rounded(claim, samples_at, exact, digits, outcome);

@@ -24,7 +24,8 @@ struct ClaimResult {
     Outcome outcome;
     std::vector<std::pair<std::string, Outcome>> readings;
     std::optional<TheoremFile>
-        certificate; ///< none unless certificate::attach_certificates found it
+        certificate;               ///< none unless certificate::attach_certificates found it
+    std::optional<double> seconds; ///< of processor time, where that was asked for
 };
 
 /// An audit's results, in the order of the ledger.

@@ -73,14 +73,17 @@ conformance::Target target_of(const CheckOptions& o) {
     return target;
 }
 
-io::Csv read_answers(const CheckOptions& o) {
-    if (std::filesystem::path(o.answers).extension() == ".toml") {
+void refuse_recipe(const CheckOptions& o) {
+    if (o.command.empty() && std::filesystem::path(o.answers).extension() == ".toml") {
         throw InputError(
             "this is a TOML file, not answers (CSV)",
             "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
             "ledger with --ledger")
             .at(o.answers, 0);
     }
+}
+
+io::Csv read_answers(const CheckOptions& o) {
     return io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
                          io::input_name(o.answers), {.keep_faults = true});
 }
@@ -145,6 +148,17 @@ int check(const CheckOptions& o) {
     options.threads = o.threads.empty()
                           ? 0
                           : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
+    refuse_recipe(o);
+    const auto print = [](const std::string& report) {
+        const std::string text = printable_lines(report);
+        std::fwrite(text.data(), 1, text.size(), stdout);
+    };
+    if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty()) {
+        if (const auto summary = check_in_blocks(o.answers, result.target, errors, options)) {
+            print(summary->text());
+            return summary->pass() ? 0 : 1;
+        }
+    }
     result.answers = answers_of(o);
     {
         Progress progress("references");
@@ -158,8 +172,7 @@ int check(const CheckOptions& o) {
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);
     }
-    const std::string text = printable_lines(conformance_text(result, errors));
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    print(conformance_text(result, errors));
     return result.pass() ? 0 : 1;
 }
 

@@ -36,7 +36,7 @@ std::string program_mark() {
                        self.st_mtim.tv_nsec);
 }
 
-/// A piece's rows, as the part file has them.
+/// A piece's rows, as the part file has them: those that follow one another together.
 parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
                             const std::function<void()>& one) {
     return [&recipe, one, rows = report::ReferenceRows(recipe)](std::size_t p) {
@@ -44,53 +44,79 @@ parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
         const auto values = references_in_turn(piece.questions, recipe.digits(), one);
         std::vector<io::CheckpointFile::Entry> entries;
         for (std::size_t k = 0; k < values.size(); ++k) {
-            entries.push_back({piece.rows[k], !values[k].value.proved,
-                               report::csv_line(rows.row(piece.questions, k, values[k]))});
+            if (k == 0 || piece.rows[k] != piece.rows[k - 1] + 1) {
+                entries.push_back({piece.rows[k], 0, 0, {}});
+            }
+            io::CheckpointFile::Entry& entry = entries.back();
+            ++entry.items;
+            entry.marked += values[k].value.proved ? 0 : 1;
+            entry.text += report::csv_line(rows.row(piece.questions, k, values[k]));
         }
         return io::CheckpointFile::body(entries);
     };
 }
 
-/// Rows in their order out of a part file that has all pieces: a few are open at a time, since a
-/// contact's coefficients and pressures, which take turns among the rows, are in different ones.
-void each_row(const conformance::RecipeGrid& recipe, const io::CheckpointFile& part,
-              const std::function<void(const std::string&)>& take) {
+/// Rows in their order out of a part file, as far as it has them: a few pieces are open at a time,
+/// since a contact's coefficients and pressures, which take turns among the rows, are in different
+/// ones.
+class RowsInOrder {
+public:
+    RowsInOrder(const conformance::RecipeGrid& recipe, const io::CheckpointFile& part)
+        : recipe_(recipe), part_(part) {}
+
+    /// Hands over the lines that follow those handed over before.
+    void each(const std::function<void(const std::string&)>& take) {
+        while (row_ < recipe_.rows()) {
+            const std::size_t p = recipe_.piece_of(row_);
+            auto found = open_.find(p);
+            if (found == open_.end()) {
+                if (!part_.has(p)) {
+                    return;
+                }
+                found = open_.emplace(p, Open{part_.piece(p), 0}).first;
+            }
+            Open& o = found->second;
+            const io::CheckpointFile::Entry& entry = o.entries[o.at];
+            if (entry.index != row_ || entry.items == 0) {
+                throw Error(fmt::format("{} does not hold row {} where it should; delete it",
+                                        part_.path().string(), row_));
+            }
+            take(entry.text);
+            row_ += entry.items;
+            if (++o.at == o.entries.size()) {
+                open_.erase(found);
+            }
+        }
+    }
+
+private:
     struct Open {
         std::vector<io::CheckpointFile::Entry> entries;
         std::size_t at = 0;
     };
-    std::map<std::size_t, Open> open;
-    for (std::size_t row = 0; row < recipe.rows(); ++row) {
-        const std::size_t p = recipe.piece_of(row);
-        auto found = open.find(p);
-        if (found == open.end()) {
-            found = open.emplace(p, Open{part.piece(p), 0}).first;
-        }
-        Open& o = found->second;
-        if (o.entries[o.at].index != row) {
-            throw Error(fmt::format("{} does not hold row {} where it should; delete it",
-                                    part.path().string(), row));
-        }
-        take(o.entries[o.at].text);
-        if (++o.at == o.entries.size()) {
-            open.erase(found);
-        }
-    }
-}
+    const conformance::RecipeGrid& recipe_;
+    const io::CheckpointFile& part_;
+    std::map<std::size_t, Open> open_;
+    std::size_t row_ = 0;
+};
 
 void write(const report::Table& head, const conformance::RecipeGrid& recipe,
            const io::CheckpointFile& part, report::TableFormat format,
            const std::filesystem::path& file) {
+    RowsInOrder rows(recipe, part);
     if (format == report::TableFormat::csv) {
         io::AtomicFile whole(file);
         whole.write(write_table(head, format));
-        each_row(recipe, part, [&](const std::string& line) { whole.write(line); });
+        rows.each([&](const std::string& lines) { whole.write(lines); });
         whole.commit();
         return;
     }
     report::Table table = head;
-    each_row(recipe, part, [&](const std::string& line) {
-        table.rows.push_back(io::parse_csv(line, file.string()).header.cells);
+    const std::string header = report::csv_line({"id"}); // a table has one
+    rows.each([&](const std::string& lines) {
+        for (io::Csv::Row& row : io::parse_csv(header + lines, file.string()).rows) {
+            table.rows.push_back(std::move(row.cells));
+        }
     });
     io::write_whole(file, write_table(table, format));
 }
@@ -118,6 +144,13 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
     const std::size_t total = recipe_.rows();
     io::CheckpointFile& part = *part_;
     bool cannot_keep = false;
+    const report::ReferenceRows columns(recipe_);
+    std::uint64_t checksum = columns.header_checksum();
+    const auto add_to_checksum = [&](const std::string& lines) {
+        checksum = io::fnv1a(lines, checksum);
+    };
+    RowsInOrder rows(recipe_, part);
+    rows.each(add_to_checksum);
     const io::KeptNote note("what is done is kept in " + part.path().string() +
                             "; the same command goes on from there");
     try {
@@ -131,15 +164,16 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
             }
             return p < recipe_.pieces() ? std::optional(p++) : std::nullopt;
         };
-        std::atomic<std::size_t> done{part.entries()};
+        std::atomic<std::size_t> done{part.items()};
         progress(done, total);
         const auto keep = [&](std::size_t p, const std::string& body) {
-            const std::size_t before = part.entries();
+            const std::size_t before = part.items();
             cannot_keep = true;
             part.add(p, body);
             cannot_keep = false;
+            rows.each(add_to_checksum); // while others compute
             if (processes != nullptr) { // else counted one by one
-                progress(done += part.entries() - before, total);
+                progress(done += part.items() - before, total);
             }
         };
         const auto one = [&] {
@@ -147,17 +181,17 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
                 progress(++done, total);
             }
         };
-        const parallel::MakePiece rows = rows_of(recipe_, one);
+        const parallel::MakePiece make_rows = rows_of(recipe_, one);
         if (processes == nullptr) {
-            parallel::work_alone(open, threads, rows, keep);
+            parallel::work_alone(open, threads, make_rows, keep);
         } else {
-            lead_work(*processes, sign(), open, threads, rows, keep);
+            lead_work(*processes, sign(), open, threads, make_rows, keep);
         }
     } catch (const Interrupted&) {
         throw Interrupted(
             fmt::format("interrupted: {} of {} rows are kept in {}; the same command goes "
                         "on from there",
-                        part.entries(), total, part.path().string()));
+                        part.items(), total, part.path().string()));
     } catch (const parallel::ProcessFailure&) {
         throw;
     } catch (const Error&) {
@@ -166,8 +200,7 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
         }
         throw;
     }
-    const report::Table head = report::ReferenceRows(recipe_).table(
-        total, part.marked(), [&](const auto& take) { each_row(recipe_, part, take); });
+    const report::Table head = columns.table(total, part.marked(), checksum);
     write(head, recipe_, part, format_, file_);
     part.remove();
 }

@@ -8,6 +8,7 @@
 #include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ struct VerifyOptions {
     int threads = 0;
     bool record = false;
     bool strict = false;
+    bool profile = false;
 };
 
 constexpr long long most_digits_of_a_formula = 10000;
@@ -101,13 +103,16 @@ int verify(const VerifyOptions& o) {
         const io::Scratch usable; // the figures need one
     }
     audit::AuditResult result =
-        judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only);
+        judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only, o.profile);
     attach_certificates(o, ledger, result);
     if (staged) {
         write_files(result, ledger, *staged, o);
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
                stdout);
+    if (o.profile) {
+        std::printf("\n%s\n", printable_lines(report::profile_table(result)).c_str());
+    }
 
     if (!result.errors.empty()) {
         std::printf("%zu of %zu claims could not be judged\n", result.errors.size(),
@@ -153,6 +158,9 @@ void add_verify(CLI::App& app, int& code) {
     sub->add_flag("--strict", o->strict,
                   "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
                   "and definition");
+    sub->add_flag("--profile", o->profile,
+                  "also tell where the processor time goes, claim by claim, and which samples "
+                  "decide");
     sub->callback([o, &code] {
         o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
         code = verify(*o);

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/answers/agreement.hpp"
 
 #include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ struct Sizes {
     double a = 0;
     double b = 0;
     double force = 0;
+    std::vector<double> knots = {};
 };
 
 double number(const scene::BoundedValue& v) { return v.value.midpoint().convert_to<double>(); }
@@ -45,13 +47,18 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
     const auto values = references(sizes, options);
     std::vector<Sizes> list(questions.contacts.size());
     for (std::size_t i = 0; i < values.size(); i += 3) {
-        list[sizes.list[i].contact] = {number(values[i].value), number(values[i + 1].value),
-                                       number(values[i + 2].value)};
+        Sizes& s = list[sizes.list[i].contact];
+        s = {number(values[i].value), number(values[i + 1].value), number(values[i + 2].value)};
+        if (const auto& profile = questions.contacts[sizes.list[i].contact].scene.profile) {
+            for (const formula::Exact& knot : profile->knots()) {
+                s.knots.push_back(knot.to<double>());
+            }
+        }
     }
     return list;
 }
 
-Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& sizes) {
+Regime regime_of(const Question& q, const Sizes& sizes) {
     if (!q.at_edge()) {
         return Regime::contact;
     }
@@ -67,11 +74,9 @@ Regime regime_of(const Question& q, const AskedContact& contact, const Sizes& si
     if (std::abs(x) <= length / 100) {
         return Regime::apex;
     }
-    if (contact.scene.profile) {
-        for (const formula::Exact& knot : contact.scene.profile->knots()) {
-            if (std::abs(x - knot.to<double>()) <= length / 100) {
-                return Regime::knot;
-            }
+    for (const double knot : sizes.knots) {
+        if (std::abs(x - knot) <= length / 100) {
+            return Regime::knot;
         }
     }
     return u > length / 2 ? Regime::far_field : Regime::interior;
@@ -92,48 +97,68 @@ Real ulp(const Real& x) {
     return ldexp(Real(1), static_cast<int>(exponent));
 }
 
+/// -log10(relative), 0 at least and `most` at most. Binary64 tells it but beside a tenth of a
+/// digit, which is what is shown.
 double digits_of(const Real& relative, unsigned most) {
+    constexpr double beside = 1e-9;
     if (relative == 0) {
         return most;
     }
-    const double digits = Real(-log10(relative)).convert_to<double>();
-    return digits > 0 ? std::min(digits, static_cast<double>(most)) : 0.0;
+    long exponent = 0;
+    const double mantissa = mpfr_get_d_2exp(&exponent, relative.backend().data(), MPFR_RNDN);
+    double digits = -(std::log10(mantissa) + static_cast<double>(exponent) * std::log10(2.0));
+    if (std::abs(digits * 10 - std::round(digits * 10)) < beside) {
+        digits = Real(-log10(relative)).convert_to<double>();
+    }
+    return std::clamp(digits, 0.0, static_cast<double>(most));
 }
 
-CaseAgreement held(const Answer& answer, const Reference& reference, double scale,
-                   const Target& target, unsigned digits) {
-    CaseAgreement result;
-    result.reference = printed(reference.value, {std::min(digits, 20U), Rounding::nearest}).text;
-    if (answer.state != Answer::State::number) {
-        result.ulps = std::numeric_limits<double>::infinity();
+/// Answers held against references of so many digits.
+class Holding {
+public:
+    Holding(const Target& target, unsigned digits) : target_(target), digits_(digits) {
+        const PrecisionScope scope(digits + 20);
+        const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
+        allowed_ = pow(Real(10), Real(-needed));
+    }
+
+    [[nodiscard]] CaseAgreement held(const Answer& answer, const Reference& reference,
+                                     double scale) const {
+        CaseAgreement result;
+        result.reference =
+            printed_text(reference.value, {std::min(digits_, 20U), Rounding::nearest});
+        if (answer.state != Answer::State::number) {
+            result.ulps = std::numeric_limits<double>::infinity();
+            return result;
+        }
+        const Ball& exact = reference.value.value;
+        const long bits = std::max(exact.bits(), formula::bits_for(digits_ + 20));
+        const Ball error = abs(Ball(Ball(answer.value, bits) - exact));
+        // What the reference itself leaves open is not counted against the answer.
+        const Real off = error.lower() > 0 ? error.lower() : Real(0);
+        const bool zero = contains_zero(exact);
+        const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
+        const Real relative = off / size;
+        result.digits = digits_of(relative, digits_);
+        // Of a ball around a power of two the unit is that of the power, not the half of it below.
+        const Real reach = zero ? size : Real(abs(exact).upper());
+        result.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
+        result.relative = relative.convert_to<double>();
+        result.within = ((target_.stated() && !target_.digits) || relative <= allowed_) &&
+                        (!target_.ulps || result.ulps <= *target_.ulps);
+        result.pass = result.within;
         return result;
     }
-    const PrecisionScope scope(digits + 20);
-    const Ball& exact = reference.value.value;
-    const long bits = std::max(exact.bits(), formula::bits_for(digits + 20));
-    const Ball error = abs(Ball(Ball(answer.value, bits) - exact));
-    // What the reference itself leaves open is not counted against the answer.
-    const Real off = error.lower() > 0 ? error.lower() : Real(0);
-    const bool zero = contains_zero(exact);
-    const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
-    const Real relative = off / size;
-    result.digits = digits_of(relative, digits);
-    // Of a ball around a power of two the unit is that of the power, not the half of it below.
-    const Real reach = zero ? size : Real(abs(exact).upper());
-    result.ulps = Real(off / ulp(reach)).convert_to<double>();
-    result.relative = relative.convert_to<double>();
-    const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
-    result.within =
-        ((target.stated() && !target.digits) || relative <= Real(pow(Real(10), Real(-needed)))) &&
-        (!target.ulps || result.ulps <= *target.ulps);
-    result.pass = result.within;
-    return result;
-}
+
+private:
+    const Target& target_;
+    unsigned digits_;
+    Real allowed_;
+};
 
 /// Which cases to find the conditioning of.
-std::vector<std::size_t> to_condition(const Agreements& agreements) {
+std::vector<std::size_t> to_condition(const Agreements& agreements, bool all) {
     std::vector<std::size_t> which;
-    const bool all = agreements.cases.size() <= most_conditioned;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
         const CaseAgreement& held = agreements.cases[i];
         if (held.no_reference.empty() && (all || !held.pass)) {
@@ -141,6 +166,52 @@ std::vector<std::size_t> to_condition(const Agreements& agreements) {
         }
     }
     return which;
+}
+
+/// `all`: the conditioning of all, not only of those that miss the target.
+Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answers,
+                        const Target& target, const ReferenceOptions& options, bool all) {
+    Agreements result;
+    result.digits = options.digits.count;
+    const Questions& questions = answers.questions;
+    const auto sizes = sizes_of(questions, options);
+    const Holding holding(target, result.digits);
+    result.cases.resize(found.size());
+    result.references.resize(found.size());
+    constexpr std::size_t piece = 256;
+    const std::size_t pieces = (found.size() + piece - 1) / piece;
+    parallel::work_through(parallel::all_pieces(pieces), options.threads, [&](std::size_t p) {
+        const PrecisionScope scope(result.digits + 20);
+        for (std::size_t i = p * piece; i < std::min(found.size(), (p + 1) * piece); ++i) {
+            const Question& q = questions.list[i];
+            const Sizes& s = sizes[q.contact];
+            CaseAgreement& held = result.cases[i];
+            if (!found[i].reference) {
+                held.ulps = std::numeric_limits<double>::infinity();
+                held.no_reference = std::move(found[i].why);
+                held.regime = is_outside(q, s) ? Regime::outside : regime_of(q, s);
+                continue;
+            }
+            result.references[i] = std::move(*found[i].reference);
+            held = holding.held(answers.given[i], result.references[i],
+                                scale_of(q, std::abs(s.force), s.a + s.b));
+            held.regime = regime_of(q, s);
+        }
+    });
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        result.estimates += found[i].reference && !result.references[i].value.proved ? 1 : 0;
+    }
+    const auto conditions =
+        conditioning(questions, result.references, to_condition(result, all), options);
+    for (std::size_t i = 0; i < result.cases.size(); ++i) {
+        CaseAgreement& held = result.cases[i];
+        held.conditioning = conditions[i];
+        held.explained = held.no_reference.empty() &&
+                         answers.given[i].state == Answer::State::number && conditions[i] &&
+                         held.relative <= explained_by_conditioning * conditions[i]->moved;
+        held.pass = held.pass || (held.explained && target.forgives());
+    }
+    return result;
 }
 
 } // namespace
@@ -173,45 +244,21 @@ unsigned reference_digits(const Target& target) {
 }
 
 Agreements compare(const Answers& answers, const Target& target, ReferenceOptions options) {
-    Agreements result;
-    result.digits = reference_digits(target);
-    options.digits = {result.digits, Rounding::nearest, false};
+    options.digits = {reference_digits(target), Rounding::nearest, false};
     const Questions& questions = answers.questions;
-    const auto found = references_or_why(questions, options);
+    auto found = references_or_why(questions, options);
     if (!found.empty() && std::none_of(found.begin(), found.end(),
                                        [](const ReferenceOrWhy& r) { return r.reference; })) {
         (void)references(questions, options); // throws the first
     }
-    const auto sizes = sizes_of(questions, options);
-    for (std::size_t i = 0; i < questions.list.size(); ++i) {
-        const Question& q = questions.list[i];
-        const Sizes& s = sizes[q.contact];
-        result.references.push_back(found[i].reference.value_or(Reference{}));
-        if (!found[i].reference) {
-            CaseAgreement& none = result.cases.emplace_back();
-            none.ulps = std::numeric_limits<double>::infinity();
-            none.no_reference = found[i].why;
-            none.regime =
-                is_outside(q, s) ? Regime::outside : regime_of(q, questions.contacts[q.contact], s);
-            continue;
-        }
-        result.cases.push_back(held(answers.given[i], result.references[i],
-                                    scale_of(q, std::abs(s.force), s.a + s.b), target,
-                                    result.digits));
-        result.cases.back().regime = regime_of(q, questions.contacts[q.contact], s);
-        result.estimates += result.references[i].value.proved ? 0 : 1;
-    }
-    const auto conditions =
-        conditioning(questions, result.references, to_condition(result), options);
-    for (std::size_t i = 0; i < result.cases.size(); ++i) {
-        CaseAgreement& held = result.cases[i];
-        held.conditioning = conditions[i];
-        held.explained = held.no_reference.empty() &&
-                         answers.given[i].state == Answer::State::number && conditions[i] &&
-                         held.relative <= explained_by_conditioning * conditions[i]->moved;
-        held.pass = held.pass || (held.explained && target.forgives());
-    }
-    return result;
+    return held_against(std::move(found), answers, target, options,
+                        questions.list.size() <= most_conditioned);
+}
+
+Agreements compare_block(const Answers& answers, const Target& target, ReferenceOptions options) {
+    options.digits = {reference_digits(target), Rounding::nearest, false};
+    return held_against(references_or_why(answers.questions, options), answers, target, options,
+                        false);
 }
 
 } // namespace edgeproof::conformance

@@ -75,4 +75,9 @@ inline constexpr std::size_t most_conditioned = 5000;
 [[nodiscard]] Agreements compare(const Answers& answers, const Target& target,
                                  ReferenceOptions options);
 
+/// The same of a block of more answers: the conditioning is computed for those that miss the target
+/// only, and nothing is thrown where none has a reference.
+[[nodiscard]] Agreements compare_block(const Answers& answers, const Target& target,
+                                       ReferenceOptions options);
+
 } // namespace edgeproof::conformance

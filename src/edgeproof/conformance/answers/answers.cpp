@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -73,18 +74,24 @@ private:
         throw InputError(problem, instead).at(csv_.file, row.line);
     }
     [[nodiscard]] std::size_t contact_of(const io::Csv::Row& row) {
-        std::string all;
-        std::vector<Parameter> parameters;
+        all_.clear();
         for (const auto& [key, at] : keys_) {
-            all += row.cells[at] + "\n";
-            if (!row.cells[at].empty()) {
-                parameters.push_back({key, row.cells[at], row.line});
-            }
+            (all_ += row.cells[at]) += '\n';
         }
-        const auto [found, is_new] = known_.emplace(all, to_.contacts.size());
+        if (last_ && last_->first == all_) { // rows of one contact stand together
+            return last_->second;
+        }
+        const auto [found, is_new] = known_.emplace(all_, to_.contacts.size());
         if (is_new) {
+            std::vector<Parameter> parameters;
+            for (const auto& [key, at] : keys_) {
+                if (!row.cells[at].empty()) {
+                    parameters.push_back({key, row.cells[at], row.line});
+                }
+            }
             to_.contacts.push_back(make_asked_contact(std::move(parameters), csv_.file, row.line));
         }
+        last_ = *found;
         return found->second;
     }
     [[nodiscard]] formula::Exact point_of(const io::Csv::Row& row) const {
@@ -106,18 +113,15 @@ private:
     std::optional<std::size_t> u_;
     std::optional<std::size_t> tolerance_;
     std::map<std::string, std::size_t> known_;
+    std::string all_; ///< the parameters of the row
+    std::optional<std::pair<std::string, std::size_t>> last_;
 };
 
 std::string place(const io::Csv& csv, std::size_t line) {
     return csv.file + ":" + std::to_string(line) + ": ";
 }
 
-/// The columns that every file of answers has.
-struct Columns {
-    std::size_t id;
-    std::size_t value;
-};
-Columns columns_of(const io::Csv& csv) {
+AnswerColumns columns_of(const io::Csv& csv) {
     const auto id = csv.column("id");
     const auto value = csv.column("value");
     if (!id || !value) {
@@ -137,21 +141,17 @@ Columns columns_of(const io::Csv& csv) {
     return {*id, *value};
 }
 
-/// The answers with points for decimal commas where commas do not separate: a spreadsheet of such a
-/// country writes all numbers so. Ids and texts stay as they are.
-io::Csv with_decimal_points(io::Csv csv) {
-    const auto id = csv.column("id");
-    if (csv.separator == ',') {
-        return csv;
+/// Points for decimal commas where commas do not separate: a spreadsheet of such a country writes
+/// all numbers so. Ids and texts stay as they are.
+void put_decimal_points(const io::Csv& head, std::size_t id, io::Csv::Row& row) {
+    if (head.separator == ',') {
+        return;
     }
-    for (io::Csv::Row& row : csv.rows) {
-        for (std::size_t i = 0; i < row.cells.size(); ++i) {
-            if (i != id) {
-                row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
-            }
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        if (i != id) {
+            row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
         }
     }
-    return csv;
 }
 
 /// A row that can be read, of as many cells as the header has, or a fault.
@@ -215,74 +215,109 @@ bool same_question(const Question& echoed, const Question& asked) {
 
 } // namespace
 
-Answer read_answer(std::string_view given) {
-    Answer answer;
-    answer.text = std::string(given);
-    WrittenNumber number = written_number(given);
-    switch (number.kind) {
-    case WrittenNumber::Kind::number:
-        answer.state = Answer::State::number;
-        answer.value = std::move(number.value);
-        break;
-    case WrittenNumber::Kind::nan:
-        answer.state = Answer::State::nan;
-        break;
-    case WrittenNumber::Kind::infinite:
-        answer.state = Answer::State::infinite;
-        break;
-    case WrittenNumber::Kind::other:
-        answer.state = given.empty() ? Answer::State::missing : Answer::State::garbage;
-        break;
-    }
-    return answer;
-}
-
-Answers echoed_answers(const io::Csv& given) {
-    const io::Csv csv = with_decimal_points(given);
-    const Columns columns = columns_of(csv);
-    Answers answers;
-    answers.questions.file = csv.file;
-    Echo echo(csv, answers.questions);
-    if (!echo.possible()) {
+AnswerReader::AnswerReader(const io::Csv& head, std::function<bool(io::Csv::Row&)> next_row,
+                           std::set<std::size_t> known_twice)
+    : head_(head), next_row_(std::move(next_row)), columns_(columns_of(head)),
+      known_twice_(std::move(known_twice)) {
+    Questions none;
+    if (!Echo(head, none).possible()) {
         throw InputError("the answers do not say what they answer",
                          "keep the columns of `edgeproof points`, or give --recipe RECIPE.toml")
-            .at(csv.file, csv.header.line);
+            .at(head.file, head.header.line);
     }
-    std::map<std::string, std::size_t> lines;
-    for (const io::Csv::Row& row : csv.rows) {
-        if (!whole(csv, row, answers.faults)) {
+}
+
+bool AnswerReader::next(Answers& block, std::size_t most) {
+    block = {};
+    block.questions.file = head_.file;
+    Echo echo(head_, block.questions);
+    while (block.given.size() < most && block.faults.size() < most && !done_) {
+        if (!next_row_(row_)) {
+            done_ = true;
+            add_missing(block.faults);
+            break;
+        }
+        put_decimal_points(head_, columns_.id, row_);
+        if (!whole(head_, row_, block.faults)) {
             continue;
         }
-        const std::string& id = row.cells[columns.id];
-        const auto [first, is_new] = lines.emplace(id, row.line);
-        if (!is_new) {
-            answers.faults.push_back(place(csv, row.line) + id +
-                                     " is answered twice, first in line " +
-                                     std::to_string(first->second));
+        const std::string& id = row_.cells[columns_.id];
+        if (!is_first(id, row_.line, block.faults)) {
             continue;
         }
-        answers.questions.list.push_back(echo.read(row, id));
-        answers.given.push_back(read_answer(row.cells[columns.value]));
-        answers.given.back().line = row.line;
+        block.questions.list.push_back(echo.read(row_, id));
+        block.given.push_back(read_answer(row_.cells[columns_.value]));
+        block.given.back().line = row_.line;
     }
+    return !block.given.empty() || !block.faults.empty();
+}
+
+bool AnswerReader::is_first(const std::string& id, std::size_t line,
+                            std::vector<std::string>& faults) {
+    if (!known_twice_.contains(line)) {
+        ids_.emplace_back(io::fnv1a(id), line);
+        ++answered_;
+        return true;
+    }
+    const auto [first, is_new] = lines_.emplace(id, line);
+    answered_ += is_new ? 1 : 0;
+    if (!is_new) {
+        faults.push_back(place(head_, line) + id + " is answered twice, first in line " +
+                         std::to_string(first->second));
+    }
+    return is_new;
+}
+
+std::set<std::size_t> AnswerReader::maybe_twice() {
+    std::sort(ids_.begin(), ids_.end());
+    std::set<std::size_t> lines;
+    for (std::size_t i = 1; i < ids_.size(); ++i) {
+        if (ids_[i].first == ids_[i - 1].first) {
+            lines.insert({ids_[i - 1].second, ids_[i].second});
+        }
+    }
+    return lines;
+}
+
+void AnswerReader::add_missing(std::vector<std::string>& faults) const {
     constexpr std::string_view note_begins = "questions: ";
-    for (const std::string& note : csv.notes) {
+    for (const std::string& note : head_.notes) {
         std::size_t asked = 0;
         const char* const end = note.data() + note.size();
         if (note.starts_with(note_begins) &&
             std::from_chars(note.data() + note_begins.size(), end, asked).ec == std::errc{} &&
-            asked > lines.size()) {
-            answers.faults.push_back(place(csv, csv.header.line) + std::to_string(asked) +
-                                     " questions were asked and " + std::to_string(lines.size()) +
-                                     " are answered (--recipe says which are missing)");
+            asked > answered_) {
+            faults.push_back(place(head_, head_.header.line) + std::to_string(asked) +
+                             " questions were asked and " + std::to_string(answered_) +
+                             " are answered (--recipe says which are missing)");
         }
+    }
+}
+
+Answers echoed_answers(const io::Csv& csv) {
+    const auto read = [&](std::set<std::size_t> known_twice, Answers& answers) {
+        AnswerReader reader(
+            csv,
+            [&, at = std::size_t{0}](io::Csv::Row& row) mutable {
+                if (at == csv.rows.size()) {
+                    return false;
+                }
+                row = csv.rows[at++];
+                return true;
+            },
+            std::move(known_twice));
+        (void)reader.next(answers, std::numeric_limits<std::size_t>::max());
+        return reader.maybe_twice();
+    };
+    Answers answers;
+    if (auto twice = read({}, answers); !twice.empty()) {
+        (void)read(std::move(twice), answers);
     }
     return answers;
 }
 
-Answers answers_to(const Questions& asked, const io::Csv& given) {
-    const io::Csv csv = with_decimal_points(given);
-    const Columns columns = columns_of(csv);
+Answers answers_to(const Questions& asked, const io::Csv& csv) {
+    const AnswerColumns columns = columns_of(csv);
     Answers answers;
     answers.questions = asked;
     answers.given.resize(asked.list.size());
@@ -294,7 +329,9 @@ Answers answers_to(const Questions& asked, const io::Csv& given) {
     }
     std::map<std::pair<std::size_t, std::size_t>, bool> same_contacts;
     std::size_t next = 0;
-    for (const io::Csv::Row& row : csv.rows) {
+    for (const io::Csv::Row& given : csv.rows) {
+        io::Csv::Row row = given;
+        put_decimal_points(csv, columns.id, row);
         if (!whole(csv, row, answers.faults)) {
             continue;
         }

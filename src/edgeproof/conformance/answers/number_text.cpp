@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/number_text.hpp"
 
+#include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -160,6 +161,28 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
     pointed[comma] = '.';
     return written_number(pointed).kind == WrittenNumber::Kind::number ? std::optional(pointed)
                                                                        : std::nullopt;
+}
+
+Answer read_answer(std::string_view given) {
+    Answer answer;
+    answer.text = std::string(given);
+    WrittenNumber number = written_number(given);
+    switch (number.kind) {
+    case WrittenNumber::Kind::number:
+        answer.state = Answer::State::number;
+        answer.value = std::move(number.value);
+        break;
+    case WrittenNumber::Kind::nan:
+        answer.state = Answer::State::nan;
+        break;
+    case WrittenNumber::Kind::infinite:
+        answer.state = Answer::State::infinite;
+        break;
+    case WrittenNumber::Kind::other:
+        answer.state = given.empty() ? Answer::State::missing : Answer::State::garbage;
+        break;
+    }
+    return answer;
 }
 
 } // namespace edgeproof::conformance

@@ -82,22 +82,22 @@ std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
     return axes;
 }
 
-std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
-    std::vector<scene::AskedPoint> points;
+AskedPoints read_points(const io::TomlSection& scene) {
+    AskedPoints points;
     if (!scene.has("u")) {
         return points;
     }
     const std::size_t line = scene.line("u");
-    const auto add = [&](const formula::Exact& u, std::size_t at) {
+    const auto check = [&](const formula::Exact& u, std::size_t at) {
         if (u.sign() <= 0) {
             scene.reject(at, "u = " + u.text() + " is not inside the contact",
                          "give distances from the edge, 0 < u < a + b");
         }
-        points.push_back({u, at});
     };
     if (!scene.is_table("u")) {
         for (const auto& item : scene.exacts("u")) {
-            add(item.value, item.line);
+            check(item.value, item.line);
+            points.listed.push_back({item.value, item.line});
         }
         return points;
     }
@@ -109,22 +109,22 @@ std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
     }
     const formula::Exact from = range.exact("from");
     const formula::Exact to = range.exact("to");
+    points.range_line = line;
     try {
-        for (const formula::Exact& u :
-             range.has("per_decade")
-                 ? scene::geometric_points(from, to, range.count("per_decade", 1, 10'000))
-                 : scene::even_points(from, to, range.count("points", 2, 100'000))) {
-            add(u, line);
-        }
+        points.range =
+            range.has("per_decade")
+                ? scene::PointRange::geometric(from, to, range.count("per_decade", 1, 10'000))
+                : scene::PointRange::even(from, to, range.count("points", 2, 100'000));
     } catch (const InputError& error) {
         throw error.file().empty() ? error.at(scene.file(), line) : error;
     }
+    check(from, line); // the others are greater
     return points;
 }
 
 struct Asked {
     std::vector<contact::Edge> edges;
-    std::vector<scene::AskedPoint> u;
+    AskedPoints u;
     std::vector<scene::NamedQuantity> quantities;
     std::vector<formula::Exact> tolerances;
     std::size_t line = 0; ///< of the quantities
@@ -174,7 +174,7 @@ Asked read_asked(const io::TomlSection& scene) {
         scene.reject("quantities", "an extent is asked for and there is no tolerance",
                      "add tolerance = \"1%\"");
     }
-    if (asked.u.empty() && any([](const auto& row) { return row.at_point(); })) {
+    if (asked.u.size() == 0 && any([](const auto& row) { return row.at_point(); })) {
         scene.reject("quantities", "p or q is asked for and there are no points",
                      "add u = [\"1e-3\", \"0.1\"]");
     }
@@ -186,44 +186,37 @@ Asked read_asked(const io::TomlSection& scene) {
 }
 
 /// What one contact is asked, in the order of the rows.
-std::vector<Question> asked_of_one(const Asked& asked) {
-    std::vector<Question> list;
-    const auto add = [&](const std::string& from, const scene::AskedValue& value,
-                         std::size_t line) {
-        list.push_back({value, from + ":" + symbol_of(value), 0, line});
-    };
-    const auto each = [&](const auto& is, const auto& ask) {
+AskedList asked_of_one(const Asked& asked) {
+    AskedList list(asked.u);
+    /// Those of the quantities for which `is` holds, each made over from `like`.
+    const auto questions = [&](const std::string& from, const scene::AskedValue& like,
+                               const auto& is) {
+        std::vector<Question> found;
         for (const scene::NamedQuantity& q : asked.quantities) {
             if (is(row_of(q.quantity))) {
-                ask(scene::AskedValue{.quantity = q.quantity, .k = q.k});
+                scene::AskedValue value = like;
+                value.quantity = q.quantity;
+                value.k = q.k;
+                found.push_back({value, from + ":" + symbol_of(value), 0, asked.line});
             }
         }
+        return found;
     };
-    each([](const auto& row) { return !row.at_edge(); },
-         [&](const scene::AskedValue& value) { add("", value, asked.line); });
+    list.add(questions("", {}, [](const auto& row) { return !row.at_edge(); }));
     for (const contact::Edge edge : asked.edges) {
         const std::string from = ":" + scene::edge_name(edge);
-        each([](const auto& row) { return row.at_edge() && !row.at_point() && !row.tolerance; },
-             [&](scene::AskedValue value) {
-                 value.edge = edge;
-                 add(from, value, asked.line);
-             });
+        scene::AskedValue value{.edge = edge};
+        list.add(questions(from, value, [](const auto& row) {
+            return row.at_edge() && !row.at_point() && !row.tolerance;
+        }));
         for (const formula::Exact& tolerance : asked.tolerances) {
-            each([](const auto& row) { return row.tolerance; },
-                 [&](scene::AskedValue value) {
-                     value.edge = edge;
-                     value.tolerance = tolerance;
-                     add(from + ":tolerance=" + tolerance.text(), value, asked.line);
-                 });
+            value.tolerance = tolerance;
+            list.add(questions(from + ":tolerance=" + tolerance.text(), value,
+                               [](const auto& row) { return row.tolerance; }));
         }
-        for (const scene::AskedPoint& point : asked.u) {
-            each([](const auto& row) { return row.at_point(); },
-                 [&](scene::AskedValue value) {
-                     value.edge = edge;
-                     value.u = point.u;
-                     add(from + ":u=" + point.u.text(), value, point.line);
-                 });
-        }
+        value.tolerance.reset();
+        list.add_at_points(from + ":u=",
+                           questions("", value, [](const auto& row) { return row.at_point(); }));
     }
     return list;
 }

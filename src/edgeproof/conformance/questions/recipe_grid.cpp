@@ -83,14 +83,12 @@ void RecipeGrid::add(GridScene scene) {
     for (const GridAxis& axis : scene.axes) {
         if (axis.values.size() > most_rows_of_a_grid / each / part.contacts) {
             throw InputError("more than 10^10 questions", "split the recipe")
-                .at(file_, scene.asked.front().line);
+                .at(file_, scene.asked.at(0).line);
         }
         part.contacts *= axis.values.size();
     }
     part.scene = std::move(scene);
-    Questions one;
-    one.list = part.scene.asked;
-    part.cut = pieces_of(one);
+    part.cut = pieces_of(part.scene.asked);
     part.piece_of.resize(each);
     for (std::size_t p = 0; p < part.cut.size(); ++p) {
         for (const std::size_t i : part.cut[p]) {
@@ -119,7 +117,8 @@ void RecipeGrid::check_names(const GridScene& scene) const {
     }
     const std::vector<std::size_t> first(scene.axes.size(), 0);
     std::set<std::string_view> seen;
-    for (const Question& q : scene.asked) {
+    const std::vector<Question> asked = scene.asked.telling();
+    for (const Question& q : asked) {
         if (!seen.insert(q.id).second) {
             asked_twice(id_of(scene, first) + q.id, file_, q.line);
         }
@@ -130,8 +129,7 @@ void RecipeGrid::check_names(const GridScene& scene) const {
             if (!values.insert(scene.axes[i].values[k]).second) {
                 std::vector<std::size_t> at = first;
                 at[i] = k;
-                asked_twice(id_of(scene, at) + scene.asked.front().id, file_,
-                            scene.asked.front().line);
+                asked_twice(id_of(scene, at) + asked.front().id, file_, asked.front().line);
             }
         }
     }
@@ -140,7 +138,7 @@ void RecipeGrid::check_names(const GridScene& scene) const {
 void RecipeGrid::check_values(const GridScene& scene) const {
     const std::vector<std::size_t> first(scene.axes.size(), 0);
     const AskedContact contact = contact_of(scene, first, file_);
-    for (const Question& q : scene.asked) {
+    for (const Question& q : scene.asked.telling()) {
         check_askable(contact, q, file_, scene.asked_line);
     }
     for (std::size_t i = 0; i < scene.axes.size(); ++i) {
@@ -152,13 +150,30 @@ void RecipeGrid::check_values(const GridScene& scene) const {
     }
 }
 
+std::shared_ptr<const AskedContact> RecipeGrid::contact(const Part& part,
+                                                        std::size_t number) const {
+    const std::size_t row = part.first_row + number * part.scene.asked.size();
+    {
+        const std::lock_guard lock(last_->mutex);
+        if (last_->contact && last_->row == row) {
+            return last_->contact;
+        }
+    }
+    auto made = std::make_shared<const AskedContact>(
+        contact_of(part.scene, at_contact(part.scene.axes, number), file_));
+    const std::lock_guard lock(last_->mutex);
+    last_->row = row;
+    last_->contact = made;
+    return made;
+}
+
 void RecipeGrid::ask(const Part& part, std::size_t contact, const std::vector<std::size_t>& which,
                      Questions& to) const {
     const auto at = at_contact(part.scene.axes, contact);
     const std::string id = id_of(part.scene, at);
-    to.contacts.push_back(contact_of(part.scene, at, file_));
+    to.contacts.push_back(*this->contact(part, contact));
     for (const std::size_t i : which) {
-        Question q = part.scene.asked[i];
+        Question q = part.scene.asked.at(i);
         q.id = id + q.id;
         q.contact = to.contacts.size() - 1;
         to.list.push_back(std::move(q));
@@ -212,7 +227,7 @@ Questions RecipeGrid::questions() const {
     if (rows_ > most_at_once) {
         throw InputError("more than a million questions",
                          "split the recipe, or make the table with --out FILE")
-            .at(file_, parts_.back().scene.asked.front().line);
+            .at(file_, parts_.back().scene.asked.at(0).line);
     }
     Questions all;
     all.file = file_;
@@ -242,7 +257,8 @@ std::vector<std::string> RecipeGrid::columns() const {
 
 bool RecipeGrid::has_tolerances() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
-        return std::any_of(part.scene.asked.begin(), part.scene.asked.end(),
+        const std::vector<Question> asked = part.scene.asked.telling();
+        return std::any_of(asked.begin(), asked.end(),
                            [](const Question& q) { return q.tolerance.has_value(); });
     });
 }
@@ -250,7 +266,7 @@ bool RecipeGrid::has_tolerances() const {
 std::set<scene::Quantity> RecipeGrid::quantities() const {
     std::set<scene::Quantity> asked;
     for (const Part& part : parts_) {
-        for (const Question& q : part.scene.asked) {
+        for (const Question& q : part.scene.asked.telling()) {
             asked.insert(q.quantity);
         }
     }
@@ -271,7 +287,10 @@ std::uint64_t RecipeGrid::fingerprint() const {
                 add(value);
             }
         }
-        for (const Question& q : part.scene.asked) {
+        if (const auto& range = part.scene.asked.points().range) {
+            add("range " + range->text());
+        }
+        for (const Question& q : part.scene.asked.telling()) {
             add(q.id + " " + symbol_of(q) + " " + scene::edge_name(q.edge));
             add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
         }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/questions/question.hpp"
+#include "edgeproof/conformance/questions/asked_list.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +27,7 @@ struct GridScene {
     std::string name;
     std::size_t line = 0;
     std::vector<GridAxis> axes;
-    /// The questions of one contact; the ids without the contact's part.
-    std::vector<Question> asked;
+    AskedList asked;            ///< of one contact
     std::size_t asked_line = 0; ///< of the quantities
 };
 
@@ -81,10 +83,20 @@ private:
     void ask(const Part& part, std::size_t contact, const std::vector<std::size_t>& which,
              Questions& to) const;
 
+    [[nodiscard]] std::shared_ptr<const AskedContact> contact(const Part& part,
+                                                              std::size_t number) const;
+
+    /// The contact that was asked for last: its pieces follow one another.
+    struct LastContact {
+        std::mutex mutex;
+        std::size_t row = 0; ///< its first
+        std::shared_ptr<const AskedContact> contact;
+    };
     std::string file_;
     std::string title_;
     scene::Digits digits_;
     std::vector<Part> parts_;
+    std::shared_ptr<LastContact> last_ = std::make_shared<LastContact>();
     std::size_t rows_ = 0;
     std::size_t pieces_ = 0;
 };

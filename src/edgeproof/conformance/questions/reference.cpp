@@ -106,6 +106,24 @@ Reference placed_answer(std::optional<Answering>& answering, const Questions& qu
     });
 }
 
+/// n questions in pieces: those of a contact that are alike, so many together at most.
+template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const QuestionAt& question_at) {
+    std::vector<Piece> pieces;
+    std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Question& q = question_at(i);
+        const int kind = q.at_point() ? 1 : q.to_a_tolerance() ? 2 : 0;
+        const auto [found, first] =
+            open.try_emplace({q.contact, kind, q.tolerance ? q.tolerance->text() : ""}, 0);
+        if (first || pieces[found->second].size() >= most_in_a_piece) {
+            found->second = pieces.size();
+            pieces.emplace_back();
+        }
+        pieces[found->second].push_back(i);
+    }
+    return pieces;
+}
+
 /// Counts questions, and tells of them.
 class Count {
 public:
@@ -126,20 +144,12 @@ private:
 } // namespace
 
 std::vector<Piece> pieces_of(const Questions& questions) {
-    std::vector<Piece> pieces;
-    std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
-    for (std::size_t i = 0; i < questions.list.size(); ++i) {
-        const Question& q = questions.list[i];
-        const int kind = q.at_point() ? 1 : q.to_a_tolerance() ? 2 : 0;
-        const std::tuple key{q.contact, kind, q.tolerance ? q.tolerance->text() : ""};
-        const auto found = open.find(key);
-        if (found == open.end() || pieces[found->second].size() >= most_in_a_piece) {
-            open[key] = pieces.size();
-            pieces.emplace_back();
-        }
-        pieces[open[key]].push_back(i);
-    }
-    return pieces;
+    return cut(questions.list.size(),
+               [&](std::size_t i) -> const Question& { return questions.list[i]; });
+}
+
+std::vector<Piece> pieces_of(const AskedList& asked) {
+    return cut(asked.size(), [&](std::size_t i) -> const Question& { return asked.pattern(i); });
 }
 
 std::vector<Reference> references_in_turn(const Questions& questions, const scene::Digits& digits,

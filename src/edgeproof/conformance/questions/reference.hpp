@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/questions/question.hpp"
+#include "edgeproof/conformance/questions/asked_list.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <cstddef>
@@ -55,5 +55,6 @@ struct ReferenceOrWhy {
 using Piece = std::vector<std::size_t>;
 inline constexpr std::size_t most_in_a_piece = 48;
 [[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
+[[nodiscard]] std::vector<Piece> pieces_of(const AskedList& asked);
 
 } // namespace edgeproof::conformance

@@ -2,9 +2,11 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/at_a_glance.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -42,32 +44,6 @@ Decimal decimal_of(const Real& x, unsigned count, mpfr_rnd_t rounding) {
     return d;
 }
 
-std::string layout(const Decimal& d, unsigned digits) {
-    if (d.digits.empty()) {
-        return "0";
-    }
-    const std::string sign = d.negative ? "-" : "";
-    const long point = d.exponent; // digits before the decimal point
-    if (point > -5 && point <= static_cast<long>(digits)) {
-        if (point <= 0) {
-            return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
-        }
-        const auto before = static_cast<std::size_t>(point);
-        std::string text = sign + d.digits.substr(0, before);
-        if (before < d.digits.size()) {
-            text += "." + d.digits.substr(before);
-        }
-        return text;
-    }
-    std::string text = sign + d.digits.substr(0, 1);
-    if (d.digits.size() > 1) {
-        text += "." + d.digits.substr(1);
-    }
-    const long e = point - 1;
-    const std::string size = std::to_string(e < 0 ? -e : e);
-    return text + "e" + (e < 0 ? "-" : "+") + (size.size() < 2 ? "0" : "") + size;
-}
-
 std::string decimal(const Real& x, unsigned digits, mpfr_rnd_t rounding) {
     if (mpfr_number_p(x.backend().data()) == 0) {
         return mpfr_nan_p(x.backend().data()) != 0 ? "nan" : x > 0 ? "inf" : "-inf";
@@ -85,7 +61,38 @@ Rounded enclosing(const Decimal& lower, const Decimal& upper, unsigned digits) {
             upper};
 }
 
-Integer ten_to(long k) { return pow(Integer(10), static_cast<unsigned>(k)); }
+/// About floor(log10(x/y)): beside a power of ten it may be off by one.
+long decades(const Integer& x, const Integer& y) {
+    long of_x = 0;
+    long of_y = 0;
+    const double ratio =
+        mpz_get_d_2exp(&of_x, x.backend().data()) / mpz_get_d_2exp(&of_y, y.backend().data());
+    return static_cast<long>(
+        std::floor((std::log2(ratio) + static_cast<double>(of_x - of_y)) * std::log10(2.0)));
+}
+
+Integer ten_to(long k) {
+    Integer power;
+    mpz_ui_pow_ui(power.backend().data(), 10, static_cast<unsigned long>(k));
+    return power;
+}
+
+/// d = whole * 10^scale; d has digits.
+struct Scaled {
+    Integer whole;
+    long scale = 0;
+};
+Scaled scaled(const Decimal& d) {
+    if (std::abs(d.exponent) > max_exponent) {
+        throw InputError("a value has an exponent beyond 100000",
+                         "ask for numbers between 1e-100000 and 1e100000");
+    }
+    Scaled s{Integer(d.digits), d.exponent - static_cast<long>(d.digits.size())};
+    if (d.negative) {
+        s.whole.backend().negate();
+    }
+    return s;
+}
 
 /// The ends of a ball, exactly: midpoint -+ radius in as many bits as that takes.
 struct Ends {
@@ -127,15 +134,22 @@ Rational Decimal::value() const {
     if (digits.empty()) {
         return 0;
     }
-    if (std::abs(exponent) > max_exponent) {
-        throw InputError("a value has an exponent beyond 100000",
-                         "ask for numbers between 1e-100000 and 1e100000");
+    const auto [whole, scale] = scaled(*this);
+    return scale < 0 ? Rational(whole, ten_to(-scale)) : Rational(whole * ten_to(scale));
+}
+
+Ball Decimal::enclosure(long bits) const {
+    Ball x(0, bits);
+    if (digits.empty()) {
+        return x;
     }
-    const Integer whole(digits);
-    const long scale = exponent - static_cast<long>(digits.size());
-    const Rational q =
-        scale < 0 ? Rational(whole, ten_to(-scale)) : Rational(whole * ten_to(scale));
-    return negative ? Rational(-q) : q;
+    const auto [whole, scale] = scaled(*this);
+    FmpzValue above;
+    fmpz_set_mpz(above, Integer(scale > 0 ? whole * ten_to(scale) : whole).backend().data());
+    FmpzValue below;
+    fmpz_set_mpz(below, ten_to(scale < 0 ? -scale : 0).backend().data());
+    arb_fmpz_div_fmpz(x.data(), above, below, bits);
+    return x;
 }
 
 Rational parse_decimal(std::string_view text) {
@@ -228,25 +242,28 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
         return single({}, digits, true);
     }
     const bool negative = q < 0;
-    const Rational size = negative ? Rational(-q) : q;
-    // size = n/10^shift, and n has `digits` digits before its point.
-    long shift = static_cast<long>(digits) -
-                 static_cast<long>(boost::multiprecision::numerator(size).str().size()) +
-                 static_cast<long>(boost::multiprecision::denominator(size).str().size());
+    const Integer size = abs(boost::multiprecision::numerator(q));
+    const Integer denominator = boost::multiprecision::denominator(q);
+    // |q| 10^shift has `digits` digits before its point.
+    const Integer most = ten_to(static_cast<long>(digits));
+    long shift = static_cast<long>(digits) - 1 - decades(size, denominator);
     Integer whole;
-    Rational rest;
+    Integer rest; // in units of 1/below
+    Integer below;
     for (;;) {
-        const Rational n =
-            shift >= 0 ? Rational(size * ten_to(shift)) : Rational(size / ten_to(-shift));
-        whole = boost::multiprecision::numerator(n) / boost::multiprecision::denominator(n);
-        rest = n - whole;
-        if (whole < ten_to(static_cast<long>(digits))) {
-            break; // the guess of the shift is right or one too large
+        const Integer above = shift > 0 ? Integer(size * ten_to(shift)) : size;
+        below = shift < 0 ? Integer(denominator * ten_to(-shift)) : denominator;
+        divide_qr(above, below, whole, rest);
+        if (whole >= most) {
+            --shift;
+        } else if (10 * whole < most) {
+            ++shift;
+        } else {
+            break;
         }
-        --shift;
     }
-    const Rational half(1, 2);
-    const bool away = mode == Rounding::nearest ? rest > half || (rest == half && whole % 2 != 0)
+    const int half = Integer(2 * rest).compare(below);
+    const bool away = mode == Rounding::nearest ? half > 0 || (half == 0 && whole % 2 != 0)
                                                 : rest != 0 && (mode == Rounding::up) != negative;
     if (away) {
         ++whole;
@@ -257,7 +274,10 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     return single(d, digits, true);
 }
 
-std::string bound_text(const Real& x) { return decimal(x, 2, MPFR_RNDU); }
+std::string bound_text(const Real& x) {
+    std::string seen = bound_at_a_glance(mpfr_get_d(x.backend().data(), MPFR_RNDN));
+    return seen.empty() ? decimal(x, 2, MPFR_RNDU) : seen;
+}
 
 std::string exact_text(const Rational& q) {
     Integer denominator = boost::multiprecision::denominator(q);
@@ -291,6 +311,9 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
     if (!x.is_finite()) {
         return {};
     }
+    if (const auto seen = rounded_at_a_glance(x, digits, mode)) {
+        return single(seen->value, digits, true);
+    }
     const Ends ends = exact_ends(x);
     if (mode == Rounding::enclosure) {
         Rounded r = enclosing(decimal_of(ends.lo, digits, MPFR_RNDD),
@@ -315,6 +338,9 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
 std::optional<double> nearest_binary64(const Ball& x) {
     if (!x.is_finite()) {
         return {};
+    }
+    if (const auto seen = binary64_at_a_glance(x)) {
+        return seen;
     }
     const Ends ends = exact_ends(x);
     // mpfr_get_d rounds once, subnormals included.

@@ -48,6 +48,8 @@ struct Decimal {
     long exponent = 0;
     /// Exactly. Throws InputError for exponents beyond 100,000.
     [[nodiscard]] Rational value() const;
+    /// The same in a ball of so many bits. Throws as value() does.
+    [[nodiscard]] Ball enclosure(long bits) const;
     friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 

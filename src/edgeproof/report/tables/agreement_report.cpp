@@ -8,10 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 
 namespace edgeproof::report {
 namespace {
@@ -19,9 +16,30 @@ namespace {
 constexpr std::size_t longest_value = 30;
 
 /// Rounded down: digits that are not there are not shown.
+long tenths_of(double digits) { return static_cast<long>(std::floor(digits * 10)); }
+std::string tenths_text(long tenths, unsigned most) {
+    return tenths >= 10 * static_cast<long>(most)
+               ? fmt::format("{}+", most)
+               : fmt::format("{:.1f}", static_cast<double>(tenths) / 10);
+}
 std::string digits_text(double digits, unsigned most) {
-    return digits >= most ? fmt::format("{}+", most)
-                          : fmt::format("{:.1f}", std::floor(digits * 10) / 10);
+    return tenths_text(tenths_of(digits), most);
+}
+
+/// The upper one of two in the middle.
+long median_of(const std::map<long, std::size_t>& counts) {
+    std::size_t all = 0;
+    for (const auto& [value, n] : counts) {
+        all += n;
+    }
+    std::size_t before = 0;
+    for (const auto& [value, n] : counts) {
+        before += n;
+        if (before > all / 2) {
+            return value;
+        }
+    }
+    return 0;
 }
 
 std::string ulps_text(double ulps) {
@@ -36,9 +54,8 @@ std::string shortened(const std::string& text) {
 }
 
 /// What is wrong with an answer, in a few words.
-std::string complaint(const Conformance& c, std::size_t i) {
-    const conformance::Answer& answer = c.answers.given[i];
-    const conformance::CaseAgreement& held = c.agreements.cases[i];
+std::string complaint(const conformance::Answer& answer, const conformance::CaseAgreement& held,
+                      unsigned digits) {
     if (!held.no_reference.empty() && answer.line != 0) {
         return "nothing to compare with: " + held.no_reference;
     }
@@ -63,66 +80,18 @@ std::string complaint(const Conformance& c, std::size_t i) {
         why = fmt::format(" (condition number {:.2g}: {})", held.conditioning->number(),
                           held.explained ? "which explains it" : "which does not explain it");
     }
-    return fmt::format("{} digits, {} ulps: {} for {}{}",
-                       digits_text(held.digits, c.agreements.digits), ulps_text(held.ulps),
-                       shortened(answer.text), held.reference, why);
+    return fmt::format("{} digits, {} ulps: {} for {}{}", digits_text(held.digits, digits),
+                       ulps_text(held.ulps), shortened(answer.text), held.reference, why);
 }
 
-std::string placed(const Conformance& c, std::size_t i) {
-    const std::size_t line = c.answers.given[i].line;
-    return line == 0 ? c.answers.questions.file + ": "
-                     : fmt::format("{}:{}: ", c.answers.questions.file, line);
+std::string placed(const conformance::Answers& answers, std::size_t i) {
+    const std::size_t line = answers.given[i].line;
+    return line == 0 ? answers.questions.file + ": "
+                     : fmt::format("{}:{}: ", answers.questions.file, line);
 }
 
-struct Tally {
-    std::size_t rows = 0;
-    std::size_t failed = 0;
-    std::size_t explained = 0; ///< short of the target's digits, by what the conditioning explains
-    std::optional<std::size_t> worst; ///< of the answers that are numbers
-    std::vector<double> digits;
-};
-
-std::map<conformance::Regime, Tally> tallies_of(const Conformance& c) {
-    std::map<conformance::Regime, Tally> tallies;
-    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
-        const conformance::CaseAgreement& held = c.agreements.cases[i];
-        Tally& t = tallies[held.regime];
-        ++t.rows;
-        t.failed += c.failed(i) ? 1 : 0;
-        if (c.answers.given[i].state != conformance::Answer::State::number ||
-            !held.no_reference.empty()) {
-            continue;
-        }
-        t.digits.push_back(held.digits);
-        t.explained += held.explained && !held.within ? 1 : 0;
-        if (!t.worst || held.digits < c.agreements.cases[*t.worst].digits) {
-            t.worst = i;
-        }
-    }
-    return tallies;
-}
-
-std::string regimes_text(const Conformance& c) {
-    std::string out =
-        fmt::format("{:<12}{:>7}{:>8}{:>11}{:>9}{:>8}{:>11}{:>9}  {}\n", "regime", "rows", "failed",
-                    "explained", "median", "worst", "ulps", "cond", "worst case");
-    for (auto& [regime, t] : tallies_of(c)) {
-        out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), t.rows, t.failed,
-                           t.explained);
-        if (t.worst) {
-            std::vector<double> digits = t.digits;
-            const auto middle = digits.begin() + static_cast<long>(digits.size() / 2);
-            std::nth_element(digits.begin(), middle, digits.end());
-            const conformance::CaseAgreement& worst = c.agreements.cases[*t.worst];
-            out += fmt::format(
-                "{:>9}{:>8}{:>11}{:>9}  {}", digits_text(*middle, c.agreements.digits),
-                digits_text(worst.digits, c.agreements.digits), ulps_text(worst.ulps),
-                worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
-                printable(c.answers.questions.list[*t.worst].id));
-        }
-        out += "\n";
-    }
-    return out;
+bool fails(const conformance::Answer& answer, const conformance::CaseAgreement& held) {
+    return answer.state != conformance::Answer::State::number || !held.pass;
 }
 
 std::string target_text(const conformance::Target& target) {
@@ -152,114 +121,159 @@ std::string counted(std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// Every question is in one of the first four; the faults are of the rows as a whole.
-struct AnswerCounts {
-    std::size_t failures = 0; ///< answers that are not within the target
-    std::size_t missing = 0;
-    std::size_t ended = 0; ///< questions that ended the program
-    std::size_t nothing_to_compare_with = 0;
-    std::size_t answers = 0; ///< rows to questions, whatever stands in them
-};
-AnswerCounts counts_of(const Conformance& c) {
-    AnswerCounts n;
-    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
-        const conformance::Answer& answer = c.answers.given[i];
-        if (answer.state == conformance::Answer::State::died) {
-            ++n.ended;
-        } else if (answer.line == 0) {
-            ++n.missing;
-        } else {
-            ++n.answers;
-            const bool comparable = c.agreements.cases[i].no_reference.empty();
-            n.nothing_to_compare_with += comparable ? 0 : 1;
-            n.failures += comparable && c.failed(i) ? 1 : 0;
-        }
-    }
-    return n;
+} // namespace
+
+bool Conformance::failed(std::size_t i) const {
+    return fails(answers.given[i], agreements.cases[i]);
 }
 
-std::string outcome_text(const Conformance& c) {
-    const AnswerCounts n = counts_of(c);
-    std::string text = fmt::format("{}: {}, {}", c.pass() ? "pass" : "FAIL",
-                                   counted(n.answers, "answer", "answers"),
-                                   counted(n.failures, "failure", "failures"));
-    if (n.missing > 0) {
-        text += fmt::format(", {} missing", n.missing);
+bool Conformance::pass() const {
+    ConformanceSummary summary(target, 0);
+    summary.add(answers, agreements);
+    summary.add(conventions);
+    return summary.pass();
+}
+
+void ConformanceSummary::complain(Complaints& to, const std::string& line) const {
+    if (to.count++ < errors_) {
+        to.shown.push_back(printable(line));
     }
-    if (n.ended > 0) {
-        text += ", " + counted(n.ended, "question that ended the program",
+}
+
+void ConformanceSummary::add(const conformance::Answers& answers,
+                             const conformance::Agreements& agreements) {
+    digits_ = agreements.digits;
+    estimates_ += agreements.estimates;
+    out_of_order_ += answers.out_of_order;
+    cases_ += agreements.cases.size();
+    for (const std::string& fault : answers.faults) {
+        complain(faults_, fault);
+    }
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        const conformance::Answer& answer = answers.given[i];
+        const conformance::CaseAgreement& held = agreements.cases[i];
+        const std::string& id = answers.questions.list[i].id;
+        const bool failed = fails(answer, held);
+        const bool comparable = held.no_reference.empty();
+        if (failed) {
+            complain(failures_, placed(answers, i) + id + ": " + complaint(answer, held, digits_));
+        }
+        if (answer.state == conformance::Answer::State::died) {
+            ++counts_.ended;
+        } else if (answer.line == 0) {
+            ++counts_.missing;
+        } else {
+            ++counts_.answers;
+            counts_.nothing_to_compare_with += comparable ? 0 : 1;
+            counts_.failures += comparable && failed ? 1 : 0;
+        }
+        Tally& t = tallies_[held.regime];
+        ++t.rows;
+        t.failed += failed ? 1 : 0;
+        if (answer.state != conformance::Answer::State::number || !comparable) {
+            continue;
+        }
+        ++t.tenths[tenths_of(held.digits)];
+        t.explained += held.explained && !held.within ? 1 : 0;
+        if (!t.worst || held.digits < t.worst->held.digits) {
+            t.worst = Worst{held, id};
+        }
+    }
+}
+
+void ConformanceSummary::add(const std::vector<conformance::Convention>& conventions,
+                             const std::vector<std::string>& unexplained) {
+    conventions_.insert(conventions_.end(), conventions.begin(), conventions.end());
+    if (!unexplained.empty()) {
+        note(fmt::format("{}: no mistake that is known explains what is off",
+                         fmt::join(unexplained, "; ")));
+    }
+}
+
+bool ConformanceSummary::pass() const {
+    return faults_.count == 0 && failures_.count == 0 && conventions_.empty() && cases_ > 0;
+}
+
+std::string ConformanceSummary::regimes_text() const {
+    std::string out =
+        fmt::format("{:<12}{:>7}{:>8}{:>11}{:>9}{:>8}{:>11}{:>9}  {}\n", "regime", "rows", "failed",
+                    "explained", "median", "worst", "ulps", "cond", "worst case");
+    for (const auto& [regime, t] : tallies_) {
+        out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), t.rows, t.failed,
+                           t.explained);
+        if (t.worst) {
+            const conformance::CaseAgreement& worst = t.worst->held;
+            out += fmt::format(
+                "{:>9}{:>8}{:>11}{:>9}  {}", tenths_text(median_of(t.tenths), digits_),
+                digits_text(worst.digits, digits_), ulps_text(worst.ulps),
+                worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
+                printable(t.worst->id));
+        }
+        out += "\n";
+    }
+    return out;
+}
+
+std::string ConformanceSummary::outcome_text() const {
+    std::string text = fmt::format("{}: {}, {}", pass() ? "pass" : "FAIL",
+                                   counted(counts_.answers, "answer", "answers"),
+                                   counted(counts_.failures, "failure", "failures"));
+    if (counts_.missing > 0) {
+        text += fmt::format(", {} missing", counts_.missing);
+    }
+    if (counts_.ended > 0) {
+        text += ", " + counted(counts_.ended, "question that ended the program",
                                "questions that ended the program");
     }
-    if (n.nothing_to_compare_with > 0) {
-        text += fmt::format(", {} without a reference", n.nothing_to_compare_with);
+    if (counts_.nothing_to_compare_with > 0) {
+        text += fmt::format(", {} without a reference", counts_.nothing_to_compare_with);
     }
-    if (!c.answers.faults.empty()) {
-        text += ", " + counted(c.answers.faults.size(), "fault of the rows or the program",
+    if (faults_.count > 0) {
+        text += ", " + counted(faults_.count, "fault of the rows or the program",
                                "faults of the rows or the program");
     }
     return text;
 }
 
-} // namespace
-
-bool Conformance::failed(std::size_t i) const {
-    return answers.given[i].state != conformance::Answer::State::number ||
-           !agreements.cases[i].pass;
-}
-
-bool Conformance::pass() const {
-    if (!answers.faults.empty() || !conventions.empty() || agreements.cases.empty()) {
-        return false;
-    }
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        if (failed(i)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-std::string conformance_text(const Conformance& c, std::size_t errors) {
+std::string ConformanceSummary::text() const {
     std::string out;
     std::size_t shown = 0;
-    std::size_t hidden = 0;
-    const auto complain = [&](const std::string& line) {
-        if (shown < errors) {
-            ++shown;
-            out += printable(line) + "\n";
-        } else {
-            ++hidden;
-        }
-    };
-    for (const std::string& fault : c.answers.faults) {
-        complain(fault);
-    }
-    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
-        if (c.failed(i)) {
-            complain(placed(c, i) + c.answers.questions.list[i].id + ": " + complaint(c, i));
+    for (const Complaints* complaints : {&faults_, &failures_}) {
+        for (const std::string& line : complaints->shown) {
+            if (shown < errors_) {
+                ++shown;
+                out += line + "\n";
+            }
         }
     }
+    const std::size_t hidden = faults_.count + failures_.count - shown;
     if (hidden > 0) {
         out += fmt::format("and {} more (--errors shows more of them)\n", hidden);
     }
-    out += (out.empty() ? "" : "\n") + regimes_text(c) + "\n";
-    for (const conformance::Convention& convention : c.conventions) {
+    out += (out.empty() ? "" : "\n") + regimes_text() + "\n";
+    for (const conformance::Convention& convention : conventions_) {
         out += convention_text(convention) + "\n";
     }
-    if (const auto names = unexplained(c.answers, c.agreements, c.conventions); !names.empty()) {
-        out += fmt::format("{}: no mistake that is known explains what is off\n",
-                           fmt::join(names, "; "));
+    for (const std::string& line : notes_) {
+        out += line + "\n";
     }
-    if (c.agreements.estimates > 0) {
-        out += fmt::format("{} of the references are estimates, without a proved bound\n",
-                           c.agreements.estimates);
+    if (estimates_ > 0) {
+        out +=
+            fmt::format("{} of the references are estimates, without a proved bound\n", estimates_);
     }
-    if (c.answers.out_of_order > 0) {
+    if (out_of_order_ > 0) {
         out += fmt::format("{} in another order than asked: their ids tell what they answer\n",
-                           counted(c.answers.out_of_order, "row stands", "rows stand"));
+                           counted(out_of_order_, "row stands", "rows stand"));
     }
-    out += fmt::format("program: {}\ntarget: {}\n", program_line(), target_text(c.target));
-    return out + outcome_text(c) + "\n";
+    out += fmt::format("program: {}\ntarget: {}\n", program_line(), target_text(target_));
+    return out + outcome_text() + "\n";
+}
+
+std::string conformance_text(const Conformance& c, std::size_t errors) {
+    ConformanceSummary summary(c.target, errors);
+    summary.add(c.answers, c.agreements);
+    summary.add(c.conventions, unexplained(c.answers, c.agreements, c.conventions));
+    return summary.text();
 }
 
 std::string conformance_junit(const Conformance& c) {
@@ -272,7 +286,8 @@ std::string conformance_junit(const Conformance& c) {
         if (c.failed(i)) {
             ++failures;
             cases += fmt::format(">\n    <failure message=\"{}\"/>\n  </testcase>\n",
-                                 xml_text(complaint(c, i)));
+                                 xml_text(complaint(c.answers.given[i], c.agreements.cases[i],
+                                                    c.agreements.digits)));
         } else {
             cases += "/>\n";
         }

@@ -53,10 +53,15 @@ std::string exact_place(const conformance::AskedContact& contact, const conforma
 
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+    for (const std::string& cell : cells) {
+        text += csv_cell(cell);
+        text += ',';
     }
-    return text + "\n";
+    if (text.empty()) {
+        return "\n";
+    }
+    text.back() = '\n';
+    return text;
 }
 
 ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
@@ -81,7 +86,7 @@ std::vector<std::string> ReferenceRows::row(const conformance::Questions& questi
         row.push_back(q.tolerance ? q.tolerance->text() : "");
     }
     row.push_back(q.u ? q.u->text() : "");
-    row.push_back(reference.x ? printed(*reference.x, digits_).text : "");
+    row.push_back(reference.x ? printed_text(*reference.x, digits_) : "");
     row.push_back(symbol_of(q));
     const scene::PrintedValue value = printed(reference.value, digits_);
     row.push_back(value.text);
@@ -94,26 +99,30 @@ std::vector<std::string> ReferenceRows::row(const conformance::Questions& questi
     return row;
 }
 
-Table ReferenceRows::table(
-    std::size_t rows, std::size_t estimates,
-    const std::function<void(const std::function<void(const std::string&)>&)>& lines) const {
-    Table table;
-    table.title = title_;
-    table.columns = {{"id", Column::Kind::text}};
+std::vector<Column> ReferenceRows::columns() const {
+    std::vector<Column> columns{{"id", Column::Kind::text}};
     for (const std::string& key : keys_) {
-        table.columns.push_back({key, Column::Kind::text, true});
+        columns.push_back({key, Column::Kind::text, true});
     }
     for (const char* name :
          {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
         const std::string_view n = name;
         const bool number = n == "x" || n == "value" || n == "bound" || n == "binary64";
         if (n != "tolerance" || tolerances_) {
-            table.columns.push_back(
-                {name, number ? Column::Kind::number : Column::Kind::text, true});
+            columns.push_back({name, number ? Column::Kind::number : Column::Kind::text, true});
         }
     }
-    std::uint64_t hash = io::fnv1a(csv_line(names_of(table.columns)));
-    lines([&](const std::string& line) { hash = io::fnv1a(line, hash); });
+    return columns;
+}
+
+std::uint64_t ReferenceRows::header_checksum() const {
+    return io::fnv1a(csv_line(names_of(columns())));
+}
+
+Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_t checksum) const {
+    Table table;
+    table.title = title_;
+    table.columns = columns();
     table.facts = {
         {"recipe", recipe_},
         {"program", program_line()},
@@ -121,7 +130,7 @@ Table ReferenceRows::table(
         {"rounding", std::string(rounding_name(digits_.rounding))},
         {"rows", std::to_string(rows)},
         {"estimates", std::to_string(estimates)},
-        {std::string(checksum_key), checksum_text(hash)},
+        {std::string(checksum_key), checksum_text(checksum)},
     };
     table.notes = {
         "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
@@ -149,15 +158,13 @@ Table reference_table(const conformance::Recipe& recipe,
     const ReferenceRows rows(recipe);
     std::vector<std::vector<std::string>> cells;
     std::size_t estimates = 0;
+    std::uint64_t hash = rows.header_checksum();
     for (std::size_t i = 0; i < values.size(); ++i) {
         cells.push_back(rows.row(recipe.questions, i, values[i]));
+        hash = io::fnv1a(csv_line(cells.back()), hash);
         estimates += values[i].value.proved ? 0 : 1;
     }
-    Table table = rows.table(cells.size(), estimates, [&](const auto& take) {
-        for (const auto& row : cells) {
-            take(csv_line(row));
-        }
-    });
+    Table table = rows.table(cells.size(), estimates, hash);
     table.rows = std::move(cells);
     return table;
 }

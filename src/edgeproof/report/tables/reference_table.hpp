@@ -5,7 +5,7 @@
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
-#include <functional>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,13 +23,15 @@ public:
     [[nodiscard]] std::vector<std::string> row(const conformance::Questions& questions,
                                                std::size_t i,
                                                const conformance::Reference& reference) const;
-    /// The table without its rows: head, columns, and the checksum of them and of the lines, which
-    /// `lines` hands over in their order.
-    [[nodiscard]] Table
-    table(std::size_t rows, std::size_t estimates,
-          const std::function<void(const std::function<void(const std::string&)>&)>& lines) const;
+    /// The checksum of the header, to be gone on with line by line (io::fnv1a).
+    [[nodiscard]] std::uint64_t header_checksum() const;
+    /// The table without its rows: head and columns. `checksum`: of the header and the lines.
+    [[nodiscard]] Table table(std::size_t rows, std::size_t estimates,
+                              std::uint64_t checksum) const;
 
 private:
+    [[nodiscard]] std::vector<Column> columns() const;
+
     std::string recipe_; ///< the file's name
     std::string title_;
     scene::Digits digits_;

@@ -63,6 +63,23 @@ std::string lines_text(const audit::Claim& claim) {
                : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
 }
 
+Json profile_json(const audit::ClaimResult& r, double most) {
+    Json profile = {{"seconds", *r.seconds}};
+    if (const auto& use = r.outcome.sample_use) {
+        const auto digits = [most](double d) {
+            return d < 0 ? Json(nullptr) : Json(std::min(d, most));
+        };
+        profile["samples"] = use->samples;
+        profile["refuting"] = use->refuting;
+        profile["first_refuting"] =
+            use->first_refuting > 0 ? Json(use->first_refuting) : Json(nullptr);
+        profile["worst"] = use->worst;
+        profile["digits"] = digits(use->digits);
+        profile["first_half_digits"] = digits(use->first_half_digits);
+    }
+    return profile;
+}
+
 } // namespace
 
 std::array<std::size_t, audit::all_verdicts.size()>
@@ -121,6 +138,9 @@ std::string verdicts_json(const audit::AuditResult& result) {
             evidence[key] = to_json(item);
         }
         c["evidence"] = std::move(evidence);
+        if (r.seconds) {
+            c["profile"] = profile_json(r, result.digits);
+        }
         claims.push_back(std::move(c));
     }
     root["claims"] = std::move(claims);

@@ -18,7 +18,12 @@ count_verdicts(const audit::AuditResult& result);
 /// columns of spaces; and beside them those of which a theorem says part (`certificate`).
 [[nodiscard]] std::string bases_table(const audit::AuditResult& result);
 
-/// The results as text; each is the same to the byte for the same results.
+/// Where the processor time went: a row a claim that was timed, the dearest first, with its share
+/// of all of them and what its samples tell: at how many the printed formula is refuted and which
+/// is the first, or at which it agrees worst, and to how many digits the first half of them agrees.
+[[nodiscard]] std::string profile_table(const audit::AuditResult& result);
+
+/// The results as text; each is the same to the byte for the same results, times aside.
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_csv(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_markdown(const audit::AuditResult& result);

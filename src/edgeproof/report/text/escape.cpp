@@ -3,6 +3,8 @@
 
 #include "edgeproof/precision/message.hpp"
 
+#include <algorithm>
+
 namespace edgeproof::report {
 namespace {
 
@@ -11,6 +13,9 @@ bool is_number(std::string_view text) {
     const std::size_t digits = text.find_first_of("0123456789");
     return digits <= 1 && text.find_first_not_of("+-.0123456789eE/") == std::string_view::npos;
 }
+
+/// Of the cells of a table all but a few are made of these, and stay as they are.
+bool is_plain(char c) { return c >= ' ' && c <= '~' && c != ',' && c != '"'; }
 
 std::string in_quotes(std::string_view text) {
     std::string out = "\"";
@@ -26,9 +31,12 @@ std::string in_quotes(std::string_view text) {
 } // namespace
 
 std::string csv_cell(std::string_view text) {
-    const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos;
+    if (std::all_of(text.begin(), text.end(), is_plain)) {
+        return std::string(text);
+    }
+    const bool quoted = text.find_first_of(",\"\r\n") != std::string_view::npos;
     const std::string line = printable(text);
-    return plain ? line : in_quotes(line);
+    return quoted ? in_quotes(line) : line;
 }
 
 std::string csv_text_cell(std::string_view text) {

@@ -2,6 +2,7 @@
 #include "edgeproof/scene/input/bounded_value.hpp"
 
 #include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/rounding/at_a_glance.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,9 +14,9 @@ constexpr long bits_beyond = 16;
 constexpr long binary64_limit_bits = 64;
 constexpr unsigned bound_bits = 64;
 
-/// The largest |x - q| over the ball.
-Real farthest(const Ball& x, const Rational& q) {
-    return abs(Ball(x - Ball(q, x.bits() + bits_beyond))).upper();
+/// The largest |x - d| over the ball.
+Real farthest(const Ball& x, const Decimal& d) {
+    return abs(Ball(x - d.enclosure(x.bits() + bits_beyond))).upper();
 }
 
 std::string bound_of(const Rational& error) {
@@ -45,7 +46,7 @@ bool has_digits(const Ball& x, const Digits& digits) {
            (!digits.binary64 || nearest_binary64(x));
 }
 
-bool may_be_a_limit(const Ball& x, const Digits& digits) {
+bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them) {
     if (contains_zero(x)) {
         return true;
     }
@@ -55,14 +56,26 @@ bool may_be_a_limit(const Ball& x, const Digits& digits) {
         return false;
     }
     // An enclosure of what is exactly a short decimal is that decimal, twice.
-    const bool told = digits.rounding == Rounding::enclosure
-                          ? round_ball(x, digits.count, Rounding::down).complete
-                          : has_digits(x, digits);
-    return !told || (digits.binary64 && !nearest_binary64(x));
+    return digits.rounding == Rounding::enclosure
+               ? !has_digits(x, {digits.count, Rounding::down, digits.binary64})
+               : !has_them;
 }
 
 std::string how(const BoundedValue& x, const PrintedValue& p) {
     return x.how() + (p.undecided ? " (rounding undecided)" : "");
+}
+
+std::string printed_text(const BoundedValue& x, const Digits& digits) {
+    if (x.exactly) {
+        return round_rational(*x.exactly, digits.count, digits.rounding).text;
+    }
+    if (digits.rounding != Rounding::enclosure && !contains_zero(x.value)) {
+        Rounded r = round_ball(x.value, digits.count, digits.rounding);
+        if (r.complete) {
+            return r.text;
+        }
+    }
+    return printed(x, digits).text;
 }
 
 PrintedValue printed(const BoundedValue& x, const Digits& digits) {
@@ -75,7 +88,11 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
         const Rounded r = round_ball(x.value, digits.count, Rounding::enclosure);
         p = {r.text, bound_of(r), r.complete, false, {}, {}};
     } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
-        p = {"0", bound_text(farthest(x.value, Rational(0))), x.value.is_exact(), false, {}, {}};
+        p = {"0", bound_text(farthest(x.value, Decimal())), x.value.is_exact(), false, {}, {}};
+    } else if (const auto seen = rounded_at_a_glance(x.value, digits.count, digits.rounding)) {
+        p.text = layout(seen->value, digits.count);
+        p.bound = seen->bound.empty() ? bound_text(farthest(x.value, seen->value)) : seen->bound;
+        p.complete = true;
     } else {
         Rounded r = round_ball(x.value, digits.count, digits.rounding);
         if (!r.complete && x.proved) {
@@ -90,7 +107,7 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
             } else if (r.text.empty()) {
                 r = round_ball(Ball(x.value.midpoint(), x.value.bits()), 1);
             }
-            p = {r.text, bound_text(farthest(x.value, r.lower.value())), complete, false, {}, {}};
+            p = {r.text, bound_text(farthest(x.value, r.lower)), complete, false, {}, {}};
         }
     }
     if (digits.binary64 && x.exactly) {

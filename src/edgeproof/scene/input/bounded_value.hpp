@@ -47,12 +47,14 @@ struct PrintedValue {
 
 /// Whether the ball has the digits that are to be printed, or cannot be told from zero, and yet
 /// does not tell the value from a number of that few digits, or from half-way between two: there
-/// the value may be exactly that, and then no number of bits tells.
-[[nodiscard]] bool may_be_a_limit(const Ball& x, const Digits& digits);
+/// the value may be exactly that, and then no number of bits tells. `has_them`: has_digits of it.
+[[nodiscard]] bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them);
 
 /// A value that its ball does not tell from zero is "0", rounded to nearest. Any other proved value
 /// of which the ball does not decide the rounding is its enclosure.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
+/// Its text alone.
+[[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
 
 /// A ball from an estimated absolute error.
 [[nodiscard]] BoundedValue estimated(const Real& value, const Real& error, std::string route);

@@ -5,19 +5,14 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <string>
+#include <utility>
 
 namespace edgeproof::scene {
 namespace {
 
 constexpr unsigned point_digits = 12;
+constexpr unsigned digits_of_ratios = 50;
 constexpr std::size_t most_points = 100'000;
-
-void require_ascending(const formula::Exact& from, const formula::Exact& to) {
-    if (formula::Exact(to.expr() - from.expr()).sign() <= 0) {
-        throw InputError("the points from " + from.text() + " to " + to.text() + " do not ascend",
-                         "give from < to");
-    }
-}
 
 Rational power_of_ten(std::size_t k) {
     return Rational(boost::multiprecision::pow(Integer(10), static_cast<unsigned>(k)));
@@ -25,59 +20,93 @@ Rational power_of_ten(std::size_t k) {
 
 } // namespace
 
-std::vector<formula::Exact> geometric_points(const formula::Exact& from, const formula::Exact& to,
-                                             std::size_t per_decade) {
+PointRange::PointRange(formula::Exact from, formula::Exact to, std::size_t per_decade)
+    : from_(std::move(from)), to_(std::move(to)), per_decade_(per_decade) {
+    if (formula::Exact(to_.expr() - from_.expr()).sign() <= 0) {
+        throw InputError("the points from " + from_.text() + " to " + to_.text() + " do not ascend",
+                         "give from < to");
+    }
+}
+
+PointRange PointRange::geometric(const formula::Exact& from, const formula::Exact& to,
+                                 std::size_t per_decade) {
     if (from.sign() <= 0) {
         throw InputError("the points begin at " + from.text() + ", which is not positive",
                          "give from > 0");
     }
-    require_ascending(from, to);
-    const PrecisionScope scope(50);
-    const Real first = from.to<Real>();
+    PointRange range(from, to, per_decade);
+    const PrecisionScope scope(digits_of_ratios);
+    range.first_ = from.to<Real>();
     const Real last = to.to<Real>();
-    const Real count = log10(Real(last / first)) * static_cast<unsigned>(per_decade);
+    const Real count = log10(Real(last / range.first_)) * static_cast<unsigned>(per_decade);
     if (count >= most_points) {
         throw InputError("more than 100,000 points from " + from.text() + " to " + to.text(),
                          "give a smaller per_decade");
     }
     // A last point of the sweep that all but meets `to` gives way to it.
     const Real end = last * (1 - pow(Real(10), 1 - static_cast<int>(point_digits)));
-    std::vector<formula::Exact> points{from};
-    for (std::size_t k = 1;; ++k) {
-        const Real x = first * pow(Real(10), Real(static_cast<unsigned>(k)) /
-                                                 static_cast<unsigned>(per_decade));
-        if (!(x < end)) {
-            break;
-        }
-        if (k % per_decade == 0 && from.is_rational()) {
-            points.push_back(formula::Exact::of(from.rational() * power_of_ten(k / per_decade)));
-        } else {
-            points.push_back(formula::Exact::parse(to_decimal(x, point_digits)));
-        }
+    auto k = count.convert_to<std::size_t>() + 1;
+    while (k > 0 && !(range.between(k) < end)) {
+        --k;
     }
-    points.push_back(to);
-    return points;
+    range.size_ = k + 2;
+    return range;
 }
 
-std::vector<formula::Exact> even_points(const formula::Exact& from, const formula::Exact& to,
-                                        std::size_t count) {
-    require_ascending(from, to);
+PointRange PointRange::even(const formula::Exact& from, const formula::Exact& to,
+                            std::size_t count) {
+    PointRange range(from, to, 0);
     if (count < 2 || count > most_points) {
         throw InputError(std::to_string(count) + " evenly spaced points",
                          "give points = 2 ... 100000");
     }
-    std::vector<formula::Exact> points{from};
-    const auto steps = static_cast<long>(count - 1);
-    for (long k = 1; k < steps; ++k) {
-        if (from.is_rational() && to.is_rational()) {
-            points.push_back(formula::Exact::of(from.rational() +
-                                                (to.rational() - from.rational()) * k / steps));
-        } else {
-            points.emplace_back(from.expr() + (to.expr() - from.expr()) *
-                                                  formula::Expr::number(Rational(k, steps)));
-        }
+    range.size_ = count;
+    if (from.is_rational() && to.is_rational()) {
+        const Integer below_from = denominator(from.rational());
+        const Integer below_to = denominator(to.rational());
+        range.whole_ = Whole{numerator(from.rational()) * below_to,
+                             numerator(to.rational()) * below_from, below_from * below_to};
     }
-    points.push_back(to);
+    return range;
+}
+
+Real PointRange::between(std::size_t k) const {
+    return first_ *
+           pow(Real(10), Real(static_cast<unsigned>(k)) / static_cast<unsigned>(per_decade_));
+}
+
+formula::Exact PointRange::at(std::size_t k) const {
+    if (k == 0 || k + 1 == size_) {
+        return k == 0 ? from_ : to_;
+    }
+    if (per_decade_ > 0) {
+        if (k % per_decade_ == 0 && from_.is_rational()) {
+            return formula::Exact::of(from_.rational() * power_of_ten(k / per_decade_));
+        }
+        const PrecisionScope scope(digits_of_ratios);
+        return formula::Exact::parse(to_decimal(between(k), point_digits));
+    }
+    const std::size_t n = size_ - 1;
+    if (whole_) { // one fraction reduced
+        return formula::Exact::of(Rational(Integer(whole_->lower * (n - k) + whole_->upper * k),
+                                           Integer(whole_->under * n)));
+    }
+    return formula::Exact(from_.expr() + (to_.expr() - from_.expr()) *
+                                             formula::Expr::number(Rational(static_cast<long>(k),
+                                                                            static_cast<long>(n))));
+}
+
+std::string PointRange::text() const {
+    return from_.text() + " " + to_.text() + " " + std::to_string(per_decade_) + " " +
+           std::to_string(size_);
+}
+
+std::vector<formula::Exact> PointRange::all() const {
+    std::vector<formula::Exact> points;
+    points.reserve(size_);
+    for (std::size_t k = 0; k < size_; ++k) {
+        points.push_back(at(k));
+    }
     return points;
 }
 

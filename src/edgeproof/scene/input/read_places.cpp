@@ -119,10 +119,11 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
         if (!by_x) {
             (void)reader.inside({begin, line});
         }
-        const auto list = range.has("per_decade")
-                              ? geometric_points(begin, end, range.count("per_decade", 1, 10'000))
-                              : even_points(begin, end, range.count("points", 2, 100'000));
-        for (const formula::Exact& u : list) {
+        const PointRange points_between =
+            range.has("per_decade")
+                ? PointRange::geometric(begin, end, range.count("per_decade", 1, 10'000))
+                : PointRange::even(begin, end, range.count("points", 2, 100'000));
+        for (const formula::Exact& u : points_between.all()) {
             points.push_back(
                 by_x ? AskedPoint{formula::Exact(), line, Place::parse(u.text(), from, names)}
                      : AskedPoint{u, line});

@@ -130,8 +130,9 @@ private:
     }
     /// The crossing in a ball that holds one, where the error there is the tolerance exactly.
     [[nodiscard]] std::optional<Rational> exact_crossing(const Ball& u, const BallLevel& level) {
-        const auto q =
-            may_be_a_limit(u, plan_.digits) ? contact::simplest_rational(u) : std::nullopt;
+        const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
+                           ? contact::simplest_rational(u)
+                           : std::nullopt;
         if (!q || *q <= 0) {
             return {};
         }

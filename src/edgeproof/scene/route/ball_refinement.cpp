@@ -37,11 +37,12 @@ BallRefinement::refine(const InBalls& f, const Exactly& exactly, const Digits& d
             continue;
         }
         best = Found{std::move(x)};
-        if (!looked && may_be_a_limit(best->value, digits)) {
+        const bool told = has_digits(best->value, digits);
+        if (!looked && may_be_a_limit(best->value, digits, told)) {
             looked = true;
             best->exactly = exact_value(exactly, *level, best->value);
         }
-        if (best->exactly || has_digits(best->value, digits) ||
+        if (best->exactly || told ||
             (contains_zero(best->value) && bits >= plan_.bits + zero_bits)) {
             break;
         }

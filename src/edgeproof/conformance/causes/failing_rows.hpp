@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/conformance/causes/convention.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace edgeproof::conformance {
+
+/// Of answers that come block by block those that tell by which convention they were computed, were
+/// it another: the rows that fail, the first `most` of them.
+class FailingRows {
+public:
+    static constexpr std::size_t most = 10'000;
+
+    void add(const Answers& answers, const Agreements& agreements);
+    /// There are more than are kept.
+    [[nodiscard]] bool cut() const { return seen_ > answers_.given.size(); }
+    [[nodiscard]] std::size_t seen() const { return seen_; }
+    [[nodiscard]] std::size_t kept() const { return answers_.given.size(); }
+    /// infer_conventions() of those that are kept.
+    [[nodiscard]] std::vector<Convention> conventions(const ReferenceOptions& options) const;
+    /// unexplained() of those.
+    [[nodiscard]] std::vector<std::string>
+    unexplained_by(const std::vector<Convention>& conventions) const;
+
+private:
+    Answers answers_;
+    Agreements agreements_;
+    std::size_t seen_ = 0;
+};
+
+} // namespace edgeproof::conformance

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/rounding/at_a_glance.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace edgeproof {
+namespace {
+
+/// As near to a power of ten as this, relatively, the first digit is not told at a glance.
+constexpr double too_near = 1e-9;
+constexpr long most_exponent = 1L << 20; // of two: its logarithm still has its digits in binary64
+constexpr long least_accuracy = 40;      // bits, so that no ball reaches as far
+constexpr double least_off = 1e-3;       // units: less has lost digits of binary64
+
+/// k with 10^k <= |x| < 10^(k+1) for every x in a ball that is narrower than 2^-least_accuracy;
+/// false where it is not plain.
+bool leading_place(const Ball& x, long& k) {
+    if (x.relative_accuracy_bits() < least_accuracy) {
+        return false;
+    }
+    arf_srcptr middle = arb_midref(x.data());
+    if (arf_cmpabs_2exp_si(middle, most_exponent) >= 0 ||
+        arf_cmpabs_2exp_si(middle, -most_exponent) <= 0) {
+        return false;
+    }
+    ArfValue mantissa;
+    FmpzValue exponent;
+    arf_frexp(mantissa, exponent, middle);
+    const double m = std::abs(arf_get_d(mantissa, ARF_RND_NEAR));
+    const double decades =
+        (std::log2(m) + static_cast<double>(fmpz_get_si(exponent))) * std::log10(2.0);
+    k = static_cast<long>(std::floor(decades));
+    return std::abs(decades - std::round(decades)) > too_near;
+}
+
+/// 10^k in as many bits; the last one is kept, as the next number has the same size.
+const ArbValue& power_of_ten(ulong k, long bits) {
+    struct Kept {
+        ulong k = 0;
+        long bits = 0; ///< none is kept
+        ArbValue power;
+    };
+    static thread_local Kept kept;
+    if (kept.bits != bits || kept.k != k) {
+        arb_ui_pow_ui(kept.power, 10, k, bits);
+        kept.k = k;
+        kept.bits = bits;
+    }
+    return kept.power;
+}
+
+/// What the numbers of a ball round to, in units of 10^place.
+struct WholeUnits {
+    FmpzValue whole;
+    long place = 0;
+    double off = 0;    ///< about how far the middle of the ball is from it
+    bool told = false; ///< `off` to a part in 10^12, whichever number in the ball is meant
+};
+
+/// `digits` digits of x. False where that is not seen.
+bool whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) {
+    long first = 0;
+    if (mode == Rounding::enclosure || digits == 0 || !leading_place(x, first)) {
+        return false;
+    }
+    // Where all round alike, no number in the ball is a whole one, or, to nearest, half of an odd
+    // one. A ball that is too wide holds one.
+    to.place = first - static_cast<long>(digits) + 1;
+    const ArbValue& ten = power_of_ten(static_cast<ulong>(std::abs(to.place)), x.bits());
+    ArbValue units;
+    if (to.place > 0) {
+        arb_div(units, x.data(), ten, x.bits());
+    } else {
+        arb_mul(units, x.data(), ten, x.bits());
+    }
+    if (mode == Rounding::nearest) {
+        static const ArbValue half = [] {
+            ArbValue h;
+            arb_set_d(h, 0.5);
+            return h;
+        }();
+        arb_add(units, units, half, x.bits());
+    }
+    // Farther from the whole numbers on both sides of its middle than its radius.
+    ArfValue above;
+    arf_floor(above, arb_midref(units));
+    (void)arf_get_fmpz(to.whole, above, ARF_RND_DOWN);
+    arf_sub(above, arb_midref(units), above, ARF_PREC_EXACT, ARF_RND_DOWN);
+    const double part = arf_get_d(above, ARF_RND_NEAR);
+    const bool alike = arf_cmpabs_mag(above, arb_radref(units)) > 0;
+    arf_sub_ui(above, above, 1, ARF_PREC_EXACT, ARF_RND_DOWN);
+    if (mode == Rounding::up) {
+        fmpz_add_ui(to.whole, to.whole, 1);
+    }
+    to.off = mode == Rounding::nearest ? std::abs(part - 0.5)
+             : mode == Rounding::down  ? part
+                                       : arf_get_d(above, ARF_RND_NEAR);
+    to.off = std::abs(to.off);
+    to.told = mag_get_d(arb_radref(units)) < 1e-14 * to.off && to.off > least_off;
+    return alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
+}
+
+/// Beyond these a binary64 is subnormal, or none, or close to it.
+constexpr double least_binary64 = 1e-300;
+constexpr double most_binary64 = 1e300;
+constexpr long more_than_binary64 = 80; // bits
+
+} // namespace
+
+bool rounds_alike(const Ball& x, unsigned digits, Rounding mode) {
+    WholeUnits units;
+    return whole_units(x, digits, mode, units);
+}
+
+std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits, Rounding mode) {
+    WholeUnits units;
+    if (!whole_units(x, digits, mode, units) || fmpz_is_zero(units.whole) != 0) {
+        return {};
+    }
+    SeenAtAGlance seen;
+    Decimal& d = seen.value;
+    d.negative = fmpz_sgn(units.whole) < 0;
+    fmpz_abs(units.whole, units.whole);
+    d.digits.resize(fmpz_sizeinbase(units.whole, 10) + 1); // with the end that C puts there
+    fmpz_get_str(d.digits.data(), 10, units.whole);
+    d.digits.resize(std::strlen(d.digits.c_str()));
+    d.exponent = static_cast<long>(d.digits.size()) + units.place;
+    d.digits.resize(digits, '0'); // 999 -> 1000
+    if (units.told) {
+        seen.bound = bound_at_a_glance(units.off, units.place);
+    }
+    return seen;
+}
+
+std::optional<double> binary64_at_a_glance(const Ball& x) {
+    ArfValue radius;
+    ArfValue end;
+    arf_set_mag(radius, arb_radref(x.data()));
+    arf_sub(end, arb_midref(x.data()), radius, more_than_binary64, ARF_RND_FLOOR);
+    const double lower = arf_get_d(end, ARF_RND_NEAR);
+    arf_add(end, arb_midref(x.data()), radius, more_than_binary64, ARF_RND_CEIL);
+    const double size = std::abs(lower);
+    return lower == arf_get_d(end, ARF_RND_NEAR) && size > least_binary64 && size < most_binary64
+               ? std::optional(lower)
+               : std::nullopt;
+}
+
+std::string layout(const Decimal& d, unsigned digits) {
+    if (d.digits.empty()) {
+        return "0";
+    }
+    const std::string sign = d.negative ? "-" : "";
+    const long point = d.exponent; // digits before the decimal point
+    if (point > -5 && point <= static_cast<long>(digits)) {
+        if (point <= 0) {
+            return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
+        }
+        const auto before = static_cast<std::size_t>(point);
+        std::string text = sign + d.digits.substr(0, before);
+        if (before < d.digits.size()) {
+            text += "." + d.digits.substr(before);
+        }
+        return text;
+    }
+    std::string text = sign + d.digits.substr(0, 1);
+    if (d.digits.size() > 1) {
+        text += "." + d.digits.substr(1);
+    }
+    const long e = point - 1;
+    const std::string size = std::to_string(e < 0 ? -e : e);
+    return text + "e" + (e < 0 ? "-" : "+") + (size.size() < 2 ? "0" : "") + size;
+}
+
+std::string bound_at_a_glance(double near, long place) {
+    constexpr int more = 15;                   // digits behind the first
+    constexpr long unsure = 100'000;           // units of the last of them
+    constexpr long unit = 100'000'000'000'000; // of the second digit
+    constexpr unsigned bound_digits = 2;
+    if (!(near > least_binary64 && near < most_binary64)) {
+        return {};
+    }
+    // d.ddddddddddddddde-NN
+    std::array<char, 32> text{};
+    const char* const end = std::to_chars(text.data(), text.data() + text.size(), near,
+                                          std::chars_format::scientific, more)
+                                .ptr;
+    const char* const e = text.data() + 2 + more;
+    long behind = 0;
+    (void)std::from_chars(text.data() + 3, e, behind);
+    if (behind < unsure || behind > unit - unsure) {
+        return {};
+    }
+    long exponent = 0;
+    (void)std::from_chars(e + (e[1] == '-' ? 1 : 2), end, exponent);
+    int first_two = 10 * (text[0] - '0') + (text[2] - '0') + 1;
+    if (first_two == 100) {
+        first_two = 10;
+        ++exponent;
+    }
+    return layout({false, std::to_string(first_two), exponent + place + 1}, bound_digits);
+}
+
+} // namespace edgeproof

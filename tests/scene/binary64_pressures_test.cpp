@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -78,6 +79,19 @@ TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
     CHECK(wedge(Edge::right, std::nextafter(2.0, 0.0)) > 0);
     CHECK_THROWS_AS((void)wedge(Edge::right, std::numeric_limits<double>::quiet_NaN()),
                     DomainError);
+}
+
+TEST_CASE("an array of places is the places one by one") {
+    const Binary64Pressures half(
+        parsed(contact_of("kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"")));
+    const std::vector<double> u{0, 1e-20, 0.25, 1, 1.5, 2, 3};
+    std::vector<double> p(u.size(), -1);
+    half(Edge::left, u, p);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        CHECK(p[i] == half(Edge::left, u[i]));
+    }
+    // The greatest is in the middle.
+    CHECK(p[3] == *std::ranges::max_element(p));
 }
 
 TEST_CASE("closed forms are proved, a knot is no corner") {

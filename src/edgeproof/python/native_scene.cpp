@@ -2,7 +2,6 @@
 #include "edgeproof/python/native_scene.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/python/value.hpp"
 
 #include <algorithm>
@@ -145,10 +144,7 @@ void NativeScene::pressures(contact::Edge edge, std::span<const double> u, std::
     if (!contact) {
         contact = std::make_unique<scene::Binary64Pressures>(scene_);
     }
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        check_interruption();
-        p[i] = (*contact)(edge, u[i]);
-    }
+    (*contact)(edge, u, p);
     const std::lock_guard lock(pool_->mutex);
     pool_->free.push_back(std::move(contact));
 }

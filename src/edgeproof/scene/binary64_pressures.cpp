@@ -8,6 +8,7 @@
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
@@ -184,6 +185,14 @@ double Binary64Pressures::operator()(contact::Edge edge, double u) const {
         throw DomainError("u is not a number");
     }
     return contact_->at(edge, u);
+}
+
+void Binary64Pressures::operator()(contact::Edge edge, std::span<const double> u,
+                                   std::span<double> p) const {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        check_interruption();
+        p[i] = (*this)(edge, u[i]);
+    }
 }
 
 bool Binary64Pressures::proved() const noexcept { return contact_->balls.has_value(); }

@@ -4,6 +4,7 @@
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <memory>
+#include <span>
 
 namespace edgeproof::scene {
 
@@ -27,6 +28,9 @@ public:
     /// DomainError for NaN, BudgetError where no budget decides the last bit. One object belongs to
     /// one thread at a time.
     [[nodiscard]] double operator()(contact::Edge edge, double u) const;
+
+    /// The same of many, in their order; `u` and `p` of one size. Throws Interrupted as well.
+    void operator()(contact::Edge edge, std::span<const double> u, std::span<double> p) const;
 
     /// Whether all values are proved.
     [[nodiscard]] bool proved() const noexcept;

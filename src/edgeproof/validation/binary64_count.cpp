@@ -2,8 +2,8 @@
 #include "edgeproof/validation/binary64_count.hpp"
 
 #include "edgeproof/parallel/parallel_for.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/validation/state_text.hpp"
 
 #include <mutex>
 #include <sstream>
@@ -39,20 +39,9 @@ void Binary64Cell::add(const Binary64Cell& o) {
 Binary64Count count_binary64(const Binary64Options& options, Binary64State& state) {
     state.seed = options.seed;
     state.values = options.values;
-    const std::size_t contacts = (options.values + places_a_contact - 1) / places_a_contact;
-    const auto size_of = [&](std::size_t number) {
-        return number + 1 < contacts ? places_a_contact
-                                     : options.values - number * places_a_contact;
-    };
-    std::vector<std::size_t> left;
-    std::size_t done = 0;
-    for (std::size_t i = 0; i < contacts; ++i) {
-        if (state.contacts.contains(i)) {
-            done += size_of(i);
-        } else {
-            left.push_back(i);
-        }
-    }
+    const ContactSizes sizes{options.values, places_a_contact};
+    const std::vector<std::size_t> left = contacts_left(sizes.contacts(), state.contacts);
+    std::size_t done = sizes.but(left);
     std::map<std::size_t, std::vector<std::string>> findings;
     std::mutex mutex;
     std::size_t since = 0;
@@ -60,11 +49,11 @@ Binary64Count count_binary64(const Binary64Options& options, Binary64State& stat
         parallel::work_through(
             parallel::all_pieces(left.size()), options.threads, [&](std::size_t i) {
                 const std::size_t number = left[i];
-                Binary64Contact found = count_binary64_contact(options, number, size_of(number));
+                Binary64Contact found = count_binary64_contact(options, number, sizes.of(number));
                 const std::lock_guard lock(mutex);
                 state.contacts[number] = found.cells;
                 findings[number] = std::move(found.findings);
-                done += size_of(number);
+                done += sizes.of(number);
                 if (options.progress) {
                     options.progress(done, options.values);
                 }
@@ -118,18 +107,9 @@ std::string write_binary64_state(const Binary64State& state) {
 
 Binary64State parse_binary64_state(std::string_view text, const std::string& file,
                                    const Binary64State& wanted) {
-    std::istringstream in{std::string(text)};
-    std::string line;
-    std::size_t number = 1;
-    const auto reject = [&](const std::string& problem) {
-        throw InputError(problem, "remove the file to count from the start").at(file, number);
-    };
-    if (!std::getline(in, line) || line != head(wanted)) {
-        reject("the state is not one of \"" + head(wanted) + "\"");
-    }
     Binary64State state = wanted;
     state.contacts.clear();
-    while (++number, std::getline(in, line) && line != "end") {
+    read_state_text(text, file, head(wanted), [&](const std::string& line) {
         std::istringstream words(line);
         std::size_t contact = 0;
         Binary64Cells cells{};
@@ -141,14 +121,9 @@ Binary64State parse_binary64_state(std::string_view text, const std::string& fil
                        cell.undecided <= cell.values;
             }
         }
-        if (!good || words >> colon || total_of(cells).values > places_a_contact) {
-            reject("a contact's counts are malformed");
-        }
         state.contacts[contact] = cells;
-    }
-    if (line != "end") {
-        reject("the state ends in the middle");
-    }
+        return good && !(words >> colon) && total_of(cells).values <= places_a_contact;
+    });
     return state;
 }
 

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/validation/count_contact.hpp"
+#include "edgeproof/validation/state_text.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -31,30 +32,19 @@ CountResult count_values(const CountOptions& options, CountState& state) {
     state.seed = options.seed;
     state.values = options.values;
     state.digits = options.digits;
-    const std::size_t contacts = (options.values + values_a_contact - 1) / values_a_contact;
+    const ContactSizes sizes{options.values, values_a_contact};
+    const std::vector<std::size_t> left = contacts_left(sizes.contacts(), state.contacts);
     std::map<std::size_t, std::vector<CountFinding>> findings;
     std::mutex mutex;
     std::size_t since = 0;
-    std::size_t done = 0;
-    const auto size_of = [&](std::size_t number) {
-        return number + 1 < contacts ? values_a_contact
-                                     : options.values - number * values_a_contact;
-    };
-    std::vector<std::size_t> left;
-    for (std::size_t i = 0; i < contacts; ++i) {
-        if (state.contacts.contains(i)) {
-            done += size_of(i);
-        } else {
-            left.push_back(i);
-        }
-    }
+    std::size_t done = sizes.but(left);
     const auto one = [&](std::size_t i) {
         const std::size_t number = left[i];
-        CountedContact found = count_contact(options, number, size_of(number));
+        CountedContact found = count_contact(options, number, sizes.of(number));
         const std::lock_guard lock(mutex);
         state.contacts[number] = std::move(found.cells);
         findings[number] = std::move(found.findings);
-        done += size_of(number);
+        done += sizes.of(number);
         if (options.progress) {
             options.progress(done, options.values);
         }

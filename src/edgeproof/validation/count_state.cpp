@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/validation/count_state.hpp"
 
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/validation/state_text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -36,22 +36,13 @@ std::string write_count_state(const CountState& state) {
 
 CountState parse_count_state(std::string_view text, const std::string& file,
                              const CountState& wanted) {
-    std::istringstream in{std::string(text)};
-    std::string line;
-    std::size_t number = 1;
-    const auto reject = [&](const std::string& problem) {
-        throw InputError(problem, "remove the file to count from the start").at(file, number);
-    };
-    if (!std::getline(in, line) || line != head(wanted)) {
-        reject("the state is not one of \"" + head(wanted) + "\"");
-    }
     CountState state = wanted;
     state.contacts.clear();
-    while (++number, std::getline(in, line) && line != "end") {
+    read_state_text(text, file, head(wanted), [&](const std::string& line) {
         std::istringstream words(line);
         std::size_t contact = 0;
         if (!(words >> contact)) {
-            reject("there is no number of a contact");
+            return false;
         }
         auto& cells = state.contacts[contact];
         std::size_t cell = 0;
@@ -60,17 +51,12 @@ CountState parse_count_state(std::string_view text, const std::string& file,
         while (words >> cell) {
             if (!(words >> colon >> values) || colon != ':' || values > values_a_contact ||
                 cell >= sampled_profiles.size() * sampled_regimes.size()) {
-                reject("a contact's counts are malformed");
+                return false;
             }
             cells[cell].values = values;
         }
-        if (!words.eof()) {
-            reject("a contact's counts are malformed");
-        }
-    }
-    if (line != "end") {
-        reject("the state ends in the middle");
-    }
+        return words.eof();
+    });
     return state;
 }
 

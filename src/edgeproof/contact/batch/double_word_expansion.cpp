@@ -29,7 +29,7 @@ std::vector<DoubleWord> words_of(const std::vector<Ball>& c, std::size_t first, 
 /// One that vanishes may be known as little more than that.
 bool in_range(const std::vector<DoubleWord>& c) {
     return std::ranges::all_of(c, [](const DoubleWord& x) {
-        return std::isfinite(x.radius) && x.radius < 0x1p100 && std::fabs(x.high) < 0x1p100;
+        return std::isfinite(x.radius) && x.radius < 0x1p200 && std::fabs(x.high) < 0x1p200;
     });
 }
 
@@ -39,7 +39,8 @@ DoubleWordSum::DoubleWordSum(const BallContact& contact, Edge edge, std::size_t 
     : edge_(edge), length_(to_precise_word(contact.a() + contact.b())),
       unit_(unit_of(contact, edge)), per_unit_(1 / unit_),
       c_(words_of(contact.expansion(edge, n), 0, unit_)),
-      in_range_(in_double_words_as_constant(length_.first) && contact::in_range(c_)),
+      in_range_(in_double_words_as_constant(length_.first) &&
+                in_double_words_as_factor(c_.front()) && contact::in_range(c_)),
       kernel_(DoubleWordKernel<DoubleWordSum>::chosen()) {}
 
 DoubleWordRelativeError::DoubleWordRelativeError(const Profile& profile, const BallContact& contact,

@@ -71,7 +71,7 @@ public:
         if (!double_word::well_known(p)) {
             return double_word::unknown();
         }
-        if (!(u.high < near_)) {
+        if (!(u.high < near_ && u.radius < 0x1p-60 * u.high)) {
             return abs((p - sum_.formula(edge, u)) / p);
         }
         // u^n (c_n + c_(n+1) u + ... + rest)/(p/sqrt(u)), u in units of its own.

@@ -49,10 +49,14 @@ struct DoubleWordMark {
     return FLT_EVAL_METHOD == 0 && u.high > 0x1p-300 && u.high < 0x1p100 &&
            std::fegetround() == FE_TONEAREST;
 }
-/// Whether a number of a contact leaves room for the products that it goes into.
-[[nodiscard]] inline bool in_double_words_as_constant(const DoubleWord& w) {
+/// Whether a number of a contact leaves room for the products that it goes into: `most` is 2^100,
+/// of one that values are proportional to 2^200.
+[[nodiscard]] inline bool in_double_words_as_constant(const DoubleWord& w, double most = 0x1p100) {
     const double size = std::fabs(w.high);
-    return w.radius <= size && (w.high == 0 || (size > 0x1p-100 && size < 0x1p100));
+    return w.radius <= size && (w.high == 0 || (size > 1 / most && size < most));
+}
+[[nodiscard]] inline bool in_double_words_as_factor(const DoubleWord& w) {
+    return in_double_words_as_constant(w, 0x1p200);
 }
 
 /// Form::formula, compiled for processors with and without a fused multiply-add.

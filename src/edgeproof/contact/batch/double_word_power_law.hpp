@@ -38,9 +38,10 @@ public:
         return I * factor_;
     }
 
-    /// All numbers of the contact.
+    [[nodiscard]] const DoubleWord& factor() const { return factor_; }
+    /// All other numbers of the contact.
     [[nodiscard]] std::vector<DoubleWord> constants() const {
-        return {apex_.inset.first, apex_.outset.first, inverse_, factor_};
+        return {apex_.inset.first, apex_.outset.first, inverse_};
     }
 
 private:

@@ -53,7 +53,7 @@ DoubleWordSlope slope_of(const Profile& profile, const BallContact& contact,
 
 bool in_range(const DoubleWordSlope& slope) {
     bool all = in_double_words_as_constant(slope.arc) && in_double_words_as_constant(slope.width) &&
-               in_double_words_as_constant(slope.factor);
+               in_double_words_as_factor(slope.factor);
     for (const DoubleWordSlope::Knot& knot : slope.knots) {
         for (const DoubleWord& word : {knot.at.inset.first, knot.at.outset.first, knot.mark.right,
                                        knot.mark.left, knot.mark.w, knot.jump, knot.drop}) {
@@ -63,7 +63,7 @@ bool in_range(const DoubleWordSlope& slope) {
     return all;
 }
 bool in_range(const DoubleWordPowerLaw& law) {
-    bool all = true;
+    bool all = in_double_words_as_factor(law.factor());
     for (const DoubleWord& word : law.constants()) {
         all = all && in_double_words_as_constant(word);
     }

@@ -21,7 +21,7 @@ DoubleWordShear DoubleWordShear::full_stick(const BallContact& contact,
 
 DoubleWordShear DoubleWordShear::similar(DoubleWordPressure pressure, const Ball& ratio) {
     const DoubleWord word = to_double_word(ratio);
-    const bool in_range = pressure.in_range() && in_double_words_as_constant(word);
+    const bool in_range = pressure.in_range() && in_double_words_as_factor(word);
     return {Similar{std::move(pressure), word}, in_range};
 }
 

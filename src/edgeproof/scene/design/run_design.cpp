@@ -2,9 +2,9 @@
 #include "edgeproof/scene/design/run_design.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,8 @@ constexpr double steepest_step = 0.02; ///< of the highest reach, between neighb
 constexpr double narrowest_step = 1e-6;
 constexpr long printed_bits = 256;
 
-/// The reach or measure by the routes in Real, for what no closed form is known of.
+/// The reach or measure at single values, each as a scene of its own gives it, for what no closed
+/// form is known of.
 class SampledScenes {
 public:
     explicit SampledScenes(const DesignScene& design) : design_(design) {}
@@ -30,22 +31,25 @@ public:
         for (const double x : values) {
             exact.push_back(contact::exact_value(Real(x)));
         }
-        const PrecisionScope scope(estimate_digits + 20);
         try {
-            const Scene scene = design_.at(exact);
+            Scene scene = design_.at(exact);
             if (!scene.profile || design_.shear) {
                 return std::numeric_limits<double>::quiet_NaN();
             }
-            const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load,
-                                                 estimate_digits);
+            scene.shear.reset();
+            scene.ask.digits.count = estimate_digits;
+            const Plan plan = make_plan(scene);
+            contact::Work work;
+            const auto route = plan.proved ? make_ball_route(scene, plan, work)
+                                           : make_real_route(scene, plan, work);
             double least = std::numeric_limits<double>::infinity();
             for (const contact::Edge edge : design_.edges) {
-                const contact::Extents e = within_tolerance(contact, edge, design_.terms,
-                                                            design_.tolerance, scene.ask.part);
-                const Real value =
-                    design_.objective == DesignObjective::measure ? e.measure : e.first_exit;
-                const Real unit = design_.unit == contact::ReachUnit::fraction ? e.length : Real(1);
-                least = std::min(least, Real(value / unit).convert_to<double>());
+                const ExtentValues e = route->extent(edge, design_.terms);
+                const bool fraction = design_.unit == contact::ReachUnit::fraction;
+                const BoundedValue& value = design_.objective == DesignObjective::measure
+                                                ? (fraction ? e.measure_fraction : e.measure)
+                                                : (fraction ? e.first_exit_fraction : e.first_exit);
+                least = std::min(least, value.value.midpoint().convert_to<double>());
             }
             return least;
         } catch (const Error&) { // no contact, or no profile, for these values

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics FlatAndRounded.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics FlatAndRounded.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -12,30 +12,31 @@ Definition t : R := 3.
 Definition R0 : R := 1.
 Definition a : R := 5.
 Definition x : R := 4.
-Ltac constants := unfold Es, t, R0, a, x in *.
+Definition punch : list part := cons (Part t 0 (1 / R0)) nil.
+Ltac constants := unfold punch, x, a, R0, t, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ18_refuted : exists p0 l0,
-  is_pressure Es (slope t R0) a x p0 /\
+  is_pressure Es (slope punch) a x p0 /\
   is_improper_integral (fun s => (PI / 2 - asin (t / s)) * s / sqrt (s ^ 2 - x ^ 2)) (Rmax x t) (a) l0 /\
   306 / 10 ^ 2 <= Rabs ((Es * a / (PI * R0) * l0) - (p0)).
 Proof.
   eexists. eexists. 
-  split. { apply pressure_beyond_the_flat; positive. }
+  split. { apply (pressure Es punch ((t + x) / 2)); sides constants. }
   split. { apply rounded_integral; positive. }
-  unfold c0, c1, c2, load_rate, load_rate_2, load_rate_3; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ18_refuted.
 
 Theorem EQ18_corrected : exists p0 l0,
-  is_pressure Es (slope t R0) a x p0 /\
+  is_pressure Es (slope punch) a x p0 /\
   is_improper_integral (fun s => (PI / 2 - asin (t / s)) * s / sqrt (s ^ 2 - x ^ 2)) (Rmax x t) (a) l0 /\
   Rabs ((Es / (PI * R0) * l0) - (p0)) <= 1 / 10 ^ 12.
 Proof.
   eexists. eexists. 
-  split. { apply pressure_beyond_the_flat; positive. }
+  split. { apply (pressure Es punch ((t + x) / 2)); sides constants. }
   split. { apply rounded_integral; positive. }
-  unfold c0, c1, c2, load_rate, load_rate_2, load_rate_3; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ18_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics FlatAndRounded.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics FlatAndRounded.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -12,16 +12,17 @@ Definition t : R := 1.
 Definition R0 : R := 1.
 Definition a : R := 2.
 Definition x : R := (3 / 2).
-Ltac constants := unfold Es, t, R0, a, x in *.
+Definition punch : list part := cons (Part t 0 (1 / R0)) nil.
+Ltac constants := unfold punch, x, a, R0, t, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ19_N_agrees : exists r0 r1 r2,
-  right_edge_series Es (slope t R0) a r0 r1 r2 /\
+  right_edge_series Es (slope punch) a r0 r1 r2 /\
   Rabs ((- (Es / (16 * sqrt 2 * Rpower a (3 / 2) * PI * R0) * (PI / 2 - asin (t / a) + 16 * t / (5 * Rpower (a ^ 2 - t ^ 2) (3 / 2)) * (3 * a ^ 2 - t ^ 2 / 3)))) - (r2)) <= 1 / 10 ^ 12.
 Proof.
   eexists. eexists. eexists. 
-  split. { eapply right_edge, smooth_contact; positive. }
-  unfold c0, c1, c2, load_rate, load_rate_2, load_rate_3; numbers constants.
+  split. { apply right_edge with (1 := smooth_contact Es punch ((t + x) / 2) a ltac:(sides constants) ltac:(sides constants)). }
+  numbers constants.
 Qed.
 Print Assumptions EQ19_N_agrees.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -12,7 +12,7 @@ Definition phi : R := 1.
 Definition gam : R := (1 / 4).
 Definition a : R := 1.
 Definition x : R := (1 / 2).
-Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ27_refuted : exists p0,
@@ -21,7 +21,7 @@ Theorem EQ27_refuted : exists p0,
 Proof.
   eexists. 
   split. { apply pressure_right_of_apex; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ27_refuted.
 
@@ -31,7 +31,7 @@ Theorem EQ27_corrected : exists p0,
 Proof.
   eexists. 
   split. { apply pressure_right_of_apex; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ27_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -12,7 +12,7 @@ Definition phi : R := 1.
 Definition gam : R := (1 / 9).
 Definition a : R := 9.
 Definition x : R := 4.
-Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ30_M_refuted : exists r0 r1 r2,
@@ -21,7 +21,7 @@ Theorem EQ30_M_refuted : exists r0 r1 r2,
 Proof.
   eexists. eexists. eexists. 
   split. { eapply right_edge, smooth_contact; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ30_M_refuted.
 
@@ -31,7 +31,7 @@ Theorem EQ30_M_corrected : exists r0 r1 r2,
 Proof.
   eexists. eexists. eexists. 
   split. { eapply right_edge, smooth_contact; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ30_M_corrected.
 

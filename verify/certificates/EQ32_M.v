@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -12,7 +12,7 @@ Definition phi : R := 1.
 Definition gam : R := (1 / 9).
 Definition a : R := 9.
 Definition x : R := 4.
-Ltac constants := unfold Es, phi, gam, a, x in *.
+Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ32_M_refuted : exists l0 l1 l2,
@@ -21,7 +21,7 @@ Theorem EQ32_M_refuted : exists l0 l1 l2,
 Proof.
   eexists. eexists. eexists. 
   split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ32_M_refuted.
 
@@ -31,7 +31,7 @@ Theorem EQ32_M_corrected : exists l0 l1 l2,
 Proof.
   eexists. eexists. eexists. 
   split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
-  unfold c0, c1, c2, left_c0, left_c1, left_c2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ32_M_corrected.
 

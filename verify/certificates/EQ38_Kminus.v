@@ -12,7 +12,7 @@ Definition Q : R := 1.
 Definition x : R := 2.
 Definition b : R := 1.
 Definition sig0 : R := 1.
-Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ38_Kminus_agrees : exists v0 v1 v2,
@@ -21,7 +21,7 @@ Theorem EQ38_Kminus_agrees : exists v0 v1 v2,
 Proof.
   eexists. eexists. eexists. 
   split. { apply left_shear; positive. }
-  unfold shear_0, shear_1, shear_2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ38_Kminus_agrees.
 

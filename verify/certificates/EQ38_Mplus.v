@@ -12,7 +12,7 @@ Definition Q : R := 1.
 Definition x : R := 2.
 Definition b : R := 1.
 Definition sig0 : R := 1.
-Ltac constants := unfold a, Q, x, b, sig0 in *.
+Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ38_Mplus_agrees : exists s0 s1 s2,
@@ -21,7 +21,7 @@ Theorem EQ38_Mplus_agrees : exists s0 s1 s2,
 Proof.
   eexists. eexists. eexists. 
   split. { apply right_shear; positive. }
-  unfold shear_0, shear_1, shear_2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions EQ38_Mplus_agrees.
 

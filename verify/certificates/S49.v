@@ -16,7 +16,7 @@ Definition x : R := 2.
 Definition b : R := 1.
 Definition sig0 : R := (4 / (3 * PI)) * Q / ((a + b) / 2).
 Definition sig0_corrected : R := (- (4 / (3 * PI))) * Q / ((a + b) / 2).
-Ltac constants := unfold a, Q, x, b, sig0, sig0_corrected in *.
+Ltac constants := unfold sig0_corrected, sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem S49_refuted : exists v0 v1 v2,
@@ -25,7 +25,7 @@ Theorem S49_refuted : exists v0 v1 v2,
 Proof.
   eexists. eexists. eexists. 
   split. { apply left_shear; positive. }
-  unfold shear_0, shear_1, shear_2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions S49_refuted.
 
@@ -35,7 +35,7 @@ Theorem S49_corrected : exists v0 v1 v2,
 Proof.
   eexists. eexists. eexists. 
   split. { apply left_shear; positive. }
-  unfold shear_0, shear_1, shear_2; numbers constants.
+  numbers constants.
 Qed.
 Print Assumptions S49_corrected.
 

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Edgeproof Require Import Contact Coefficients Edges.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm.
 Open Scope R_scope.
 
 (* g'(x) of a wedge of the outer angles phi, tilted by alpha. *)
@@ -135,15 +135,47 @@ Qed.
 
 (* The pressure right of the apex. *)
 Theorem pressure_right_of_apex x : 0 < x < a ->
-  is_pressure Es (slope phi (tilt phi gam)) a x
-    (RInt (fun w => 2 / PI * (Es * phi * sqrt gam / sqrt (x + gam * (x + w ^ 2)))) 0 (sqrt (a - x))).
+  is_pressure Es (slope phi (tilt phi gam)) a x (proportional_pressure (Es * phi * sqrt gam) gam a x).
 Proof.
   intros Hx. exists (fun s => Es * phi * sqrt gam * s), (fun _ => Es * phi * sqrt gam), (fun s => gam * s). split.
   - intros s Hs. apply wedge_contact_at. lra.
-  - refine (pressure_by_square (fun _ => Es * phi * sqrt gam) (fun s => gam * s) x a _ _ _ _).
-    + lra.
-    + intros s Hs. apply continuous_const.
-    + intros s Hs. apply (@ex_derive_continuous R_AbsRing R_NormedModule). auto_derive. trivial.
-    + intros s Hs. nra.
+  - apply proportional_integral; assumption.
+Qed.
+
+(* The same of the mirrored wedge, whose right edge is at a: left of the apex. *)
+Theorem pressure_left_of_apex x : 0 < x < a ->
+  is_pressure Es (mirrored (slope phi (tilt phi gam))) a x (proportional_pressure (Es * phi * sqrt gam / gam) (/ gam) a x).
+Proof.
+  intros Hx. assert (Hi := Rinv_0_lt_compat gam Hgam).
+  exists (fun r => Es * phi * sqrt gam * (r / gam)), (fun _ => Es * phi * sqrt gam / gam), (fun r => / gam * r). split.
+  - intros r Hr. assert (Hs : 0 < r / gam) by (apply Rdiv_lt_0_compat; lra).
+    assert (E : forall z, gam * (z / gam) = z) by (intros z; field; lra).
+    destruct (wedge_contact_at (r / gam) Hs) as (_ & Hc & Hload & _).
+    split; [nra | split; [| split]].
+    + apply consistent_mirrored in Hc. rewrite E in Hc. replace (/ gam * r) with (r / gam) by (field; lra). exact Hc.
+    + apply (locally_near r r); [lra |]. intros z Hz. assert (0 < z / gam) by (apply Rdiv_lt_0_compat; lra).
+      assert (L := load_mirrored _ _ _ _ _ (wedge_load Es phi gam Hgam (z / gam) ltac:(assumption))). rewrite E in L.
+      replace (/ gam * z) with (z / gam) by (field; lra). exact L.
+    + auto_derive; [trivial | field; lra].
+  - apply proportional_integral; assumption.
 Qed.
 End Edges.
+
+(* b/a of a wedge tilted by alpha. *)
+Definition ratio_of (phi alpha : R) : R :=
+  (1 - sin (PI / 2 * (alpha / phi))) / (1 + sin (PI / 2 * (alpha / phi))).
+Lemma tilt_of_ratio phi alpha : - phi < alpha < phi -> 0 < ratio_of phi alpha /\ tilt phi (ratio_of phi alpha) = alpha.
+Proof.
+  intros H. assert (Hpi := PI_RGT_0). unfold ratio_of. set (z := PI / 2 * (alpha / phi)).
+  assert (Hz : - (PI / 2) < z < PI / 2).
+  { assert (-1 < alpha / phi < 1).
+    { split; apply (Rmult_lt_reg_r phi); try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+    unfold z. split; nra. }
+  assert (Hs : -1 < sin z < 1).
+  { assert (H1 : sin z < sin (PI / 2)) by (apply sin_increasing_1; lra).
+    assert (H2 : sin (- (PI / 2)) < sin z) by (apply sin_increasing_1; lra).
+    rewrite sin_neg, sin_PI2 in *. lra. }
+  split; [apply Rdiv_lt_0_compat; lra |]. unfold tilt.
+  replace ((1 - (1 - sin z) / (1 + sin z)) / (1 + (1 - sin z) / (1 + sin z))) with (sin z) by (field; lra).
+  rewrite asin_sin by lra. unfold z. field. lra.
+Qed.

@@ -2,7 +2,7 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Symmetric Shear.
 Open Scope R_scope.
 
 Lemma power_3_2 x : 0 < x -> Rpower x (3 / 2) = x * sqrt x.
@@ -95,12 +95,49 @@ Ltac identity_of_power contact load a P1 P2 P3 :=
   rewrite (power_load _ _ _ _ _ _ _ _ _ _ _ _ contact ltac:(lra) load);
   identity_symmetric contact a P1 P2 P3.
 
-(* Bounds of the integrals in the goal, then of the rest. `constants` unfolds the numbers. *)
-Ltac numbers constants :=
-  constants; rewrite ?asin_sqrt by lra; unfold Rpower;
+(* What the numbers of a theorem are made of. `constants` unfolds those of its file. *)
+Ltac plain constants :=
+  constants;
+  cbv beta iota zeta delta [c0 c1 c2 left_c0 left_c1 left_c2 shear_0 shear_1 shear_2 total load rate rate_2 rate_3
+    List.fold_right part_load part_rate part_rate_2 part_rate_3 part_pressure angle from corner curvature
+    proportional_pressure ratio_of scaled part_scaled proportional_scaled].
+
+(* Bounds of the integrals in the goal, then of the rest. *)
+Ltac integrals :=
+  rewrite ?asin_sqrt by lra; unfold atanh, Rpower;
   repeat match goal with |- context [RInt ?f ?l ?u] =>
     let H := fresh "H" in
     integral_intro (RInt f l u) with (i_prec 80, i_relwidth 46, i_degree 15, i_fuel 5000) as H;
     revert H; generalize (RInt f l u); intros ? H
+  end.
+Ltac numbers constants := plain constants; integrals; interval with (i_prec 90).
+
+(* That numbers are in order, knots before places before edges. *)
+Ltac sides constants :=
+  unfold beyond; constants; repeat apply List.Forall_cons; try apply List.Forall_nil; cbn [from];
+  repeat split; first [lra | interval with (i_prec 200)].
+
+(* ---- Extents ---- *)
+
+Lemma sum_1 q A : A * q = q * A.
+Proof. ring. Qed.
+Lemma sum_2 q A B u : A * q + B * (u * q) = q * (A + B * u).
+Proof. ring. Qed.
+Lemma sum_3 q A B C u : A * q + B * (u * q) + C * (u ^ 2 * q) = q * (A + B * u + C * u ^ 2).
+Proof. ring. Qed.
+
+(* |p - sum| <= tolerance p for 0 < u <= d, p being sqrt u times a sum in which y^2 <= e for each
+   atanh_ratio y: the root of u is taken out. *)
+Ltac near_the_edge constants u d e :=
+  let H := fresh "H" in
+  assert (H : 0 <= u <= d) by lra;
+  first [rewrite (sum_3 (sqrt u)) | rewrite (sum_2 (sqrt u)) | rewrite (sum_1 (sqrt u))];
+  apply scaled_within; [apply sqrt_lt_R0; lra |];
+  repeat match goal with H0 : _ < u <= _ |- _ => clear H0 | H0 : u <= _ |- _ => clear H0 end;
+  plain constants;
+  repeat match goal with |- context [atanh_ratio ?y] =>
+    let H1 := fresh "H" in
+    assert (H1 : 1 <= atanh_ratio y <= 1 + e / 2) by (apply atanh_ratio_near; [interval with (i_prec 60) | lra]);
+    revert H1; generalize (atanh_ratio y); intros ? H1
   end;
-  interval with (i_prec 90).
+  apply Rminus_le.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
 
+#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +12,6 @@
 #include <string_view>
 
 namespace edgeproof::certificate {
-namespace {
-
-/// Text inside a comment of Coq: no comment opens, closes, or begins a string in it.
 std::string in_comment(std::string text) {
     for (const auto& [from, to] :
          {std::pair<std::string, std::string>{"(*", "( *"}, {"*)", "* )"}, {"\"", "''"}}) {
@@ -25,8 +23,6 @@ std::string in_comment(std::string text) {
     return text;
 }
 
-} // namespace
-
 std::string coq_name(const std::string& id) {
     std::string name = id;
     for (char& c : name) {
@@ -34,20 +30,16 @@ std::string coq_name(const std::string& id) {
             (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         c = plain ? c : '_';
     }
-    // Names of the files that certificates are stated in, and words that Coq keeps to itself.
+    // Words that Coq keeps to itself; beside them, the files that certificates are stated in.
     static constexpr auto taken = std::to_array<std::string_view>(
-        {"Contact",  "Coefficients", "Edges",       "FlatAndRounded",
-         "Hertz",    "Tactics",      "TiltedWedge", "Shear",
-         "PowerLaw", "Expansions",   "Definition",  "Lemma",
-         "Theorem",  "Prop",         "Set",         "SProp",
-         "Type",     "as",           "at",          "cofix",
-         "else",     "end",          "exists",      "exists2",
-         "fix",      "for",          "forall",      "fun",
-         "if",       "in",           "let",         "match",
-         "mod",      "return",       "then",        "using",
-         "where",    "with"});
+        {"as",    "at",      "cofix",  "else", "end",        "exists", "exists2",
+         "fix",   "for",     "forall", "fun",  "if",         "in",     "let",
+         "match", "mod",     "return", "then", "using",      "where",  "with",
+         "Lemma", "Theorem", "Prop",   "Set",  "Definition", "SProp",  "Type"});
     const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
-    const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end();
+    const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end() ||
+                          std::any_of(theory_files().begin(), theory_files().end(),
+                                      [&](const TheoryFile& f) { return f.name == name; });
     return letter && !is_taken ? name : "claim_" + name;
 }
 
@@ -65,21 +57,27 @@ std::vector<std::string> profiles_of(const audit::Ledger& ledger, std::string_vi
     return all;
 }
 
+std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger) {
+    return fmt::format(
+        "(* Claim {} of the ledger {}, lines {} to {} of its source.\n   Printed: {}\n"
+        "   Says: {} *)\n",
+        in_comment(claim.id), in_comment(ledger.name), claim.lines.first, claim.lines.second,
+        in_comment(claim.printed), claim.has("says") ? in_comment(claim.text("says")) : "in words");
+}
+
+std::string imports_text(const std::vector<std::string>& files) {
+    std::string text = "From Coq Require Import Reals Lra.\nFrom Coquelicot Require Import "
+                       "Coquelicot.\nFrom Interval Require Import Tactic.\nFrom Edgeproof Require "
+                       "Import";
+    for (const std::string& file : files) {
+        text += " " + file;
+    }
+    return text + ".\nOpen Scope R_scope.\n\n";
+}
+
 std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                       const Theory& theory) {
-    std::string imports;
-    for (const std::string& file : theory.imports) {
-        imports += " " + file;
-    }
-    return fmt::format(
-        "(* Claim {} of the ledger {}, lines {} to {} of its source.\n   Printed: {}\n   Says: {} "
-        "*)\n"
-        "From Coq Require Import Reals Lra.\nFrom Coquelicot Require Import Coquelicot.\n"
-        "From Interval Require Import Tactic.\nFrom Edgeproof Require Import{}.\nOpen Scope "
-        "R_scope.\n\n",
-        in_comment(claim.id), in_comment(ledger.name), claim.lines.first, claim.lines.second,
-        in_comment(claim.printed), claim.has("says") ? in_comment(claim.text("says")) : "in words",
-        imports);
+    return file_comment(claim, ledger) + imports_text(theory.imports);
 }
 
 Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledger) {

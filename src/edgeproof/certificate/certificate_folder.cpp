@@ -17,22 +17,6 @@
 namespace edgeproof::certificate {
 namespace {
 
-/// In the order in which they are compiled.
-const std::vector<std::pair<std::string_view, std::string_view>>& files_of_the_theory() {
-    static const std::vector<std::pair<std::string_view, std::string_view>> all{
-        {"Contact", coq_files::Contact_v},
-        {"Coefficients", coq_files::Coefficients_v},
-        {"Edges", coq_files::Edges_v},
-        {"Tactics", coq_files::Tactics_v},
-        {"FlatAndRounded", coq_files::FlatAndRounded_v},
-        {"TiltedWedge", coq_files::TiltedWedge_v},
-        {"Hertz", coq_files::Hertz_v},
-        {"PowerLaw", coq_files::PowerLaw_v},
-        {"Shear", coq_files::Shear_v},
-        {"Expansions", coq_files::Expansions_v}};
-    return all;
-}
-
 std::string index_csv(const std::vector<Certificate>& certificates) {
     std::string text = "claim,verdict,file,theorem,states,leaves_out\n";
     for (const Certificate& c : certificates) {
@@ -54,8 +38,12 @@ std::string index_csv(const std::vector<Certificate>& certificates) {
 
 std::string makefile(const std::vector<Certificate>& certificates) {
     std::string theory;
-    for (const auto& [name, content] : files_of_the_theory()) {
-        theory += fmt::format(" {}.vo", name);
+    std::string needs;
+    for (const TheoryFile& file : theory_files()) {
+        theory += fmt::format(" {}.vo", file.name);
+        if (!file.needs.empty()) {
+            needs += fmt::format("{}.vo: {}\n", file.name, file.needs);
+        }
     }
     std::string claims;
     for (const Certificate& c : certificates) {
@@ -65,26 +53,22 @@ std::string makefile(const std::vector<Certificate>& certificates) {
     }
     return fmt::format("# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
                        "# (Debian: coq, libcoq-interval).\n"
-                       "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\nTHEORY "
-                       "={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
-                       "%.vo: %.v\n\t$(COQC) $(COQFLAGS) $<\n\n"
-                       "Coefficients.vo: Contact.vo\n"
-                       "Edges.vo: Contact.vo Coefficients.vo\n"
-                       "Tactics.vo FlatAndRounded.vo TiltedWedge.vo Hertz.vo: Edges.vo\n"
-                       "PowerLaw.vo: TiltedWedge.vo Hertz.vo\nExpansions.vo: Tactics.vo\n"
-                       "$(CLAIMS): $(THEORY)\n\n"
+                       "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\n"
+                       "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
+                       "# With the processor time of each, in seconds.\n"
+                       "%.vo: %.v\n\t@TIMEFORMAT='$<: %U s'; time $(COQC) $(COQFLAGS) $<\n\n"
+                       "{}$(CLAIMS): $(THEORY)\n\n"
                        "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux .lia.cache .nia.cache\n\n"
                        ".PHONY: all clean\n",
-                       theory, claims);
+                       theory, claims, needs);
 }
 
-std::string readme(const std::vector<Certificate>& certificates, const std::string& ledger,
-                   const std::string& command, const std::string& version) {
+std::string readme(const std::vector<Certificate>& certificates, const FolderTitle& title) {
     const auto with = std::count_if(certificates.begin(), certificates.end(),
                                     [](const Certificate& c) { return !c.theorems.empty(); });
-    return fmt::format(R"(# Certificates of the ledger {0}
+    return fmt::format(R"(# Certificates of {0}
 
-Theorems about {1} of {2} claims, for Coq to check. Made by edgeproof {3}:
+Theorems about {1} of {2} {5}, for Coq to check. Made by edgeproof {3}:
 
     {4}
 
@@ -92,7 +76,7 @@ Check them with Coq and Coq-Interval (Debian: `coq`, `libcoq-interval`):
 
     make -j2
 
-`index.csv` says what each theorem states and what it leaves out, and of the other claims why they
+`index.csv` says what each theorem states and what it leaves out, and of the other {5} why they
 have none.
 
 ## What is trusted
@@ -104,22 +88,23 @@ have none.
   says what the load of a contact, the condition of consistency and the pressure (Barber and
   Mossakovskii's integral) are; `Edges.v` what the coefficients at an edge are; `slope` in a profile's
   file is its g'(x).
-- The reading of the printed formula: the theorem's text beside the TeX, both in the claim's file.
+- The reading of what is certified: a printed formula's text in the theorem beside the TeX, both in the
+  claim's file; the numbers of a scene.
 
 Not trusted: the program that wrote the files. A theorem that is false, whatever is wrong in the
 program, is not accepted.
 
 A theorem says that a pressure or coefficient exists which is as defined, and which differs from the
-printed one, or agrees with it. That there is no other (uniqueness) is not stated.
+one that is printed, or agrees with it. That there is no other (uniqueness) is not stated.
 )",
-                       ledger, with, certificates.size(), version, command);
+                       title.of, with, certificates.size(), title.version, title.command,
+                       title.things);
 }
 
 } // namespace
 
 void write_certificates(const std::vector<Certificate>& certificates,
-                        const std::filesystem::path& folder, const std::string& ledger,
-                        const std::string& command, const std::string& version) {
+                        const std::filesystem::path& folder, const FolderTitle& title) {
     std::map<std::string, std::string> ids; // by the name of the file
     for (const Certificate& c : certificates) {
         const auto [known, is_new] = ids.emplace(c.file, c.id);
@@ -129,8 +114,8 @@ void write_certificates(const std::vector<Certificate>& certificates,
                              "rename one, or choose by --only");
         }
     }
-    for (const auto& [name, content] : files_of_the_theory()) {
-        io::write_whole(folder / fmt::format("{}.v", name), std::string(content));
+    for (const TheoryFile& file : theory_files()) {
+        io::write_whole(folder / fmt::format("{}.v", file.name), std::string(file.content));
     }
     for (const Certificate& c : certificates) {
         if (!c.theorems.empty()) {
@@ -139,7 +124,7 @@ void write_certificates(const std::vector<Certificate>& certificates,
     }
     io::write_whole(folder / "index.csv", index_csv(certificates));
     io::write_whole(folder / "Makefile", makefile(certificates));
-    io::write_whole(folder / "README.md", readme(certificates, ledger, command, version));
+    io::write_whole(folder / "README.md", readme(certificates, title));
 }
 
 void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger,
@@ -149,8 +134,8 @@ void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger
         return std::filesystem::is_regular_file(folder / name, none) &&
                io::read_text(folder / name, "certificate") == text;
     };
-    for (const auto& [name, content] : files_of_the_theory()) {
-        if (!holds(fmt::format("{}.v", name), content)) {
+    for (const TheoryFile& file : theory_files()) {
+        if (!holds(fmt::format("{}.v", file.name), file.content)) {
             return;
         }
     }

@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <string_view>
+#include <vector>
+
+namespace edgeproof::certificate {
 
 /// The Coq files that certificates are stated in, as they stand in share/edgeproof/coq: made by
 /// CMake.
-namespace edgeproof::certificate::coq_files {
+namespace coq_files {
 
 extern const std::string_view Contact_v; ///< the contact problem; Barber and Mossakovskii
 extern const std::string_view
     Coefficients_v;                    ///< the pressure over the root of u, and its derivatives
 extern const std::string_view Edges_v; ///< coefficients at the right and the left edge
-extern const std::string_view Expansions_v;     ///< Taylor polynomials in a small eps
-extern const std::string_view FlatAndRounded_v; ///< load and pressure of the profiles
-extern const std::string_view Hertz_v;          //
-extern const std::string_view PowerLaw_v;       //
+extern const std::string_view ClosedForm_v;     ///< what closed forms of pressures are proved by
+extern const std::string_view Symmetric_v;      ///< symmetric punches, piecewise linear
+extern const std::string_view TiltedWedge_v;    ///< tilted wedges
+extern const std::string_view FlatAndRounded_v; ///< an integral that is printed
 extern const std::string_view Shear_v;          ///< full stick
 extern const std::string_view Tactics_v;        ///< proofs of identities and of inequalities
-extern const std::string_view TiltedWedge_v;    //
+extern const std::string_view Expansions_v;     ///< Taylor polynomials in a small eps
 
-} // namespace edgeproof::certificate::coq_files
+} // namespace coq_files
+
+struct TheoryFile {
+    std::string_view name; ///< without .v
+    std::string_view content;
+    std::string_view needs; ///< as a Makefile has it: "Contact.vo Edges.vo"
+};
+/// In the order in which they are compiled.
+[[nodiscard]] const std::vector<TheoryFile>& theory_files();
+
+} // namespace edgeproof::certificate

@@ -1,71 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/statement.hpp"
+#include "edgeproof/certificate/stated_contact.hpp"
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <cmath>
 
 namespace edgeproof::certificate {
 namespace {
 
-/// Ends of the extent, in 1/10000 of the contact's half-width, from the computed percentage.
-struct Ends {
-    long within; ///< the n terms stay within the tolerance up to here
-    long beyond; ///< and leave it here
-};
-
-/// From "49.237 %": the figure as it is computed, cut after its last digit.
-Ends ends_of(const std::string& computed) {
-    const double share = std::stod(computed);
-    const auto cut = static_cast<long>(share * 100);
-    return {cut, cut + 1};
+/// The scene of a family whose right edge is at 1, so that a reader can follow, or else the first.
+audit::SceneSpec scene_of(const audit::Ledger& ledger, const audit::Claim& claim) {
+    const auto all = draw_scenes(ledger.family(claim.text("over")), ledger.families);
+    const auto plain = std::find_if(all.begin(), all.end(), [](const audit::SceneSpec& scene) {
+        return scene.parameter("a").to<double>() == 1;
+    });
+    return plain == all.end() ? all.front() : *plain;
 }
 
 } // namespace
 
 // |p - local sum| <= tolerance p up to one distance from the edge, and not at another just beyond:
-// the first exit lies between. For parabolas, whose pressure has a closed form without integrals.
+// the first exit lies between.
 void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
-    if (claim.text("over") != "hertz" || claim.text_or("reach", "") != "first-exit" ||
-        claim.text("base") != "a" || !result.outcome.computed || !claim.readings.empty()) {
-        throw NotStated("extents are stated of parabolas alone");
+    if (claim.text_or("reach", "") != "first-exit" || !result.outcome.computed) {
+        throw NotStated("of extents, only first exits are stated");
     }
-    const long terms = claim.integer("terms");
-    if (terms > 3) {
-        throw NotStated("extents are stated of up to three terms");
+    const audit::SceneSpec scene = scene_of(ledger, claim);
+    const StatedContact contact =
+        stated_contact(scene.make_profile(), scene.parameter("a"), scene.parameter("Es"));
+    const StatedEdge& edge = contact.at(claim.edge());
+    const std::string& base = claim.text("base");
+    if (base != (claim.edge() == contact::Edge::right ? "a" : "b")) {
+        throw NotStated(fmt::format("extents are stated in shares of the edge's distance from the "
+                                    "origin, not of {}",
+                                    base));
     }
-    Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Hertz"};
-    const Ends ends = ends_of(*result.outcome.computed);
-    const std::string tolerance =
-        coq_number(formula::Exact::parse(claim.text("tolerance")).rational());
-    static const char* const sums[] = {"r0 * sqrt u", "r0 * sqrt u + r1 * (u * sqrt u)",
-                                       "r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u)"};
+    // From "49.237 %", a figure rounded: whole hundredths of a percent that are certainly below and
+    // above.
+    const double hundredths = std::stod(*result.outcome.computed) * 100;
+    const auto cut = static_cast<long>(std::floor(hundredths - 0.1));
+    const auto top = static_cast<long>(std::ceil(hundredths + 0.1));
+    const double unit = edge.distance / 10000;
+    const ExtentStatement extent{
+        static_cast<std::size_t>(claim.integer("terms")),
+        formula::Exact::parse(claim.text("tolerance")),
+        coq_decimal(static_cast<double>(cut) * unit * (1 + 1e-6), 8, true),
+        coq_decimal(static_cast<double>(top) * unit * (1 - 1e-6), 8, false), ""};
+    ExtentStatement shares = extent;
+    shares.more = fmt::format("({} / 10000 <= ({}) / {} /\\ ({}) / {} <= {} / 10000)", cut,
+                              extent.within.text, edge.edge, extent.beyond.text, edge.edge, top);
     const std::string name = coq_name(claim.id) + "_extent";
     certificate.text =
-        file_head(claim, ledger, theory) +
-        fmt::format(
-            "(* Of a parabola with Es = C = a = 1, up to {0}/10000 of the half-width from the "
-            "edge, "
-            "and not at {1}/10000. *)\n"
-            "Theorem {2} : exists r0 r1 r2,\n"
-            "  right_edge_series 1 (slope 1) 1 r0 r1 r2 /\\\n"
-            "  (forall u, 0 < u <= {0} / 10000 -> exists p0, is_pressure 1 (slope 1) 1 (1 - u) p0 "
-            "/\\\n"
-            "    Rabs (p0 - ({3})) <= {4} * p0) /\\\n"
-            "  (forall u, u = {1} / 10000 -> exists p0, is_pressure 1 (slope 1) 1 (1 - u) p0 /\\\n"
-            "    {4} * p0 < Rabs (p0 - ({3}))).\n"
-            "Proof.\n  extent_of_parabola.\nQed.\nPrint Assumptions {2}.\n",
-            ends.within, ends.beyond, name, sums[terms - 1], tolerance);
+        contact.head(file_comment(claim, ledger)) + extent_theorem(name, edge, shares);
     certificate.theorems = {
-        {name, fmt::format(
-                   "{} terms stay within {} up to {}/10000 of the half-width, and not at {}/10000",
-                   terms, claim.text("tolerance"), ends.within, ends.beyond)}};
-    certificate.whole_verdict = true;
-    certificate.leaves_out = "that the extent in shares of a is the same for every parabola";
+        {name, fmt::format("{} terms stay within {} up to a distance of at least {}/10000 of {}, "
+                           "and not at one of at most {}/10000",
+                           extent.terms, claim.text("tolerance"), cut, base, top)}};
+    certificate.whole_verdict = claim.readings.empty();
+    certificate.leaves_out = "that the share is the same at every scale";
+    if (!claim.readings.empty()) {
+        certificate.leaves_out += "; what else the words may mean";
+    }
 }
 
 } // namespace edgeproof::certificate

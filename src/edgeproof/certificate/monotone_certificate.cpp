@@ -38,11 +38,12 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
         add(reading.formula("of"));
     }
     const std::string name = coq_name(claim.id) + "_refuted";
-    std::string inner = of_parabola.proof(
-        fmt::format("repeat split; unfold {}; numbers constants", wedge.theory.unfold));
+    std::string inner = of_parabola.proof("repeat split; numbers constants");
     inner.erase(inner.rfind('.')); // of_wedge.proof ends it
+    Theory both = wedge.theory;
+    both.constants.push_back(parabola.theory.constants.back());
     certificate.text =
-        file_head(claim, ledger, wedge.theory) + constants(wedge.theory) +
+        file_head(claim, ledger, both) + constants(both.constants) +
         theorem_text(name, of_wedge.text(of_parabola.text(conclusion)), of_wedge.proof(inner));
     certificate.theorems = {{name, "it is larger of a wedge, m = 0, than of a parabola, m = 1"}};
     certificate.whole_verdict = true;

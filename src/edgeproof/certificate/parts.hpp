@@ -4,6 +4,7 @@
 #include "edgeproof/certificate/theory.hpp"
 
 #include <string>
+#include <vector>
 
 namespace edgeproof::certificate {
 
@@ -21,7 +22,13 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
 void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& ledger,
                        Certificate& certificate);
 
-/// The head of a file: what is printed where, and what the theory needs.
+/// Text inside a comment of Coq: no comment opens, closes, or begins a string in it.
+[[nodiscard]] std::string in_comment(std::string text);
+/// What is printed where, as the comment that a file begins with.
+[[nodiscard]] std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger);
+/// What a file needs of Coq and of the files that it is stated in.
+[[nodiscard]] std::string imports_text(const std::vector<std::string>& files);
+/// Both.
 [[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                                     const Theory& theory);
 /// The profiles of a family, those of the members of a union in their order.

@@ -49,22 +49,35 @@ std::string fraction_below(double gap) {
                        : fmt::format("{:.0f} / 10 ^ {}", count, places);
 }
 
-std::string constants(const Theory& theory) {
+std::string constants(const std::vector<Constant>& all) {
     std::string text;
     std::string names;
-    for (const auto& [name, value] : theory.constants) {
-        text += fmt::format("Definition {} : R := {}.\n", name, value);
-        names += (names.empty() ? "" : ", ") + name;
+    for (const Constant& c : all) {
+        text += fmt::format("Definition {} : {} := {}.\n", c.name, c.type, c.value);
+        // What is made of others is unfolded before them.
+        names = names.empty() ? c.name : c.name + ", " + names;
     }
     return text + fmt::format("Ltac constants := unfold {} in *.\n"
                               "Ltac positive := constants; repeat split; lra.\n\n",
                               names);
 }
 
+std::string assumptions(const std::vector<std::string>& theorems) {
+    std::string all;
+    for (const std::string& name : theorems) {
+        all += (all.empty() ? "" : ", ") + name;
+    }
+    return fmt::format("Definition all_theorems := ({}).\nPrint Assumptions all_theorems.\n", all);
+}
+
+std::string bare_theorem(const std::string& name, const std::string& statement,
+                         const std::string& proof) {
+    return fmt::format("Theorem {} : {}.\nProof.\n{}Qed.\n", name, statement, proof);
+}
+
 std::string theorem_text(const std::string& name, const std::string& statement,
                          const std::string& proof) {
-    return fmt::format("Theorem {0} : {1}.\nProof.\n{2}Qed.\nPrint Assumptions {0}.\n\n", name,
-                       statement, proof);
+    return bare_theorem(name, statement, proof) + fmt::format("Print Assumptions {}.\n\n", name);
 }
 
 } // namespace edgeproof::certificate

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What theorems about one contact with numbers have in common.
 namespace edgeproof::certificate {
@@ -29,8 +30,13 @@ struct Gap {
 [[nodiscard]] std::string fraction_below(double gap);
 
 /// The definitions of the numbers, and the tactics that use them.
-[[nodiscard]] std::string constants(const Theory& theory);
+[[nodiscard]] std::string constants(const std::vector<Constant>& all);
 
+/// "Print Assumptions" of theorems, once for all of them: it takes longer than most proofs.
+[[nodiscard]] std::string assumptions(const std::vector<std::string>& theorems);
+/// A theorem and its proof, without "Print Assumptions".
+[[nodiscard]] std::string bare_theorem(const std::string& name, const std::string& statement,
+                                       const std::string& proof);
 /// A theorem and its proof as a file has them.
 [[nodiscard]] std::string theorem_text(const std::string& name, const std::string& statement,
                                        const std::string& proof);

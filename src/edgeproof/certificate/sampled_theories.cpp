@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace edgeproof::certificate {
 namespace {
 
@@ -14,24 +16,26 @@ SampledTheory sampled(Theory theory, const std::string& profile, const Parameter
                       const std::string& x, const std::string& fraction) {
     SampledTheory s;
     s.theory = std::move(theory);
+    const std::vector<Constant> made_of_them = std::exchange(s.theory.constants, {});
     s.sample.scene.family = profile;
     s.sample.scene.profile = profile;
     for (const auto& [name, value] : parameters) {
         const formula::Exact exact = formula::Exact::parse(value);
         const std::string coq_name = name == "R" ? "R0" : name; // R is Coq's type of real numbers
         s.theory.names.emplace(name, coq_name);
-        s.theory.constants.emplace_back(coq_name, coq_number(exact.rational()));
+        s.theory.constants.push_back({coq_name, coq_number(exact.rational())});
         s.sample.scene.parameters.insert_or_assign(name, exact);
     }
     s.theory.names.emplace("x", "x");
-    s.theory.constants.emplace_back("x", coq_number(formula::Exact::parse(x).rational()));
+    s.theory.constants.push_back({"x", coq_number(formula::Exact::parse(x).rational())});
+    s.theory.constants.insert(s.theory.constants.end(), made_of_them.begin(), made_of_them.end());
     s.sample.fraction = formula::Exact::parse(fraction);
     return s;
 }
 
 Theory tilted_wedge() {
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "TiltedWedge"};
+    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Tactics", "TiltedWedge"};
     theory.names = {{"b", "(gam * a)"}};
     const std::string slope = "(slope phi (tilt phi gam))";
     theory.right = {{"r0", "r1", "r2"},
@@ -44,27 +48,39 @@ Theory tilted_wedge() {
     theory.load = {{"P0"}, "is_load Es " + slope + " a (gam * a) P0", "apply wedge_load; positive"};
     theory.pressure = {
         {"p0"}, "is_pressure Es " + slope + " a x p0", "apply pressure_right_of_apex; positive"};
-    theory.unfold = "c0, c1, c2, left_c0, left_c1, left_c2";
     return theory;
 }
 
 Theory flat_and_rounded() {
-    Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "FlatAndRounded"};
-    theory.names = {{"b", "a"}};
-    theory.right = {{"r0", "r1", "r2"},
-                    "right_edge_series Es (slope t R0) a r0 r1 r2",
-                    "eapply right_edge, smooth_contact; positive"};
-    theory.load = {{"P0"}, "is_load Es (slope t R0) a a P0", "apply load_value; positive"};
-    theory.pressure = {
-        {"p0"}, "is_pressure Es (slope t R0) a x p0", "apply pressure_beyond_the_flat; positive"};
+    Theory theory = symmetric_punch("punch", "Part t 0 (1 / R0)", "((t + x) / 2)");
+    theory.imports.emplace_back("FlatAndRounded");
     theory.integrals = {{"integral((Pi/2 - asin(t/s))*s/sqrt(s^2 - x^2), s, max(x, t), a)",
                          "apply rounded_integral; positive"}};
-    theory.unfold = "c0, c1, c2, load_rate, load_rate_2, load_rate_3";
     return theory;
 }
 
 } // namespace
+
+Theory symmetric_punch(const std::string& punch, const std::string& parts,
+                       const std::string& beyond, const std::string& mark) {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Symmetric", "Tactics"};
+    theory.names = {{"b", "a"}};
+    const std::string r = fmt::format("r0{0} r1{0} r2{0}", mark);
+    theory.right = {{"r0" + mark, "r1" + mark, "r2" + mark},
+                    fmt::format("right_edge_series Es (slope {}) a {}", punch, r),
+                    fmt::format("apply right_edge with (1 := smooth_contact Es {} {} a "
+                                "ltac:(sides constants) ltac:(sides constants))",
+                                punch, beyond)};
+    theory.load = {{"P0" + mark},
+                   fmt::format("is_load Es (slope {}) a a P0{}", punch, mark),
+                   "apply load_total; sides constants"};
+    theory.pressure = {{"p0" + mark},
+                       fmt::format("is_pressure Es (slope {}) a x p0{}", punch, mark),
+                       fmt::format("apply (pressure Es {} {}); sides constants", punch, beyond)};
+    theory.constants = {{punch, fmt::format("cons ({}) nil", parts), "list part"}};
+    return theory;
+}
 
 std::vector<SampledTheory> sampled_theories(std::string_view profile) {
     const auto wedge = [](const std::string& gam, const std::string& a, const std::string& x,
@@ -102,12 +118,11 @@ SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
     theory.left_shear = {{"v0", "v1", "v2"},
                          fmt::format("left_shear_series {} b v0 v1 v2", traction),
                          "apply left_shear; positive"};
-    theory.unfold = "shear_0, shear_1, shear_2";
     // The contact of a wedge, by which the enclosures know where its edges are.
     SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
                               right ? "2/5" : "3/5");
-    s.theory.constants.emplace_back("b", "1");
-    s.theory.constants.emplace_back(tension.name, tension.coq);
+    s.theory.constants.push_back({"b", "1"});
+    s.theory.constants.push_back({tension.name, tension.coq});
     for (const auto& [name, value] :
          Parameters{{"Es", "1"}, {"phi", "1"}, {"gam", "1/4"}, {"alpha", "2/pi*asin(3/5)"}}) {
         s.sample.scene.parameters.insert_or_assign(name, formula::Exact::parse(value));
@@ -118,18 +133,9 @@ SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
 }
 
 SampledTheory power_law_contact(long m, const std::string& mark) {
-    Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "PowerLaw"};
-    const std::string name = m == 0 ? "wedge" : "parabola";
-    theory.names = {{"b", "a"}, {"m", std::to_string(m)}};
-    const std::string r = "r0" + mark + " r1" + mark + " r2" + mark;
-    theory.right = {{"r0" + mark, "r1" + mark, "r2" + mark},
-                    fmt::format("right_edge_series Es (slope C {}) a {}", m, r),
-                    fmt::format("apply {}_edge; positive", name)};
-    theory.pressure = {{"p0" + mark},
-                       fmt::format("is_pressure Es (slope C {}) a x p0{}", m, mark),
-                       fmt::format("apply {}_pressure; positive", name)};
-    theory.unfold = "c0, c1, c2";
+    Theory theory = m == 0 ? symmetric_punch("wedge", "Part 0 C 0", "(x / 2)", mark)
+                           : symmetric_punch("parabola", "Part 0 0 C", "(x / 2)", mark);
+    theory.names.emplace("m", std::to_string(m));
     SampledTheory s = sampled(std::move(theory), "power-law", {{"Es", "1"}, {"C", "1"}, {"a", "1"}},
                               "1/2", "1/4");
     s.sample.scene.parameters.insert_or_assign("m", formula::Exact::parse(std::to_string(m)));

@@ -20,7 +20,6 @@ Theory smooth_contact(bool symmetric) {
                        "left_edge_series Es g1 (b a) l0 l1 l2",
                        "exact (left_edge_of_a _ _ _ _ _ _ _ _ _ _ _ _ contact left)"};
     }
-    theory.unfold = "c0, c1, c2, left_c0, left_c1, left_c2";
     return theory;
 }
 

@@ -18,14 +18,21 @@ struct Fact {
     std::string proof;
 };
 
+/// A definition that the file of a theorem begins with.
+struct Constant {
+    std::string name;
+    std::string value;
+    std::string type = "R";
+};
+
 /// The mechanics that theorems are stated in: Coq files (share/edgeproof/coq), the contact, and
 /// which fact stands behind which name of a ledger's formulas.
 struct Theory {
-    std::vector<std::string> imports;                           ///< "Contact", "TiltedWedge", ...
-    CoqNames names;                                             ///< of the parameters
-    std::vector<std::pair<std::string, std::string>> constants; ///< parameters with their values
-    Fact right;       ///< coefficients r0, r1, r2 at the right edge
-    Fact left;        ///< coefficients l0, l1, l2 at the left edge
+    std::vector<std::string> imports; ///< "Contact", "TiltedWedge", ...
+    CoqNames names;                   ///< of the parameters
+    std::vector<Constant> constants;  ///< parameters with their values
+    Fact right;                       ///< coefficients r0, r1, r2 at the right edge
+    Fact left;                        ///< coefficients l0, l1, l2 at the left edge
     Fact right_shear; ///< of the shear traction's square root terms at the right edge
     Fact left_shear;  ///< and at the left
     Fact load;        ///< the load P0
@@ -33,7 +40,6 @@ struct Theory {
     /// Integrals of printed formulas that there is a lemma for: as a ledger writes them, and the
     /// proof that one is l0.
     std::vector<std::pair<std::string, std::string>> integrals;
-    std::string unfold; ///< what the conclusion's proof unfolds
 };
 
 /// A theory with numbers: a contact and a place in it that serve as the counterexample or example
@@ -59,6 +65,11 @@ struct Tension {
     formula::Exact exact;
 };
 [[nodiscard]] SampledTheory sheared_contact(contact::Edge edge, const Tension& tension);
+
+/// A symmetric punch named `punch`, a list of parts (Symmetric.v), whose knots are nearer to the
+/// middle than `beyond`, and that than x. `mark`: the end of its unknowns' names.
+[[nodiscard]] Theory symmetric_punch(const std::string& punch, const std::string& parts,
+                                     const std::string& beyond, const std::string& mark = "");
 
 /// The contact with Es = C = a = 1 of g'(x) = C sgn(x) |x|^m, for m = 0 or 1, and x = 1/2 in it.
 /// The names of its unknowns end in `mark`, so that two of them can stand in one theorem.

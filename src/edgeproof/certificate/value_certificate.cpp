@@ -21,9 +21,7 @@ std::string theorem(const std::string& name, const Theory& theory, const Expr& f
         fmt::format("Rabs (({}) - ({}))", statement(formula), statement(exact));
     const std::string conclusion = least ? fmt::format("{} <= {}", *least, difference)
                                          : fmt::format("{} <= {}", difference, agreement);
-    return theorem_text(
-        name, statement.text(conclusion),
-        statement.proof(fmt::format("unfold {}; numbers constants", theory.unfold)));
+    return theorem_text(name, statement.text(conclusion), statement.proof("numbers constants"));
 }
 
 std::optional<Expr> correction(const audit::ClaimResult& result) {
@@ -89,7 +87,7 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     const std::string name = coq_name(claim.id);
     if (!refuted) {
         const Theory& theory = theories.front().theory;
-        certificate.text = file_head(claim, ledger, theory) + constants(theory) +
+        certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
                            theorem(name + "_agrees", theory, printed, exact, std::nullopt);
         certificate.theorems = {{name + "_agrees", "at one contact, |printed - exact| <= 1e-12"}};
         certificate.leaves_out = "all other contacts";
@@ -102,7 +100,7 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     }
     const Theory& theory = sample->theory;
     const std::string least = fraction_below(gap.least);
-    certificate.text = file_head(claim, ledger, theory) + constants(theory) +
+    certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
                        theorem(name + "_refuted", theory, printed, exact, least);
     certificate.theorems = {
         {name + "_refuted", fmt::format("at one contact, |printed - exact| >= {}", least)}};

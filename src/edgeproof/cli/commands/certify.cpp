@@ -2,13 +2,19 @@
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/certificate/certificate_folder.hpp"
+#include "edgeproof/certificate/scene_certificate.hpp"
 #include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/judged_ledger.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/program_line.hpp"
+#include "edgeproof/scene/input/file_kind.hpp"
 
 #include <fmt/format.h>
 
@@ -16,13 +22,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::cli {
 namespace {
 
 struct CertifyOptions {
-    std::string ledger;
+    std::string file;
     std::string out;
     std::string only = "*";
     int threads = 0;
@@ -31,8 +39,34 @@ struct CertifyOptions {
 // What theorems state depends on verdicts and corrections, for which 30 digits suffice.
 constexpr unsigned digits_of_verdicts = 30;
 
-int certify(const CertifyOptions& o) {
-    const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
+/// Into --out, whole or not at all; how many there are.
+void write_folder(const CertifyOptions& o, io::StagedFolder& staged,
+                  const std::vector<certificate::Certificate>& all, std::string of,
+                  std::string things) {
+    const std::string only = o.only == "*" ? "" : fmt::format(" --only '{}'", o.only);
+    try {
+        write_certificates(all, staged.path(),
+                           {std::move(of), things,
+                            fmt::format("edgeproof certify {} --out DIR{}",
+                                        std::filesystem::path(o.file).filename().string(), only),
+                            std::string(report::program_version)});
+    } catch (const InputError& error) {
+        throw staged.told(error);
+    }
+    staged.commit();
+    std::size_t theorems = 0;
+    std::size_t with = 0;
+    for (const certificate::Certificate& c : all) {
+        theorems += c.theorems.size();
+        with += c.theorems.empty() ? 0 : 1;
+    }
+    std::printf("%zu theorems about %zu of %zu %s; check them with: make -j2 -C %s\n", theorems,
+                with, all.size(), things.c_str(), o.out.c_str());
+}
+
+int certify_ledger(const CertifyOptions& o, const std::string& text) {
+    const audit::Ledger ledger =
+        audit::parse_ledger(text, io::input_name(o.file), audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
@@ -43,42 +77,60 @@ int certify(const CertifyOptions& o) {
     for (const audit::ClaimResult& claim : result.claims) {
         all.push_back(certificate::certify(claim, ledger));
     }
-    try {
-        const std::string only = o.only == "*" ? "" : fmt::format(" --only '{}'", o.only);
-        write_certificates(all, staged.path(), ledger.name,
-                           fmt::format("edgeproof certify {} --out DIR{}",
-                                       std::filesystem::path(o.ledger).filename().string(), only),
-                           std::string(report::program_version));
-    } catch (const InputError& error) {
-        throw staged.told(error);
-    }
-    staged.commit();
-    std::size_t theorems = 0;
-    std::size_t claims = 0;
-    for (const certificate::Certificate& c : all) {
-        theorems += c.theorems.size();
-        claims += c.theorems.empty() ? 0 : 1;
-    }
-    std::printf("%zu theorems about %zu of %zu claims; check them with: make -j2 -C %s\n", theorems,
-                claims, all.size(), o.out.c_str());
+    write_folder(o, staged, all, "the ledger " + ledger.name, "claims");
     return result.errors.empty() ? 0 : report_claim_errors(result.errors);
+}
+
+/// All that a scene asks for and that theorems are stated about.
+int certify_scene(const CertifyOptions& o, const std::string& text) {
+    if (o.only != "*") {
+        throw InputError("--only chooses claims of a ledger, and " + o.file + " is a scene",
+                         "leave it out, and ask in [ask] for what you want");
+    }
+    scene::Scene scene = scene::parse_scene(text, io::input_name(o.file));
+    ask_terms(scene);
+    scene.ask.digits.rounding = Rounding::nearest;
+    scene.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
+    if (!scene.ask.u.empty()) {
+        scene.ask.quantities.insert(scene::QuantityGroup::pressure);
+    }
+    if (scene.ask.tolerance) {
+        scene.ask.quantities.insert(scene::QuantityGroup::extent);
+    }
+    io::StagedFolder staged(o.out);
+    const std::vector<certificate::Certificate> all =
+        certificate::certify_scene(scene, done(scene));
+    write_folder(o, staged, all, "the scene " + title_of(scene), "quantities");
+    for (const certificate::Certificate& c : all) {
+        if (c.theorems.empty()) {
+            std::printf("%s: not stated: %s\n", c.id.c_str(), c.leaves_out.c_str());
+        }
+    }
+    return 0;
+}
+
+int certify(const CertifyOptions& o) {
+    const std::string text = io::read_text(o.file, "ledger or scene (TOML)", io::most_toml_bytes);
+    const io::TomlSection top = io::TomlSection::parse(text, io::input_name(o.file));
+    return scene::file_kind(top) == scene::FileKind::scene ? certify_scene(o, text)
+                                                           : certify_ledger(o, text);
 }
 
 } // namespace
 
 void add_certify(CLI::App& app, int& code) {
-    CLI::App* sub =
-        app.add_subcommand("certify", "state the verdicts on a ledger as theorems that Coq checks");
+    CLI::App* sub = app.add_subcommand(
+        "certify", "state the verdicts on a ledger, or the values of a scene, as "
+                   "theorems that Coq checks");
     auto o = std::make_shared<CertifyOptions>();
-    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
-    sub->add_option("--out", o->out,
-                    "folder for a Coq file a claim, Makefile, index.csv, README.md")
+    sub->add_option("file", o->file, "the ledger or the scene (TOML)")->required();
+    sub->add_option("--out", o->out, "folder for the Coq files, Makefile, index.csv, README.md")
         ->required();
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
     sub->callback([o, &code] {
-        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
+        o->file = file_or_shipped(file_or_shipped(o->file, shipped_ledgers), shipped_scenes);
         code = certify(*o);
     });
 }

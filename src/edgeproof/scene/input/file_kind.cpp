@@ -41,6 +41,17 @@ const KindOfFile& of(FileKind kind) { return file_kinds.at(static_cast<std::size
 
 } // namespace
 
+std::optional<FileKind> file_kind(const io::TomlSection& top) {
+    for (const KindOfFile& kind : file_kinds) {
+        for (const std::string_view mark : kind.marks) {
+            if (top.has(mark)) {
+                return kind.kind;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 void expect_file_kind(const io::TomlSection& top, FileKind expected) {
     for (const std::string_view mark : of(expected).marks) {
         if (top.has(mark)) {

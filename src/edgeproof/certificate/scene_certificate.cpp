@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/scene_certificate.hpp"
+
+#include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/certificate/sampled_statement.hpp"
+#include "edgeproof/certificate/stated_contact.hpp"
+#include "edgeproof/formula/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace edgeproof::certificate {
+namespace {
+
+using scene::BoundedValue;
+
+std::string edge_name(contact::Edge edge) {
+    return edge == contact::Edge::right ? "right" : "left";
+}
+
+/// "Rabs (p0 - (value)) <= half a unit of its last digit", and the value as it is printed.
+struct Rounded {
+    std::string conclusion;
+    std::string text;
+};
+Rounded rounded(const std::string& name, const BoundedValue& value, const scene::Digits& digits) {
+    const std::string text = printed(value, digits).text;
+    const CoqDecimal decimal = coq_decimal(text);
+    // What is not told from zero is zero to the digits that are asked for.
+    const long last = decimal.value == 0 ? -static_cast<long>(digits.count) : decimal.last;
+    return {fmt::format("Rabs ({} - ({})) <= {}", name, decimal.text,
+                        last <= 0 ? fmt::format("5 / 10 ^ {}", 1 - last)
+                                  : fmt::format("5 * 10 ^ {}", last - 1)),
+            text};
+}
+
+/// The right edge: as it is given, or of a force where it has a closed form.
+formula::Exact right_edge(const scene::Scene& scene) {
+    if (scene.load.kind == contact::Load::Kind::right_edge) {
+        return scene.load.value;
+    }
+    std::map<std::string, formula::Exact> parameters = scene.profile->parameters();
+    parameters.insert_or_assign("P", scene.load.value);
+    parameters.insert_or_assign("Es", scene.contact_modulus);
+    const auto of_these = [&](const std::string& text) {
+        formula::Symbols symbols;
+        for (const auto& [name, value] : parameters) {
+            symbols.add(name);
+        }
+        formula::Expr e = formula::parse(text, symbols);
+        for (const auto& [name, value] : parameters) {
+            e = substitute(e, name, value.expr());
+        }
+        return formula::Exact(e);
+    };
+    const auto m = parameters.find("m");
+    if (scene.profile->kind() == contact::Profile::Kind::tilted_wedge) {
+        return of_these("P/(Es*phi)/sqrt((1 - sin(pi*alpha/(2*phi)))/(1 + sin(pi*alpha/(2*phi))))");
+    }
+    if (m != parameters.end() && m->second.is_rational() && m->second.rational() == 0) {
+        return of_these("P/(Es*C)");
+    }
+    if (m != parameters.end() && m->second.is_rational() && m->second.rational() == 1) {
+        return of_these("sqrt(4*P/(pi*Es*C))");
+    }
+    throw NotStated("of a force, a contact is stated of wedges and parabolas alone: of others the "
+                    "edge is the root of an equation; give a");
+}
+
+class SceneTheorems {
+public:
+    SceneTheorems(const scene::Scene& scene, const scene::SceneResult& result)
+        : scene_(scene), result_(result) {}
+
+    std::vector<Certificate> all() {
+        add("load", [&](Certificate& c) { load(c); });
+        for (const scene::EdgeValues& edge : result_.coefficients) {
+            add("coefficients." + edge_name(edge.edge),
+                [&](Certificate& c) { coefficients(c, edge); });
+        }
+        for (const contact::Edge edge : scene_.ask.edges) {
+            pressures(edge);
+        }
+        for (const scene::ExtentValues& extent : result_.extents) {
+            add(fmt::format("extent.{}.{}", edge_name(extent.edge), extent.n),
+                [&](Certificate& c) { first_exit(c, extent); });
+        }
+        if (scene_.shear) {
+            add("shear", [](Certificate&) { throw NotStated("of shear nothing is stated"); });
+        }
+        return std::move(certificates_);
+    }
+
+private:
+    /// A certificate, or why there is none.
+    void add(const std::string& id, const std::function<void(Certificate&)>& state) {
+        Certificate c;
+        c.id = id;
+        c.verdict = "value";
+        c.file = coq_name(id) + ".v";
+        try {
+            state(c);
+        } catch (const NotStated& reason) {
+            c.theorems.clear();
+            c.text.clear();
+            c.leaves_out = reason.what();
+        }
+        certificates_.push_back(std::move(c));
+    }
+
+    const StatedContact& contact() {
+        if (!scene_.profile) {
+            throw NotStated("a contact is stated of which the tilt is given, not of P and M");
+        }
+        if (!contact_) {
+            contact_ = stated_contact(*scene_.profile, right_edge(scene_), scene_.contact_modulus);
+        }
+        return *contact_;
+    }
+    [[nodiscard]] std::string comment() const {
+        std::string name = scene_.title.empty() ? scene_.file : scene_.title;
+        return "(* Of the scene: " + in_comment(std::move(name)) + " *)\n";
+    }
+    /// Of a value at the distance u from the edge.
+    [[nodiscard]] std::string proof_by_bits(double u = 1, double length = 1) const {
+        const double lost = std::max(0.0, std::log2(length / u)); // roots of small numbers
+        return fmt::format("plain constants; integrals; interval with (i_prec {})",
+                           static_cast<long>(3.33 * scene_.ask.digits.count + 64 + lost));
+    }
+
+    void load(Certificate& c) {
+        const Fact& fact = contact().load;
+        if (!result_.contact.force) {
+            throw NotStated("the load was not computed");
+        }
+        const Rounded value = rounded("P0", *result_.contact.force, scene_.ask.digits);
+        c.text =
+            contact().head(comment()) +
+            theorem_text("load_rounded",
+                         "exists P0,\n  " + fact.statement + " /\\\n  " + value.conclusion,
+                         "  eexists. split. { " + fact.proof + ". }\n  " + proof_by_bits() + ".\n");
+        c.theorems = {{"load_rounded", "P = " + value.text + ", rounded"}};
+        c.leaves_out = "that there is no other load";
+    }
+
+    void coefficients(Certificate& c, const scene::EdgeValues& values) {
+        const Fact& series = contact().at(values.edge).series;
+        std::string conclusions;
+        std::string states;
+        const std::size_t count = std::min<std::size_t>(values.c.size(), 3);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Rounded value = rounded(series.unknowns[k], values.c[k], scene_.ask.digits);
+            conclusions += " /\\\n  " + value.conclusion;
+            states += fmt::format("{}c_{} = {}", k == 0 ? "" : ", ", k, value.text);
+        }
+        const std::string name = "coefficients_" + edge_name(values.edge);
+        c.text = contact().head(comment()) +
+                 theorem_text(name, "exists r0 r1 r2,\n  " + series.statement + conclusions,
+                              "  eexists. eexists. eexists. split. { " + series.proof +
+                                  ". }\n  repeat split; " + proof_by_bits() + ".\n");
+        c.theorems = {{name, states + ", rounded"}};
+        c.leaves_out = count < values.c.size() ? "coefficients beyond the third" : "";
+    }
+
+    void pressures(contact::Edge edge) {
+        Certificate all;
+        all.id = "pressure." + edge_name(edge);
+        all.verdict = "value";
+        all.file = coq_name(all.id) + ".v";
+        std::vector<Certificate> others;
+        for (const scene::PointRow& row : result_.points) {
+            if (row.edge != edge || !row.values.p) {
+                continue;
+            }
+            try {
+                pressure(all, row);
+            } catch (const NotStated& reason) {
+                add(fmt::format("{}: u = {}", all.id, row.asked),
+                    [&](Certificate&) { throw NotStated(reason); });
+            }
+        }
+        if (!all.theorems.empty()) {
+            std::vector<std::string> names;
+            for (const Certificate::Theorem& theorem : all.theorems) {
+                names.push_back(theorem.name);
+            }
+            all.text = contact().head(comment()) + all.text + assumptions(names);
+            all.leaves_out = "that there is no other pressure";
+            certificates_.push_back(std::move(all));
+        }
+    }
+    void pressure(Certificate& c, const scene::PointRow& row) {
+        const StatedEdge& edge = contact().at(row.edge);
+        if (row.values.u) {
+            throw NotStated("places are stated by a number: give u");
+        }
+        const auto u = row.u.to<double>();
+        const auto proofs = edge.at(u, "u = " + row.u.text());
+        const Rounded value = rounded("p0", *row.values.p, scene_.ask.digits);
+        const std::string name =
+            fmt::format("pressure_{}_{}", edge_name(row.edge), c.theorems.size() + 1);
+        c.text += bare_theorem(name,
+                               "exists p0,\n  " + edge.pressure_at(in_coq(row.u), "p0") +
+                                   " /\\\n  " + value.conclusion,
+                               "  eexists. split. { " + proofs.pressure + ". }\n  " +
+                                   proof_by_bits(u, edge.distance) + ".\n");
+        c.theorems.push_back({name, fmt::format("p = {} at u = {} from the {} edge, rounded",
+                                                value.text, row.asked, edge_name(row.edge))});
+    }
+
+    void first_exit(Certificate& c, const scene::ExtentValues& extent) {
+        const StatedEdge& edge = contact().at(extent.edge);
+        if (!extent.leaves) {
+            throw NotStated("there is no first exit");
+        }
+        const auto u = static_cast<double>(extent.first_exit.value.midpoint());
+        // Four digits on both sides, a tenth of a unit away at least.
+        const double tenth = std::pow(10.0, std::floor(std::log10(u)) - 4);
+        const ExtentStatement statement{extent.n, *scene_.ask.tolerance,
+                                        coq_decimal(u - tenth, 4, false),
+                                        coq_decimal(u + tenth, 4, true), ""};
+        const std::string name = fmt::format("extent_{}_{}", edge_name(extent.edge), extent.n);
+        c.text = contact().head(comment()) + extent_theorem(name, edge, statement);
+        c.theorems = {{name, fmt::format("{} terms stay within {} for u up to {}, and not at {}",
+                                         extent.n, scene_.ask.tolerance->text(),
+                                         statement.within.text, statement.beyond.text)}};
+        c.leaves_out = "the measure, and later crossings";
+    }
+
+    const scene::Scene& scene_;
+    const scene::SceneResult& result_;
+    std::optional<StatedContact> contact_;
+    std::vector<Certificate> certificates_;
+};
+
+} // namespace
+
+std::vector<Certificate> certify_scene(const scene::Scene& scene,
+                                       const scene::SceneResult& result) {
+    return SceneTheorems(scene, result).all();
+}
+
+} // namespace edgeproof::certificate

@@ -263,7 +263,7 @@ ProgramRun run_program(const ProgramCall& call) {
     }
     const bool killed = run.too_much || run.timed_out;
     child.end();
-    const int status = child.wait(run.processor_seconds);
+    const int status = child.wait(&run.processor_seconds);
     if (!killed) {
         // A pipe holds less than is read at once: all of what it wrote is here now.
         listener.read();

@@ -71,8 +71,7 @@ ChildGroup::ChildGroup(const std::function<pid_t()>& start) : pid_(-1) {
 ChildGroup::~ChildGroup() {
     if (pid_ > 0) {
         end();
-        double ignored = 0;
-        (void)wait(ignored);
+        (void)wait();
     }
 }
 
@@ -84,7 +83,7 @@ bool ChildGroup::ended() const {
            info.si_pid == pid_;
 }
 
-int ChildGroup::wait(double& processor_seconds) {
+int ChildGroup::wait(double* processor_seconds) {
     siginfo_t info{};
     while (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 &&
            errno == EINTR) {
@@ -102,7 +101,9 @@ int ChildGroup::wait(double& processor_seconds) {
     const auto seconds = [](const timeval& t) {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
     };
-    processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+    if (processor_seconds != nullptr) {
+        *processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+    }
     pid_ = -1;
     return status;
 }

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] bool ended() const;
     /// Waits for the child, ends what it left behind in its group, and gives its status (as
     /// waitpid does). `processor_seconds`: set to what it took.
-    int wait(double& processor_seconds);
+    int wait(double* processor_seconds = nullptr);
 
 private:
     pid_t pid_;

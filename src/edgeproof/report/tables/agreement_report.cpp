@@ -130,7 +130,7 @@ bool Conformance::failed(std::size_t i) const {
 bool Conformance::pass() const {
     ConformanceSummary summary(target, 0);
     summary.add(answers, agreements);
-    summary.add(conventions);
+    summary.add(conventions, unexplained(answers, agreements, conventions));
     return summary.pass();
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
           }) == 0);
     ChildGroup leader([] { return start_shell("sleep 100 & exit 7"); });
     double seconds = -1;
-    CHECK(WEXITSTATUS(leader.wait(seconds)) == 7);
+    CHECK(WEXITSTATUS(leader.wait(&seconds)) == 7);
     CHECK(seconds >= 0);
     CHECK(seconds < 5);
     ::close(ends[1]);

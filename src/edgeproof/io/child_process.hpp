@@ -31,7 +31,7 @@ struct ProgramRun {
     int exit_code = 0;
     int signal = 0; ///< that ended it; 0: none
     bool timed_out = false;
-    bool too_much = false; ///< more output than most_output, which is all that is kept
+    bool too_much = false;        ///< more output than most_output, which is all that is kept
     double processor_seconds = 0; ///< of the program, and of what it started and waited for
 
     /// "ended with exit code 3", "was ended by signal 11 (...)"; empty where it ended well.

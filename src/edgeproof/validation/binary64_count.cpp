@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/validation/binary64_count.hpp"
 
-#include "edgeproof/parallel/parallel_for.hpp"
-#include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/validation/state_text.hpp"
+#include "edgeproof/validation/contacts_counted.hpp"
 
-#include <mutex>
 #include <sstream>
 
 namespace edgeproof::validation {
 namespace {
-
-constexpr std::size_t contacts_between_checkpoints = 20;
 
 std::string head(const Binary64State& s) {
     return "edgeproof bounds binary64, seed " + std::to_string(s.seed) + ", values " +
@@ -40,38 +35,10 @@ Binary64Count count_binary64(const Binary64Options& options, Binary64State& stat
     state.seed = options.seed;
     state.values = options.values;
     const ContactSizes sizes{options.values, places_a_contact};
-    const std::vector<std::size_t> left = contacts_left(sizes.contacts(), state.contacts);
-    std::size_t done = sizes.but(left);
-    std::map<std::size_t, std::vector<std::string>> findings;
-    std::mutex mutex;
-    std::size_t since = 0;
-    try {
-        parallel::work_through(
-            parallel::all_pieces(left.size()), options.threads, [&](std::size_t i) {
-                const std::size_t number = left[i];
-                Binary64Contact found = count_binary64_contact(options, number, sizes.of(number));
-                const std::lock_guard lock(mutex);
-                state.contacts[number] = found.cells;
-                findings[number] = std::move(found.findings);
-                done += sizes.of(number);
-                if (options.progress) {
-                    options.progress(done, options.values);
-                }
-                if (options.checkpoint && ++since == contacts_between_checkpoints) {
-                    since = 0;
-                    options.checkpoint(state);
-                }
-            });
-    } catch (const Interrupted&) {
-        if (options.checkpoint) {
-            options.checkpoint(state);
-        }
-        throw Interrupted("interrupted after " + std::to_string(done) + " of " +
-                          std::to_string(options.values) + " values");
-    }
-    if (options.checkpoint) {
-        options.checkpoint(state);
-    }
+    const auto findings = count_contacts_left<std::string>(
+        options, state, sizes, [&options](std::size_t number, std::size_t values) {
+            return count_binary64_contact(options, number, values);
+        });
     Binary64Count count;
     count.contacts = state.contacts.size();
     for (const auto& [number, cells] : state.contacts) {
@@ -82,7 +49,7 @@ Binary64Count count_binary64(const Binary64Options& options, Binary64State& stat
         }
     }
     count.total = total_of(count.cells);
-    for (auto& [number, list] : findings) {
+    for (const auto& [number, list] : findings) {
         count.findings.insert(count.findings.end(), list.begin(), list.end());
     }
     return count;

@@ -4,7 +4,10 @@
  *
  * s^2 = x^2 + w^2 takes the singularity at s = x away; x below the end of the flat: s = t/cos(phi).
  * With the argument "mapped" the singularities beside the interval are moved away as well:
- * w = d sinh(y), phi = d sinh(y), d their distance. */
+ * w = d sinh(y), phi = d sinh(y), d their distance. With "parts" the flat-and-rounded integral is
+ * taken by parts first, which leaves an algebraic integrand:
+ *   sqrt(1 - x^2) acos(t) - t times the integral of sqrt(s^2 - x^2)/(s sqrt(s^2 - t^2)),
+ * with s^2 = x^2 + w^2, or t^2 + w^2 for x below the end of the flat. */
 #if __has_include(<flint/acb_calc.h>)
 #include <flint/acb.h>
 #include <flint/acb_calc.h>
@@ -22,10 +25,34 @@
 #include <time.h>
 
 typedef struct {
-    int flat, above, mapped;
+    int flat, above, mapped, parts;
     arb_t x, t, m, d;
     long evaluations;
 } contact;
+
+/* t w^2/((x^2 + w^2) sqrt(w^2 + d^2)); below: t sqrt(w^2 + d^2)/(w^2 + t^2). */
+static int by_parts(acb_ptr out, const acb_t w, void* param, slong order, slong prec) {
+    contact* c = param;
+    acb_t square, root;
+    ++c->evaluations;
+    acb_init(square), acb_init(root);
+    acb_mul(square, w, w, prec);
+    acb_set(root, square);
+    arb_addmul(acb_realref(root), c->d, c->d, prec);
+    acb_sqrt_analytic(root, root, order != 0, prec);
+    if (c->above) {
+        acb_set(out, square);
+        arb_addmul(acb_realref(square), c->x, c->x, prec);
+        acb_mul(square, square, root, prec);
+    } else {
+        acb_set(out, root);
+        arb_addmul(acb_realref(square), c->t, c->t, prec);
+    }
+    acb_div(out, out, square, prec);
+    acb_mul_arb(out, out, c->t, prec);
+    acb_clear(square), acb_clear(root);
+    return 0;
+}
 
 /* f analytic where sqrt and acos are; order 1 asks to say where it is not. */
 static int integrand(acb_ptr out, const acb_t z, void* param, slong order, slong prec) {
@@ -110,7 +137,16 @@ static void pressure(arb_t p, contact* c, const arb_t u, const arb_t K, slong go
     c->evaluations = 0;
     arb_sub_ui(c->x, u, 1, prec);
     arb_neg(c->x, c->x);
-    if (c->flat && !c->above) { /* phi to acos(t) */
+    if (c->parts && !c->above) { /* w to sqrt(1 - t^2), d^2 = (t - x)(t + x) */
+        arb_sqr(w, c->t, prec);
+        arb_sub_ui(w, w, 1, prec);
+        arb_neg(w, w);
+        arb_sqrt(w, w, prec);
+        arb_sub(c->d, c->t, c->x, prec);
+        arb_add(r, c->x, c->t, prec);
+        arb_mul(c->d, c->d, r, prec);
+        arb_sqrt(c->d, c->d, prec);
+    } else if (c->flat && !c->above) { /* phi to acos(t) */
         arb_acos(w, c->t, prec);
         arb_div(r, c->t, c->x, prec);
         arb_acosh(c->d, r, prec);
@@ -135,7 +171,17 @@ static void pressure(arb_t p, contact* c, const arb_t u, const arb_t K, slong go
     mag_set_ui_2exp_si(tolerance, 1, -goal - 64);
     acb_calc_integrate_opt_t options;
     acb_calc_integrate_opt_init(options);
-    acb_calc_integrate(sum, integrand, c, lo, hi, goal, tolerance, options, prec);
+    acb_calc_integrate(sum, c->parts ? by_parts : integrand, c, lo, hi, goal, tolerance, options,
+                       prec);
+    if (c->parts) {
+        arb_sub_ui(r, u, 2, prec);
+        arb_mul(r, r, u, prec);
+        arb_neg(r, r);
+        arb_sqrt(r, r, prec);
+        arb_acos(w, c->t, prec);
+        arb_mul(r, r, w, prec);
+        arb_sub(acb_realref(sum), r, acb_realref(sum), prec);
+    }
     arb_mul(p, acb_realref(sum), K, prec);
     arb_const_pi(r, prec);
     arb_div(p, p, r, prec);
@@ -144,6 +190,7 @@ static void pressure(arb_t p, contact* c, const arb_t u, const arb_t K, slong go
 
 int main(int argc, char** argv) {
     const int mapped = argc > 1 && strcmp(argv[1], "mapped") == 0;
+    const int parts = argc > 1 && strcmp(argv[1], "parts") == 0;
     const double enough = argc > 2 ? atof(argv[2]) : 5e-3; /* seconds a point */
     static char line[1 << 16], id[64], family[16], text[5][8192];
     long digits;
@@ -163,6 +210,7 @@ int main(int argc, char** argv) {
         c.mapped = mapped && strtod(text[0], NULL) < 1; /* at x = 0 there is nothing beside it */
         arb_sub_ui(p, u, 1, prec + 400);
         arb_neg(p, p);
+        c.parts = parts && c.flat;
         c.above = !c.flat || arb_ge(p, c.t);
         double times[64];
         size_t n = 0;

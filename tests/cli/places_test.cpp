@@ -107,7 +107,9 @@ TEST_CASE("places that are none: one line") {
     const std::pair<std::string, const char*> all[] = {
         {given + ask("u = \"3*a\""),
          "s.toml:8: u = 3*a from the right edge: the point lies outside"},
-        {given + ask("x = \"-2*b\""), "s.toml:8: x = -2*b: the point lies outside the contact"},
+        {given + ask("x = \"-2*b\""),
+         "s.toml:8: x = -2*b: the point lies outside the contact; give places of the contact, "
+         "-b < x < a, off every corner"},
         {given + ask("u = \"a - b\""), "s.toml:8: u = a - b from the right edge: the point is on"},
         {given + ask("x = \"a\""), "s.toml:8: x = a: the point is on an edge"},
         {given + ask("u = [\"0.1\",\n\"c/2\"]"), "s.toml:9: u = \"c/2\": "},

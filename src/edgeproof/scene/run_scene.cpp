@@ -84,7 +84,8 @@ private:
                     (by_x ? asked.text()
                           : "u = " + asked.text() + " from the " + edge_name(edge) + " edge") +
                         ": " + error.what(),
-                    "give distances from the edge, 0 < u < a + b, off every corner")
+                    by_x ? "give places of the contact, -b < x < a, off every corner"
+                         : "give distances from the edge, 0 < u < a + b, off every corner")
                     .at(scene_.file, asked.line != 0 ? asked.line : scene_.ask_line);
             }
         }

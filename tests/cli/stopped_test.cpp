@@ -145,7 +145,9 @@ TEST_CASE("verify --out: a full disk, and a folder that goes, are one line each"
     }
     CHECK(gone.code == 2);
     CHECK(lines(gone.err).size() == 1);
-    CHECK(gone.err.find("d/e") != std::string::npos);
+    // Before or after the folder beside the result was made: both say what is in the way.
+    CHECK((gone.err.find("d/e") != std::string::npos ||
+           gone.err.rfind("edgeproof: cannot write into d: ", 0) == 0));
     CHECK(run(folder, "verify own.toml --digits 20 --out full").code == 0);
     CHECK(files_of(folder.path() / "full") == whole);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_limits.hpp"

@@ -113,7 +113,7 @@ Told told(const Injected& cause, const BodyConstants& bodies, double noise, std:
     Tolerances strict;
     strict.pressure = 1e-9;
     const FileComparison file =
-        compare_file(parse_result(text, "r"), exact, strict, Rational(0), &scene);
+        compare_file(parse_result(text, "r"), exact, strict, Rational(0), &suspects);
     Told result;
     if (!file.diagnosis || file.diagnosis->causes.empty()) {
         result.nothing = true;
@@ -158,6 +158,7 @@ TEST_CASE("causes: what data cannot tell apart is said to be so") {
     CHECK(modulus.alike >= 2);
     const Scene scene = parse_scene(like.scene_text(), "s.toml");
     const ExactContact exact(scene);
+    SuspectContacts suspects(scene);
     HertzInputs h{2 * like.star()};
     std::string text = "x,p\n";
     for (int i = -40; i <= 40; ++i) {
@@ -166,7 +167,7 @@ TEST_CASE("causes: what data cannot tell apart is said to be so") {
         text += row;
     }
     const FileComparison file =
-        compare_file(parse_result(text, "r"), exact, {}, Rational(0), &scene);
+        compare_file(parse_result(text, "r"), exact, {}, Rational(0), &suspects);
     REQUIRE(file.diagnosis);
     REQUIRE(file.diagnosis->causes.size() >= 2);
     const Cause& first = file.diagnosis->causes.front();
@@ -179,6 +180,7 @@ TEST_CASE("causes: what data cannot tell apart is said to be so") {
 TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake") {
     const Scene scene = parse_scene(unlike.scene_text(), "s.toml");
     const ExactContact exact(scene);
+    SuspectContacts suspects(scene);
     const auto diagnosed = [&](const std::function<double(double)>& p) {
         std::string text = "x,p\n";
         const double a = exact.a().value;
@@ -190,7 +192,7 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
         }
         Tolerances strict;
         strict.pressure = 0.001;
-        return compare_file(parse_result(text, "r"), exact, strict, Rational(0), &scene);
+        return compare_file(parse_result(text, "r"), exact, strict, Rational(0), &suspects);
     };
     const HertzInputs right{unlike.star()};
     for (const double factor : {1.1, 1.7, 0.8, 2.1, 40.0}) {
@@ -220,6 +222,7 @@ TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for
                              "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
     const Scene scene = parse_scene(text, "s.toml");
     const ExactContact exact(scene);
+    SuspectContacts suspects(scene);
     // Its own values, misplaced: the mistake is in the places.
     const auto diagnosed = [&](const std::function<double(double)>& p) {
         std::string rows = "x,p\n";
@@ -229,7 +232,7 @@ TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for
             std::snprintf(row, sizeof row, "%.17g,%.17g\n", x, p(x));
             rows += row;
         }
-        return compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &scene);
+        return compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &suspects);
     };
     const auto first_name = [](const FileComparison& file) {
         return file.diagnosis && !file.diagnosis->causes.empty() ? file.diagnosis->causes[0].name

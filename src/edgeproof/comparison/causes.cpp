@@ -188,7 +188,7 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
 } // namespace
 
 Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
-                   const scene::Scene& scene, const ExactContact& exact) {
+                   SuspectContacts& suspects, const ExactContact& exact) {
     Observed observed{looked_at(data),
                       {},
                       std::max(contact.element[0], contact.element[1]),
@@ -201,7 +201,7 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
         right.values.push_back(node.exact.p.value_or(std::nan("")));
     }
     Diagnosis diagnosis = diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_suspect(observed.nodes, scene, exact, take);
+        for_each_suspect(observed.nodes, suspects, exact, take);
     });
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
         if (const auto cause = cause_in_digits(table, data, exact)) {
@@ -212,7 +212,7 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
 }
 
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                         const scene::Scene& scene, const ExactContact& exact) {
+                         SuspectContacts& suspects, const ExactContact& exact) {
     Observed observed{looked_at(data),
                       {},
                       std::max(contact.element[0], contact.element[1]),
@@ -225,7 +225,7 @@ Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
         right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
     }
     return diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_shear_suspect(observed.nodes, scene, exact, take);
+        for_each_shear_suspect(observed.nodes, suspects, exact, take);
     });
 }
 

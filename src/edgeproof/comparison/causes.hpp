@@ -3,7 +3,7 @@
 #include "edgeproof/comparison/alignment.hpp"
 #include "edgeproof/comparison/data_edges.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/comparison/suspect_contacts.hpp"
 
 #include <string>
 #include <vector>
@@ -39,10 +39,10 @@ struct Diagnosis {
 /// likely: the data do not tell them apart. Data that carry too few digits, or are binary32, and
 /// agree but for that, have that cause. None is proved. Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
-                                 const DataContact& contact, const scene::Scene& scene,
+                                 const DataContact& contact, SuspectContacts& suspects,
                                  const ExactContact& exact);
 /// The same of the shear traction, where the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                                       const scene::Scene& scene, const ExactContact& exact);
+                                       SuspectContacts& suspects, const ExactContact& exact);
 
 } // namespace edgeproof::comparison

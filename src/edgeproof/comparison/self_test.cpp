@@ -118,8 +118,8 @@ public:
 
     void contact(const TestedContact& tested) {
         const bool shear = tested.keys.contains("shear.Q");
-        const scene::Scene scene = scene::parse_scene(scene_text(tested.keys), "self-test.toml");
-        const ExactContact exact(scene);
+        SuspectContacts suspects(scene::parse_scene(scene_text(tested.keys), "self-test.toml"));
+        const ExactContact exact(suspects.scene());
         for (const InjectedMistake& mistake : injected_mistakes()) {
             if (mistake.of_shear != shear) {
                 continue;
@@ -127,20 +127,20 @@ public:
             const auto program = mistake.make(tested.keys);
             const auto data = program ? computed(*program, shear) : std::nullopt;
             for (std::size_t i = 0; data && i < noise_levels.size(); ++i) {
-                trial(tested, scene, exact, mistake, *data, i);
+                trial(tested, suspects, exact, mistake, *data, i);
             }
         }
     }
 
 private:
-    void trial(const TestedContact& tested, const scene::Scene& scene, const ExactContact& exact,
+    void trial(const TestedContact& tested, SuspectContacts& suspects, const ExactContact& exact,
                const InjectedMistake& mistake, const Data& data, std::size_t level) {
         const double noise = noise_levels[level];
         Tolerances strict;
         strict.pressure = no_effect;
         const auto compared = [&](double at) {
             return compare_file(parse_result(table_of(data, at, seed_), "self-test.csv"), exact,
-                                strict, {}, &scene);
+                                strict, {}, &suspects);
         };
         const Moved effect = moved(clean(mistake, tested, compared), mistake.of_shear, exact);
         if (effect.by < no_effect) {

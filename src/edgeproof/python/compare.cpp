@@ -95,11 +95,12 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             }
             const comparison::ExactContact exact(scene);
             report.exact = &exact;
+            comparison::SuspectContacts suspects(scene);
             auto& files = report.comparison.files;
             for (comparison::ResultTable& table : tables) {
                 progress(files.size(), tables.size());
                 files.push_back(comparison::compare_file(std::move(table), exact,
-                                                         report.comparison.tolerances, at, &scene));
+                                                         report.comparison.tolerances, at, &suspects));
             }
             progress(files.size(), tables.size());
             if (files.size() > 1) {

@@ -137,11 +137,12 @@ int compare_results(const CompareOptions& o) {
     report.units = scene.units;
     report.exact = &exact;
     {
+        comparison::SuspectContacts suspects(scene);
         Progress progress("files");
         for (comparison::ResultTable& table : tables) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
-                std::move(table), exact, report.comparison.tolerances, origin, &scene));
+                std::move(table), exact, report.comparison.tolerances, origin, &suspects));
         }
     }
     if (report.comparison.files.size() > 1) {

@@ -91,10 +91,12 @@ struct Told {
 };
 
 Told told(const Injected& cause, const BodyConstants& bodies, double noise, std::uint64_t seed) {
-    const Scene scene = parse_scene(bodies.scene_text(), "s.toml");
-    static const ExactContact like_exact(parse_scene(like.scene_text(), "s.toml"));
-    static const ExactContact unlike_exact(parse_scene(unlike.scene_text(), "s.toml"));
+    static SuspectContacts like_suspects(parse_scene(like.scene_text(), "s.toml"));
+    static SuspectContacts unlike_suspects(parse_scene(unlike.scene_text(), "s.toml"));
+    static const ExactContact like_exact(like_suspects.scene());
+    static const ExactContact unlike_exact(unlike_suspects.scene());
     const ExactContact& exact = &bodies == &like ? like_exact : unlike_exact;
+    SuspectContacts& suspects = &bodies == &like ? like_suspects : unlike_suspects;
     HertzInputs h{bodies.star()};
     cause.change(h, bodies);
     std::mt19937_64 random(seed);

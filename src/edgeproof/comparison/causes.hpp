@@ -33,11 +33,12 @@ struct Diagnosis {
 /// Holds data against the pressures that a program with each known mistake would compute
 /// (suspects.hpp). A mistake explains the data where what it leaves is within the data's own
 /// scatter (of second differences from node to node) and an allowance for the mesh, its scale is
-/// one within four standard errors and the same, and it leaves less than three tenths of what is
-/// left without it. The allowance is three thousandths, and no more than a twentieth of what is
-/// left without the mistake. Those that leave as little as the best, to a fifth, are equally
-/// likely: the data do not tell them apart. Data that carry too few digits, or are binary32, and
-/// agree but for that, have that cause. None is proved. Throws Interrupted.
+/// one within four standard errors (of even noise or of noise that goes with the pressure,
+/// whichever is larger) and the same, and it leaves less than three tenths of what is left without
+/// it. The allowance is three thousandths, and no more than a twentieth of what is left without the
+/// mistake. Those that leave as little as the best, to a fifth, are equally likely: the data do not
+/// tell them apart. Data that carry too few digits, or are binary32, and agree but for that, have
+/// that cause. None is proved. Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
                                  const DataContact& contact, SuspectContacts& suspects,
                                  const ExactContact& exact);

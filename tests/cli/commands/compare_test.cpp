@@ -126,6 +126,15 @@ TEST_CASE("compare: JSON, JUnit, a page and figures") {
     }
 }
 
+TEST_CASE("compare: the table of the self-test in the documentation is what it prints" *
+          doctest::test_suite("slow")) {
+    const std::string doc = file_text(source_dir() / "docs" / "compare.md");
+    const Outcome outcome = run(Folder(), "compare --self-test");
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.out, "0 wrongly named"));
+    CHECK_MESSAGE(has(doc, outcome.out), outcome.out);
+}
+
 TEST_CASE("compare: the example of the documentation is what the program prints") {
     const std::string doc = file_text(source_dir() / "docs" / "compare.md");
     const Folder folder;

@@ -5,6 +5,7 @@
 #include "edgeproof/comparison/suspects.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -28,6 +29,7 @@ struct Fit {
     double scale = 1;       ///< of the suspect's values that fits the data best
     double scale_error = 0; ///< standard error of that by the scatter where it stands
     std::size_t nodes = 0;
+    bool largest_told = false; ///< the largest of all errors is at a node that counts here
 
     [[nodiscard]] bool is_scatter(double allowance) const {
         return left <= scatter_allowance * noise + allowance &&
@@ -101,10 +103,15 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     std::vector<std::optional<LeftOver>> left; // of nodes inside the suspect's contact
     double square = 0;
     std::size_t all = 0;
+    std::array<double, 2> worst{}; // of nodes beside an edge, and of those that count
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const double x = data.nodes[i].x;
         const bool within = told(i) && x < suspect.a && x > -suspect.b;
         const double off = told(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
+        if (std::isfinite(suspect.values[i])) {
+            double& most = worst[told(i) ? 1 : 0];
+            most = std::max(most, std::abs(sign * data.values[i] - suspect.values[i]));
+        }
         left.push_back(within ? std::optional(LeftOver{off, suspect.values[i] / largest})
                               : std::nullopt);
         all += told(i) ? 1 : 0;
@@ -117,6 +124,7 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     fit.left = std::sqrt(square / static_cast<double>(all));
     find_scatter(left, fit);
     fit.scale = sign * products / squares;
+    fit.largest_told = worst[1] >= worst[0];
     return fit;
 }
 
@@ -182,6 +190,7 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
+        diagnosis.largest_inside = as_it_is->largest_told;
         diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
     }
     const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);

@@ -26,8 +26,9 @@ struct Diagnosis {
     double unexplained = 0;
     double noise = 0;
     bool at_edges_only = false; ///< those nodes agree to three thousandths, as a mesh's do: what is
-                                ///< off lies at the edges
-    std::vector<Cause> causes;  ///< the likeliest first
+                                ///< off is no mistake's
+    bool largest_inside = false; ///< the largest error is one of those nodes', and at no edge
+    std::vector<Cause> causes;   ///< the likeliest first
 };
 
 /// Holds data against the pressures that a program with each known mistake would compute

@@ -3,6 +3,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/data_elsewhere.hpp"
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -143,6 +144,7 @@ int compare_results(const CompareOptions& o) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
                 std::move(table), exact, report.comparison.tolerances, origin, &suspects));
+            comparison::require_nodes_inside(report.comparison.files.back(), exact);
         }
     }
     if (report.comparison.files.size() > 1) {

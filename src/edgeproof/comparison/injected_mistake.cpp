@@ -193,6 +193,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"power-of-ten", false, x_times(1e3)},
         {"unit-g", false, factor(9.80665)},
         {"unit-psi", false, factor(1 / 6.894757293168)},
+        {"unit-psi", false, factor(1 / 0.006894757293168)},
         {"unit-inch", false, x_times(1 / 25.4)},
         {"e-for-e-star", false, with_modulus([](double E1, double, double, double) { return E1; })},
         {"one-body-modulus", false,

@@ -33,7 +33,7 @@ struct Fit {
 
     [[nodiscard]] bool is_scatter(double allowance) const {
         return left <= scatter_allowance * noise + allowance &&
-               std::abs(scale - 1) <= 4 * scale_error + allowance;
+               std::abs(scale - 1) <= 3 * scale_error + allowance;
     }
 };
 

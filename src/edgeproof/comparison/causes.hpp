@@ -34,7 +34,7 @@ struct Diagnosis {
 /// Holds data against the pressures that a program with each known mistake would compute
 /// (suspects.hpp). A mistake explains the data where what it leaves is within the data's own
 /// scatter (of second differences from node to node) and an allowance for the mesh, its scale is
-/// one within four standard errors (of even noise or of noise that goes with the pressure,
+/// one within three standard errors (of even noise or of noise that goes with the pressure,
 /// whichever is larger) and the same, and it leaves less than three tenths of what is left without
 /// it. The allowance is three thousandths, and no more than a twentieth of what is left without the
 /// mistake. Those that leave as little as the best, to a fifth, are equally likely: the data do not

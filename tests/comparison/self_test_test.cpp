@@ -31,6 +31,21 @@ TEST_CASE("self-test: mistakes in shear are named, and none wrongly") {
     CHECK(tension->at[2].named == 1);
 }
 
+TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
+    const SelfTest test =
+        run_self_test(5, {"two cylinders, unlike materials", "a wedge under P and M"});
+    check_named(test);
+    const auto right = std::ranges::find(test.rows, "", &SelfTestRow::name);
+    REQUIRE(right != test.rows.end());
+    for (const SelfTestCount& count : right->at) {
+        CHECK(count.named == 2); // nothing is said of right data, whatever their noise
+    }
+    // A wedge's angle is its punch's where a moment tilts it.
+    const auto angle = std::ranges::find(test.rows, "tan-of-angle", &SelfTestRow::name);
+    REQUIRE(angle != test.rows.end());
+    CHECK(angle->at[0].named == 1);
+}
+
 TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is named") {
     SelfTest test;
     CHECK_FALSE(test.passes()); // nothing was tried
@@ -41,6 +56,14 @@ TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is
     test.rows[0].at[1] = {1, 0, 0, 0, 0};
     CHECK_FALSE(test.passes());
     test.rows[0].at[1] = {40, 40, 40, 0, 1};
+    CHECK_FALSE(test.passes());
+    test.rows[0].at[1] = {40, 40, 40, 0, 0};
+    SelfTestRow right{"", {}};
+    right.at[2] = {3, 3, 3, 0, 0};
+    test.rows.push_back(right);
+    CHECK(test.passes());
+    CHECK(test.total().cases == 60);
+    test.rows[1].at[2] = {3, 2, 2, 0, 1};
     CHECK_FALSE(test.passes());
 }
 

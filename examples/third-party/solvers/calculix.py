@@ -16,6 +16,7 @@ import tempfile
 
 import numpy as np
 
+import children
 import scenes
 
 
@@ -90,7 +91,7 @@ def solve(scene, elements, arguments):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "pad.inp").write_text(text)
-        run = subprocess.run(["ccx", "pad"], cwd=folder, capture_output=True, text=True, check=False)
+        run = children.run(["ccx", "pad"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         result = folder / "pad.dat"
         if run.returncode != 0 or not result.exists() or result.stat().st_size == 0:
             sys.exit(f"calculix.py: ccx ended with {run.returncode}: {run.stdout[-500:]}")

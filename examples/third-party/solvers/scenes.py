@@ -8,11 +8,12 @@ import math
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tomllib
 
 import numpy as np
+
+import children
 
 NU = 0.3      # of the half-plane: E = contact_modulus (1 - NU^2)
 FINE = 1.5    # half the width of the zone with elements of even width
@@ -126,4 +127,4 @@ def main(program, solve, header, options=()):
         rows = [f"{place:.9g},{pressure:.6E}" for place, pressure in zip(x, p)]
         files[-1].write_text("\n".join([header, *rows]) + "\n")
     command = [edgeproof, "compare", scene.file, *files, *of_compare]
-    sys.exit(subprocess.run(command, check=False).returncode)
+    sys.exit(children.run(command).returncode)

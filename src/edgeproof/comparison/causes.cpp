@@ -5,6 +5,7 @@
 #include "edgeproof/comparison/suspects.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -23,39 +24,55 @@ constexpr double roundoff = 1e-12;
 
 /// How data stand to the values of a suspect.
 struct Fit {
-    double left = 0;  ///< rms of data less suspect, of its largest value
-    double noise = 0; ///< rms scatter of that from node to node
-    double scale = 1; ///< of the suspect's values that fits the data best
+    double left = 0;        ///< rms of data less suspect, of its largest value
+    double noise = 0;       ///< rms scatter of that from node to node
+    double scale = 1;       ///< of the suspect's values that fits the data best
+    double scale_error = 0; ///< standard error of that by the scatter where it stands
     std::size_t nodes = 0;
+    bool largest_told = false; ///< the largest of all errors is at a node that counts here
 
     [[nodiscard]] bool is_scatter(double allowance) const {
-        const double n = static_cast<double>(nodes);
         return left <= scatter_allowance * noise + allowance &&
-               std::abs(scale - 1) <= 4 * noise / std::sqrt(n) + allowance;
+               std::abs(scale - 1) <= 3 * scale_error + allowance;
     }
 };
 
-/// White noise has second differences of sqrt(6) times its size. Only nodes that follow each other.
-double scatter_of(const std::vector<std::optional<double>>& left) {
+/// What is left of a node, and the suspect's value there, of the largest value.
+struct LeftOver {
+    double off = 0;
+    double value = 0;
+};
+
+/// The scatter of what is left, and the standard error that it gives the scale. White noise has
+/// second differences of sqrt(6) times its size. Only nodes that follow each other. Noise may be
+/// even, or go with the pressure: the larger error of the two.
+void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
     double sum = 0;
+    double weighted = 0;
+    double squares = 0;
     std::size_t n = 0;
     for (std::size_t i = 1; i + 1 < left.size(); ++i) {
         if (left[i - 1] && left[i] && left[i + 1]) {
-            const double second = *left[i - 1] - 2 * *left[i] + *left[i + 1];
-            sum += second * second;
+            const double second = left[i - 1]->off - 2 * left[i]->off + left[i + 1]->off;
+            const double square = left[i]->value * left[i]->value;
+            sum += second * second / 6;
+            weighted += square * second * second / 6;
+            squares += square;
             ++n;
         }
     }
-    return n > 0 ? std::sqrt(sum / (6 * static_cast<double>(n))) : 0;
+    if (n > 0 && squares > 0) {
+        fit.noise = std::sqrt(sum / static_cast<double>(n));
+        fit.scale_error = std::max(fit.noise / std::sqrt(squares), std::sqrt(weighted) / squares);
+    }
 }
 
 /// Data at the nodes looked at.
 struct Observed {
     NodesLookedAt nodes;
     std::vector<double> values;
-    double element = 0;            ///< the widest at an edge
-    bool either_direction = false; ///< the data's sign is their own
-    std::vector<double> corners;   ///< where p is infinite
+    double element = 0;          ///< the widest at an edge
+    std::vector<double> corners; ///< where p is infinite
 };
 
 std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
@@ -81,15 +98,22 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     if (!(squares > 0)) {
         return {};
     }
-    const double sign = data.either_direction && products < 0 ? -1 : 1;
-    std::vector<std::optional<double>> left; // of nodes inside the suspect's contact
+    // The data's sign is their own: a mistake may make a pressure that pulls, on the whole.
+    const double sign = products < 0 ? -1 : 1;
+    std::vector<std::optional<LeftOver>> left; // of nodes inside the suspect's contact
     double square = 0;
     std::size_t all = 0;
+    std::array<double, 2> worst{}; // of nodes beside an edge, and of those that count
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const double x = data.nodes[i].x;
         const bool within = told(i) && x < suspect.a && x > -suspect.b;
         const double off = told(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
-        left.push_back(within ? std::optional(off) : std::nullopt);
+        if (std::isfinite(suspect.values[i])) {
+            double& most = worst[told(i) ? 1 : 0];
+            most = std::max(most, std::abs(sign * data.values[i] - suspect.values[i]));
+        }
+        left.push_back(within ? std::optional(LeftOver{off, suspect.values[i] / largest})
+                              : std::nullopt);
         all += told(i) ? 1 : 0;
         fit.nodes += within ? 1 : 0;
         square += off * off;
@@ -98,8 +122,9 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
         return {};
     }
     fit.left = std::sqrt(square / static_cast<double>(all));
-    fit.noise = scatter_of(left);
+    find_scatter(left, fit);
     fit.scale = sign * products / squares;
+    fit.largest_told = worst[1] >= worst[0];
     return fit;
 }
 
@@ -165,10 +190,8 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
+        diagnosis.largest_inside = as_it_is->largest_told;
         diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
-        if (as_it_is->is_scatter(roundoff)) {
-            return diagnosis;
-        }
     }
     const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);
     const double factor = median_ratio(data, right.values);
@@ -188,12 +211,9 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
 } // namespace
 
 Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
-                   const scene::Scene& scene, const ExactContact& exact) {
-    Observed observed{looked_at(data),
-                      {},
-                      std::max(contact.element[0], contact.element[1]),
-                      false,
-                      corners_of(exact)};
+                   SuspectContacts& suspects, const ExactContact& exact) {
+    Observed observed{
+        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
         const Node& node = observed.nodes[i];
@@ -201,7 +221,7 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
         right.values.push_back(node.exact.p.value_or(std::nan("")));
     }
     Diagnosis diagnosis = diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_suspect(observed.nodes, scene, exact, take);
+        for_each_suspect(observed.nodes, suspects, exact, take);
     });
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
         if (const auto cause = cause_in_digits(table, data, exact)) {
@@ -212,12 +232,9 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
 }
 
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                         const scene::Scene& scene, const ExactContact& exact) {
-    Observed observed{looked_at(data),
-                      {},
-                      std::max(contact.element[0], contact.element[1]),
-                      true,
-                      corners_of(exact)};
+                         SuspectContacts& suspects, const ExactContact& exact) {
+    Observed observed{
+        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
         const auto& shear = observed.nodes[i].shear;
@@ -225,7 +242,7 @@ Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
         right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
     }
     return diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_shear_suspect(observed.nodes, scene, exact, take);
+        for_each_shear_suspect(observed.nodes, suspects, exact, take);
     });
 }
 

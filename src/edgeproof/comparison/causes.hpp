@@ -3,7 +3,7 @@
 #include "edgeproof/comparison/alignment.hpp"
 #include "edgeproof/comparison/data_edges.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/comparison/suspect_contacts.hpp"
 
 #include <string>
 #include <vector>
@@ -26,23 +26,25 @@ struct Diagnosis {
     double unexplained = 0;
     double noise = 0;
     bool at_edges_only = false; ///< those nodes agree to three thousandths, as a mesh's do: what is
-                                ///< off lies at the edges
-    std::vector<Cause> causes;  ///< the likeliest first
+                                ///< off is no mistake's
+    bool largest_inside = false; ///< the largest error is one of those nodes', and at no edge
+    std::vector<Cause> causes;   ///< the likeliest first
 };
 
 /// Holds data against the pressures that a program with each known mistake would compute
 /// (suspects.hpp). A mistake explains the data where what it leaves is within the data's own
 /// scatter (of second differences from node to node) and an allowance for the mesh, its scale is
-/// one within four standard errors and the same, and it leaves less than three tenths of what is
-/// left without it. The allowance is three thousandths, and no more than a twentieth of what is
-/// left without the mistake. Those that leave as little as the best, to a fifth, are equally
-/// likely: the data do not tell them apart. Data that carry too few digits, or are binary32, and
-/// agree but for that, have that cause. None is proved. Throws Interrupted.
+/// one within three standard errors (of even noise or of noise that goes with the pressure,
+/// whichever is larger) and the same, and it leaves less than three tenths of what is left without
+/// it. The allowance is three thousandths, and no more than a twentieth of what is left without the
+/// mistake. Those that leave as little as the best, to a fifth, are equally likely: the data do not
+/// tell them apart. Data that carry too few digits, or are binary32, and agree but for that, have
+/// that cause. None is proved. Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
-                                 const DataContact& contact, const scene::Scene& scene,
+                                 const DataContact& contact, SuspectContacts& suspects,
                                  const ExactContact& exact);
 /// The same of the shear traction, where the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                                       const scene::Scene& scene, const ExactContact& exact);
+                                       SuspectContacts& suspects, const ExactContact& exact);
 
 } // namespace edgeproof::comparison

@@ -239,7 +239,7 @@ bool Comparison::passes() const { return std::ranges::all_of(files, &FileCompari
 
 FileComparison compare_file(ResultTable table, const ExactContact& exact,
                             const Tolerances& tolerances, const std::optional<Rational>& origin,
-                            const scene::Scene* scene) {
+                            SuspectContacts* suspects) {
     FileComparison file;
     file.table = std::move(table);
     file.data = align(file.table, exact, origin);
@@ -276,12 +276,12 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     constexpr double worth_a_word = 0.003;
     constexpr double roundoff = 1e-9;
     const double least = file.passes() ? worth_a_word : roundoff;
-    if (scene != nullptr && file.all.peak > least) {
-        file.diagnosis = diagnose(file.table, file.data, file.contact, *scene, exact);
+    if (suspects != nullptr && file.all.peak > least) {
+        file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact);
     }
     const bool right = !file.diagnosis || file.diagnosis->at_edges_only;
-    if (scene != nullptr && right && file.shear && file.shear->peak > least) {
-        file.shear_diagnosis = diagnose_shear(file.data, file.contact, *scene, exact);
+    if (suspects != nullptr && right && file.shear && file.shear->peak > least) {
+        file.shear_diagnosis = diagnose_shear(file.data, file.contact, *suspects, exact);
     }
     return file;
 }

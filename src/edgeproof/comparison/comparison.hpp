@@ -77,12 +77,12 @@ struct Comparison {
     [[nodiscard]] bool passes() const;
 };
 
-/// Data that do not pass, or are off by more than 3/1000 of the peak, are diagnosed where the scene
-/// is given.
+/// Data that do not pass, or are off by more than 3/1000 of the peak, are diagnosed where the
+/// suspects of the scene are given.
 [[nodiscard]] FileComparison compare_file(ResultTable table, const ExactContact& exact,
                                           const Tolerances& tolerances,
                                           const std::optional<Rational>& origin,
-                                          const scene::Scene* scene = nullptr);
+                                          SuspectContacts* suspects = nullptr);
 /// Orders and limits of a, b, P, c_0, the largest pressure and the errors, where every file has
 /// them.
 [[nodiscard]] std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,

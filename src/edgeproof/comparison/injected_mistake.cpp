@@ -183,6 +183,8 @@ const std::vector<InjectedMistake>& injected_mistakes() {
     static const auto degrees = [](double x) { return x * 180 / pi; };
     static const std::vector<std::string> angles{"profile.phi", "profile.alpha"};
     static const std::vector<InjectedMistake> list{
+        {"", false, any_contact([](Program&) {})},
+        {"", true, any_contact([](Program&) {})},
         {"factor-2", false, factor(2)},
         {"factor-pi", false, factor(1 / pi)},
         {"factor-sqrt-pi", false, factor(std::sqrt(pi))},
@@ -191,6 +193,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"power-of-ten", false, x_times(1e3)},
         {"unit-g", false, factor(9.80665)},
         {"unit-psi", false, factor(1 / 6.894757293168)},
+        {"unit-psi", false, factor(1 / 0.006894757293168)},
         {"unit-inch", false, x_times(1 / 25.4)},
         {"e-for-e-star", false, with_modulus([](double E1, double, double, double) { return E1; })},
         {"one-body-modulus", false,
@@ -217,10 +220,14 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"half-moment", false, times_key("load.M", 0.5)},
         {"tan-of-angle", false, with_key(angles, tangent)},
         {"degrees", false, with_key(angles, degrees)},
+        {"no-tilt", false, times_key("profile.alpha", 0)},
         {"mirrored", false,
          unless_symmetric([](const ExactContact& c, double x) { return c.pressure(-x); })},
         {"edges-swapped", false, unless_symmetric([](const ExactContact& c, double x) {
              return c.pressure(c.a().value - c.b().value - x);
+         })},
+        {"x-from-middle", false, unless_symmetric([](const ExactContact& c, double x) {
+             return c.pressure(x + (c.a().value - c.b().value) / 2);
          })},
         {"x-for-u", false, any_contact([](Program& program) {
              program.p = [](const ExactContact& c, double x) {
@@ -251,6 +258,27 @@ const std::vector<InjectedMistake>& injected_mistakes() {
              Program program{keys};
              return program.keys.erase("shear.friction") > 0 ? std::optional(program)
                                                              : std::nullopt;
+         }},
+        {"all-slips", true,
+         [](const SceneKeys& keys) -> std::optional<Program> {
+             Program program{keys};
+             if (keys.contains("shear.friction")) {
+                 program.rows = [f = number_in(keys, "shear.friction")](auto& computed) {
+                     for (ComputedRow& row : computed) {
+                         row.q = f * row.p;
+                     }
+                 };
+             }
+             return program.rows ? std::optional(program) : std::nullopt;
+         }},
+        // Of a symmetric contact, whose pressure does not tell.
+        {"mirrored", true,
+         [](const SceneKeys& keys) -> std::optional<Program> {
+             Program program{keys};
+             program.written_x = [](double x) { return -x; };
+             return keys.contains("profile.alpha") || !keys.contains("shear.bulk_tension")
+                        ? std::nullopt
+                        : std::optional(program);
          }},
     };
     return list;

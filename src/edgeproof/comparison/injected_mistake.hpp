@@ -43,7 +43,7 @@ struct Program {
 };
 
 struct InjectedMistake {
-    std::string name; ///< that the diagnosis should give it
+    std::string name; ///< that the diagnosis should give it; empty: nothing is wrong
     bool of_shear = false;
     /// The program with the mistake; nothing where the contact has no place for it.
     std::function<std::optional<Program>(const SceneKeys&)> make;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace edgeproof::comparison {
@@ -118,8 +119,8 @@ public:
 
     void contact(const TestedContact& tested) {
         const bool shear = tested.keys.contains("shear.Q");
-        const scene::Scene scene = scene::parse_scene(scene_text(tested.keys), "self-test.toml");
-        const ExactContact exact(scene);
+        SuspectContacts suspects(scene::parse_scene(scene_text(tested.keys), "self-test.toml"));
+        const ExactContact exact(suspects.scene());
         for (const InjectedMistake& mistake : injected_mistakes()) {
             if (mistake.of_shear != shear) {
                 continue;
@@ -127,33 +128,41 @@ public:
             const auto program = mistake.make(tested.keys);
             const auto data = program ? computed(*program, shear) : std::nullopt;
             for (std::size_t i = 0; data && i < noise_levels.size(); ++i) {
-                trial(tested, scene, exact, mistake, *data, i);
+                trial(tested, suspects, exact, mistake, *data, i);
             }
         }
     }
 
 private:
-    void trial(const TestedContact& tested, const scene::Scene& scene, const ExactContact& exact,
+    static std::vector<std::string> names_in(const std::optional<Diagnosis>& diagnosis) {
+        std::vector<std::string> names;
+        if (diagnosis) {
+            std::ranges::transform(diagnosis->causes, std::back_inserter(names), &Cause::name);
+        }
+        return names;
+    }
+    void trial(const TestedContact& tested, SuspectContacts& suspects, const ExactContact& exact,
                const InjectedMistake& mistake, const Data& data, std::size_t level) {
         const double noise = noise_levels[level];
         Tolerances strict;
         strict.pressure = no_effect;
         const auto compared = [&](double at) {
             return compare_file(parse_result(table_of(data, at, seed_), "self-test.csv"), exact,
-                                strict, {}, &scene);
+                                strict, {}, &suspects);
         };
+        const bool right = mistake.name.empty();
         const Moved effect = moved(clean(mistake, tested, compared), mistake.of_shear, exact);
-        if (effect.by < no_effect) {
+        if (!right && effect.by < no_effect) {
             return; // no mistake in this contact
         }
         const FileComparison file = compared(noise);
         const auto& diagnosis = mistake.of_shear ? file.shear_diagnosis : file.diagnosis;
-        std::vector<std::string> names;
-        for (const Cause& cause : diagnosis ? diagnosis->causes : std::vector<Cause>{}) {
-            names.push_back(cause.name);
-        }
-        const bool named = std::ranges::find(names, mistake.name) != names.end();
-        const bool hidden = effect.by < told_from_noise * noise * effect.noise;
+        const std::vector<std::string> names = names_in(diagnosis);
+        // A mistake in q leaves p right.
+        const bool misled = mistake.of_shear && !names_in(file.diagnosis).empty();
+        const bool named =
+            right ? names.empty() : std::ranges::find(names, mistake.name) != names.end();
+        const bool hidden = !right && effect.by < told_from_noise * noise * effect.noise;
         SelfTestCount& count = row(mistake.name).at[level];
         count.cases += hidden ? 0 : 1;
         count.beyond += hidden ? 1 : 0;
@@ -164,16 +173,17 @@ private:
                         names, [&](const std::string& name) { return name == mistake.name; })
                 ? 1
                 : 0;
-        count.wrong += !named && !names.empty() ? 1 : 0;
-        if (!named && (!hidden || !names.empty())) {
+        count.wrong += misled || (!named && !names.empty()) ? 1 : 0;
+        if (misled || (!named && (!hidden || !names.empty()))) {
             std::string said;
             for (const std::string& name : names) {
                 said += (said.empty() ? "" : ", ") + name;
             }
             result_.misses.push_back(fmt::format(
-                "{} in {}, noise {:g}: {} (it moves p by {:.2g}, {:.2g} are left)", mistake.name,
-                tested.name, noise, said.empty() ? "nothing is named" : "named " + said, effect.by,
-                diagnosis ? diagnosis->unexplained : 0));
+                "{} in {}, noise {:g}: {} (it moves {} by {:.2g}, {:.2g} are left)",
+                right ? "right data" : mistake.name, tested.name, noise,
+                said.empty() ? "nothing is named" : "named " + said, mistake.of_shear ? "q" : "p",
+                effect.by, diagnosis ? diagnosis->unexplained : 0));
         }
     }
     /// Without noise, computed once for all levels.
@@ -209,11 +219,14 @@ SelfTestCount SelfTest::total() const {
     SelfTestCount sum;
     for (const SelfTestRow& row : rows) {
         for (const SelfTestCount& count : row.at) {
+            sum.wrong += count.wrong;
+            if (row.name.empty()) {
+                continue;
+            }
             sum.cases += count.cases;
             sum.named += count.named;
             sum.alone += count.alone;
             sum.beyond += count.beyond;
-            sum.wrong += count.wrong;
         }
     }
     return sum;

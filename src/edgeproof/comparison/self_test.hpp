@@ -13,7 +13,8 @@ namespace edgeproof::comparison {
 /// Relative noise of the pressures of the data: normally distributed.
 inline constexpr std::array noise_levels{0.0, 1e-6, 1e-4, 1e-2};
 
-/// What became of the data of one mistake at one noise.
+/// What became of the data of one mistake at one noise. Right data, of no name, are named where
+/// nothing is said of them.
 struct SelfTestCount {
     std::size_t cases = 0;  ///< whose mistake moves the data by more than five times the noise
     std::size_t named = 0;  ///< alone, or among those that the data do not tell apart
@@ -29,6 +30,7 @@ struct SelfTestRow {
 struct SelfTest {
     std::vector<SelfTestRow> rows;
     std::vector<std::string> misses; ///< a line a case that was not named, or wrongly
+    /// Right data count where they are wrongly named, and nowhere else.
     [[nodiscard]] SelfTestCount total() const;
     /// 95 % are named, and none is wrong.
     [[nodiscard]] bool passes() const;

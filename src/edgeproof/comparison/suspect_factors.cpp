@@ -23,7 +23,8 @@ void suspect_factors(const SuspectMaker& make) {
     // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
     both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
     both_ways("unit-g", "9.80665", 9.80665);
-    // 6894.757 Pa are one psi.
+    // 6894.757 Pa are one psi; 145.038 psi one MPa.
+    both_ways("unit-psi", "145.038", 1e6 / 6894.757293168);
     for (const double ten : {1.0, 1e-3, 1e3}) {
         both_ways("unit-psi", fmt::format("{:g}", 6894.757293168 * ten), 6894.757293168 * ten);
     }

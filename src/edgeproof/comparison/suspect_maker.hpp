@@ -7,12 +7,12 @@ namespace edgeproof::comparison {
 /// Makes suspects of one scene at the nodes looked at. Keeps references to all that it is given.
 class SuspectMaker {
 public:
-    SuspectMaker(const NodesLookedAt& nodes, const scene::Scene& scene, const ExactContact& exact,
+    SuspectMaker(const NodesLookedAt& nodes, SuspectContacts& contacts, const ExactContact& exact,
                  const TakeSuspect& take)
-        : nodes_(nodes), scene_(scene), exact_(exact), take_(take) {}
+        : nodes_(nodes), contacts_(contacts), exact_(exact), take_(take) {}
 
     [[nodiscard]] const NodesLookedAt& nodes() const { return nodes_; }
-    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+    [[nodiscard]] const scene::Scene& scene() const { return contacts_.scene(); }
     [[nodiscard]] const ExactContact& exact() const { return exact_; }
 
     using Value = std::function<double(std::size_t)>;
@@ -31,7 +31,7 @@ public:
 
 private:
     const NodesLookedAt& nodes_;
-    const scene::Scene& scene_;
+    SuspectContacts& contacts_;
     const ExactContact& exact_;
     const TakeSuspect& take_;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/suspect_maker.hpp"
 
+#include <map>
+#include <string>
+
 namespace edgeproof::comparison {
 namespace {
 
@@ -45,18 +48,37 @@ void suspect_moduli(const SuspectMaker& make) {
             of_two((one + nu1) / E1, (one + nu2) / E2));
 }
 
+using Parameters = std::map<std::string, formula::Exact>;
+
+/// Of the profile; of a punch that a moment tilts, what it has beside its tilt.
+Parameters parameters_of(const scene::Scene& scene) {
+    if (scene.profile) {
+        return scene.profile->parameters();
+    }
+    const contact::TiltedPunch& punch = *scene.punch;
+    return punch.kind == contact::Profile::Kind::tilted_wedge
+               ? Parameters{{"phi", punch.phi}}
+               : Parameters{{"t", punch.t}, {"R", punch.R}};
+}
+
 /// The profile with each parameter put through `change`.
 void suspect_profile(const SuspectMaker& make, const char* name, const std::string& what,
                      const std::function<Expr(std::string_view, const Expr&)>& change) {
-    const auto& profile = make.scene().profile;
+    const Parameters parameters = parameters_of(make.scene());
     make.add_scene(name, what, [&](scene::Scene& s) {
         const auto get = [&](const char* key) {
-            return formula::Exact(change(key, profile->parameters().at(key).expr()));
+            return formula::Exact(change(key, parameters.at(key).expr()));
         };
         using contact::Profile;
-        switch (profile->kind()) {
+        if (s.punch) {
+            s.punch = s.punch->kind == Profile::Kind::tilted_wedge
+                          ? contact::TiltedPunch::wedge(get("phi"))
+                          : contact::TiltedPunch::flat_and_rounded(get("t"), get("R"));
+            return;
+        }
+        switch (s.profile->kind()) {
         case Profile::Kind::power_law:
-            s.profile = Profile::power_law(get("C"), profile->parameters().at("m"));
+            s.profile = Profile::power_law(get("C"), parameters.at("m"));
             return;
         case Profile::Kind::flat_and_rounded:
             s.profile = Profile::flat_and_rounded(get("t"), get("R"));
@@ -73,8 +95,7 @@ void suspect_profile(const SuspectMaker& make, const char* name, const std::stri
     });
 }
 
-void suspect_angles(const SuspectMaker& make) {
-    const auto& parameters = make.scene().profile->parameters();
+void suspect_angles(const SuspectMaker& make, const Parameters& parameters) {
     const Expr degree = Expr::pi() / integer(180);
     const auto both = [&](const char* name, const std::string& what, const auto& change) {
         for (const std::string_view only : {"", "phi", "alpha"}) {
@@ -113,17 +134,18 @@ void suspect_sizes(const SuspectMaker& make) {
     const scene::Scene& scene = make.scene();
     const Expr two = integer(2);
     const Expr half = integer(1) / two;
+    const Parameters parameters = parameters_of(scene);
     const auto parameter = [&](const char* name, const std::string& what, std::string_view which,
                                const Expr& times) {
-        if (scene.profile->parameters().contains(std::string(which))) {
+        if (parameters.contains(std::string(which))) {
             suspect_profile(make, name, what, [&](std::string_view key, const Expr& value) {
                 return key == which ? value * times : value;
             });
         }
     };
-    const bool circle =
-        scene.profile->kind() == contact::Profile::Kind::power_law &&
-        contact::certainly_zero(scene.profile->parameters().at("m").expr() - integer(1));
+    const bool circle = scene.profile &&
+                        scene.profile->kind() == contact::Profile::Kind::power_law &&
+                        contact::certainly_zero(parameters.at("m").expr() - integer(1));
     if (circle) {
         parameter("radius-as-diameter", "half the radius", "C", two);
         parameter("radius-as-diameter", "the diameter for the radius", "C", half);
@@ -150,7 +172,7 @@ void suspect_sizes(const SuspectMaker& make) {
         curvature("1/R1 - 1/R2 for 1/R1 + 1/R2", one / R1 - one / R2);
         curvature("1/R2 - 1/R1 for 1/R1 + 1/R2", one / R2 - one / R1);
     }
-    suspect_angles(make);
+    suspect_angles(make, parameters);
 }
 
 void suspect_loads(const SuspectMaker& make) {
@@ -185,9 +207,7 @@ void suspect_loads(const SuspectMaker& make) {
 
 void suspect_scenes(const SuspectMaker& make) {
     suspect_moduli(make);
-    if (make.scene().profile) {
-        suspect_sizes(make);
-    }
+    suspect_sizes(make);
     suspect_loads(make);
 }
 

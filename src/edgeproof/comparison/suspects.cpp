@@ -2,7 +2,6 @@
 #include "edgeproof/comparison/suspects.hpp"
 
 #include "edgeproof/comparison/suspect_maker.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <cmath>
@@ -31,14 +30,14 @@ void SuspectMaker::add(const std::string& name, const std::string& what, const V
 
 void SuspectMaker::add_scene(const std::string& name, const std::string& what,
                              const std::function<void(scene::Scene&)>& change) const {
-    try {
-        scene::Scene other = scene_;
-        other.shear.reset();
-        change(other);
-        const ExactContact contact(other);
-        add(name, what, contact.a().value, contact.b().value,
-            [&](std::size_t i) { return pressure(contact, nodes_[i].x); });
-    } catch (const Error&) { // no contact: no program could have computed it
+    const ExactContact* const contact =
+        contacts_.with(name + ": " + what, [&](scene::Scene& other) {
+            other.shear.reset();
+            change(other);
+        });
+    if (contact != nullptr) {
+        add(name, what, contact->a().value, contact->b().value,
+            [&](std::size_t i) { return pressure(*contact, nodes_[i].x); });
     }
 }
 
@@ -53,20 +52,21 @@ double SuspectMaker::exact_pressure(std::size_t i, std::ptrdiff_t rows) const {
                : nodes_.data.nodes[static_cast<std::size_t>(at)].exact.p.value_or(no_value);
 }
 
-void for_each_suspect(const NodesLookedAt& nodes, const scene::Scene& scene,
+void for_each_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
                       const ExactContact& exact, const TakeSuspect& take) {
     const PrecisionScope scope(ExactContact::place_digits);
-    const SuspectMaker make(nodes, scene, exact, take);
+    const SuspectMaker make(nodes, contacts, exact, take);
     suspect_factors(make);
     suspect_scenes(make);
     suspect_places(make);
     suspect_terms(make);
 }
 
-void for_each_shear_suspect(const NodesLookedAt& nodes, const scene::Scene& scene,
+void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
                             const ExactContact& exact, const TakeSuspect& take) {
     const PrecisionScope scope(ExactContact::place_digits);
-    const SuspectMaker make(nodes, scene, exact, take);
+    const SuspectMaker make(nodes, contacts, exact, take);
+    const scene::Scene& scene = contacts.scene();
     const auto factor = [&](const char* name, const std::string& what, double k) {
         make.add(name, what, [&](std::size_t i) {
             return nodes[i].shear && nodes[i].shear->exact ? k * *nodes[i].shear->exact : no_value;
@@ -78,15 +78,13 @@ void for_each_shear_suspect(const NodesLookedAt& nodes, const scene::Scene& scen
     factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
     const auto with = [&](const char* name, const std::string& what,
                           const std::function<void(contact::ShearSpec&)>& change) {
-        try {
-            scene::Scene other = scene;
-            change(*other.shear);
-            const ExactContact contact(other);
+        // None where it slides, or slips the other way.
+        const ExactContact* const contact =
+            contacts.with(name + (": " + what), [&](scene::Scene& other) { change(*other.shear); });
+        if (contact != nullptr) {
             make.add(name, what, [&](std::size_t i) {
-                const Real x(nodes[i].x);
-                return contact.traction(x, nodes[i].exact).value_or(no_value);
+                return contact->traction(Real(nodes[i].x), nodes[i].exact).value_or(no_value);
             });
-        } catch (const Error&) { // it slides, or slips the other way
         }
     };
     const formula::Expr two = formula::Expr::number(Rational(2));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/alignment.hpp"
-#include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/comparison/suspect_contacts.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -31,10 +31,10 @@ struct NodesLookedAt {
 
 /// Every mistake in the pressure that makes sense of a scene. Those whose contact cannot be solved
 /// are left out. `take` is called with one after another.
-void for_each_suspect(const NodesLookedAt& nodes, const scene::Scene& scene,
+void for_each_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
                       const ExactContact& exact, const TakeSuspect& take);
 /// The same of the shear traction, the pressure being right.
-void for_each_shear_suspect(const NodesLookedAt& nodes, const scene::Scene& scene,
+void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
                             const ExactContact& exact, const TakeSuspect& take);
 
 } // namespace edgeproof::comparison

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/data_elsewhere.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -95,11 +95,13 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             }
             const comparison::ExactContact exact(scene);
             report.exact = &exact;
+            comparison::SuspectContacts suspects(scene);
             auto& files = report.comparison.files;
             for (comparison::ResultTable& table : tables) {
                 progress(files.size(), tables.size());
-                files.push_back(comparison::compare_file(std::move(table), exact,
-                                                         report.comparison.tolerances, at, &scene));
+                files.push_back(comparison::compare_file(
+                    std::move(table), exact, report.comparison.tolerances, at, &suspects));
+                comparison::require_nodes_inside(files.back(), exact);
             }
             progress(files.size(), tables.size());
             if (files.size() > 1) {

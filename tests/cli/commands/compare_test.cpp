@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <numbers>
 
 using namespace edgeproof::test;
 
@@ -79,6 +81,18 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml right.csv --edge-zone 2x", "--edge-zone 2x");
     refused("scene.toml right.csv --origin left", "--origin left");
     refused("scene.toml right.csv --columns x=2", "one column is taken for two");
+    // No node inside: another origin, another unit, or no pressure at all.
+    const std::string none = " nodes lies inside the contact, ";
+    refused("scene.toml right.csv --origin 100",
+            "right.csv: none of the 65" + none +
+                "98.5 < x < 101.5: the data press from x = -1.4375 to 1.4375; write --origin 0");
+    c.folder.write("odd.csv", compared_rows(63));
+    refused("scene.toml odd.csv --scale x=1000", "write --scale x=0.001");
+    refused("scene.toml odd.csv --scale x=5000", "write --scale x=... if");
+    c.folder.write("still.csv", "x,p\n5,0\n6,0\n7,0\n");
+    refused("scene.toml still.csv", "none of the 3" + none + "-1.5 < x < 1.5, and none presses");
+    refused("scene.toml right.csv still.csv --json --html none.html", "still.csv: none of the 3");
+    CHECK_FALSE(std::filesystem::exists(c.folder.path() / "none.html"));
     c.folder.write("nan.csv", "x,p\n0,1\n1,nan\n");
     refused("scene.toml nan.csv", "nan.csv:3: the row holds 'nan'");
     c.folder.write("bad.toml", "[profile]\nkind = \"hertz\"\n");
@@ -124,6 +138,65 @@ TEST_CASE("compare: JSON, JUnit, a page and figures") {
         }
         CHECK(has(page, "<svg"));
     }
+}
+
+TEST_CASE("compare: the page shows the shear where data and scene have one") {
+    if (std::system("gnuplot --version >/dev/null 2>&1") != 0) {
+        return;
+    }
+    const ComparedFiles c;
+    c.folder.write("sheared.toml", compared_scene + "[shear]\nQ = \"1\"\n");
+    // q = Q/(pi sqrt(a^2 - x^2)), and the second node from the left is a third off.
+    std::string rows = "x,p,q\n";
+    for (int i = -63; i <= 63; i += 2) {
+        const double x = i / 42.0;
+        const double w = std::sqrt(std::max(0.0, 2.25 - x * x));
+        char row[120];
+        std::snprintf(row, sizeof row, "%.17g,%.17g,%.17g\n", x, 0.75 * w,
+                      w > 0 ? (i == -61 ? 4.0 / 3 : 1) / (std::numbers::pi * w) : 0);
+        rows += row;
+    }
+    c.folder.write("sheared.csv", rows);
+    CHECK(run(c.folder, "compare sheared.toml sheared.csv right.csv --edge-zone 1e --html "
+                        "page.html --figures figures")
+              .code == 1);
+    const std::string page = file_text(c.folder.path() / "page.html");
+    CHECK(has(page, "Shear traction: sheared.csv"));
+    CHECK(has(page, "Error of q: sheared.csv"));
+    CHECK_FALSE(has(page, "Shear traction: right.csv")); // it has no q
+    CHECK(has(file_text(c.folder.path() / "figures" / "sheared-shear.svg"), "</svg>"));
+    // The exact curve of the figure at the middle, and the error at its size.
+    const std::string curve = file_text(c.folder.path() / "figures" / "sheared-shear.csv");
+    bool middle = false;
+    for (const std::string& line : lines(curve)) {
+        double x = 1;
+        double q = 0;
+        if (std::sscanf(line.c_str(), "%lf,%lf", &x, &q) == 2 && std::abs(x) < 1e-9) {
+            middle = std::abs(q - 1 / (1.5 * std::numbers::pi)) < 1e-12;
+        }
+    }
+    CHECK(middle);
+    const double error =
+        1.0 / 3 / (std::numbers::pi * std::sqrt(2.25 - 61.0 * 61 / 42 / 42)) / (1.0 / 3);
+    double largest = 0;
+    for (const std::string& line :
+         lines(file_text(c.folder.path() / "figures" / "sheared-shear-error.csv"))) {
+        double u = 0;
+        double left = 0;
+        if (std::sscanf(line.c_str(), "%lf,,%lf", &u, &left) == 2) {
+            largest = std::max(largest, left);
+        }
+    }
+    CHECK(largest == doctest::Approx(error).epsilon(1e-9));
+}
+
+TEST_CASE("compare: the table of the self-test in the documentation is what it prints" *
+          doctest::test_suite("slow")) {
+    const std::string doc = file_text(source_dir() / "docs" / "compare.md");
+    const Outcome outcome = run(Folder(), "compare --self-test");
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.out, "0 wrongly named"));
+    CHECK_MESSAGE(has(doc, outcome.out), outcome.out);
 }
 
 TEST_CASE("compare: the example of the documentation is what the program prints") {

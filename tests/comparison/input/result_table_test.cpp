@@ -89,6 +89,10 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
              "% x, p\n-0.5, 1\n0, 1.5\n0.5, 1\n",
              "STEP 1, INCREMENT 4\n\n Node  COORD1  CPRESS\n 7 -0.5 1\n 3 0 1.5\n 9 0.5 1\nTotal "
              "3\n",
+             "            Node          CPRESS     COORD.COOR1\n           Label          @Loc 1   "
+             "  "
+             "     @Loc 1\n-----------------\n 7 1. -500.E-03\n 3 1.5 0.\n 9 1. 500.E-03\n\n"
+             "  Minimum   1.  -500.E-03\n      At Node  7  7\n\n  Total  3.5  0.\n",
              "p,x\n1,-0.5\n1.5,0\n1,0.5\n",
              "x,p\n0.5,1\n0,1.5\n-0.5,1\n",
              "x,p\n0,1.5\n0.5,1\n-0.5,1\n",
@@ -107,6 +111,9 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
     CHECK(found(parsed_result("x,p\n0,1\n2,1.5\n1,1\n"), "not in the order of x"));
     CHECK(found(parsed_result("0,1\n1,1\n"), "taken to be column 1"));
     CHECK(found(parsed_result("x,p\n0,1\n1,1\nTotal\n"), "1 line of text"));
+    // In place of a node's number, whatever stands behind it; a cell without one says nothing.
+    CHECK(found(parsed_result("n,x,p\n1,0,1\n2,1,1\nSum,1,2\n"), "1 line of text"));
+    CHECK(parsed_result("n,x,p\n1,0,1\n,1,1\n,,\n3,2,1\n").rows.size() == 3);
     CHECK(found(parsed_result("x,p\n0,1\n0,2\n1,1\n"), "repeat the x"));
     const ResultTable shear = parsed_result("x,cpress,cshear1\n0,1,0.25\n1,2,0.5\n");
     CHECK(*shear.rows[1].q == Rational(1, 2));

@@ -3,6 +3,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/data_elsewhere.hpp"
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -137,11 +138,13 @@ int compare_results(const CompareOptions& o) {
     report.units = scene.units;
     report.exact = &exact;
     {
+        comparison::SuspectContacts suspects(scene);
         Progress progress("files");
         for (comparison::ResultTable& table : tables) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
-                std::move(table), exact, report.comparison.tolerances, origin, &scene));
+                std::move(table), exact, report.comparison.tolerances, origin, &suspects));
+            comparison::require_nodes_inside(report.comparison.files.back(), exact);
         }
     }
     if (report.comparison.files.size() > 1) {

@@ -21,6 +21,7 @@ constexpr std::array known_names{
     KnownName{"x1", ColumnRole::place, 2},
     KnownName{"coord1", ColumnRole::place, 2},
     KnownName{"coor1", ColumnRole::place, 2},
+    KnownName{"coordcoor1", ColumnRole::place, 2}, // COORD.COOR1 of a report of Abaqus
     KnownName{"xcoord", ColumnRole::place, 2},
     KnownName{"xcoordinate", ColumnRole::place, 2},
     KnownName{"coordx", ColumnRole::place, 2},

@@ -48,6 +48,7 @@ public:
         x_factor_ = header.x_factor;
         p_factor_ = header.p_factor;
         table_.findings = std::move(header.findings);
+        numbered_ = is_number(split_row(lines_[first_row_].text, separator_)[0]);
         for (std::size_t i = first_row_; i < lines_.size(); ++i) {
             if (i % 1024 == 0) {
                 check_interruption();
@@ -97,6 +98,10 @@ private:
             std::ranges::count_if(cells, [this](const Cell& c) { return is_number(c); }));
     }
 
+    void skip(const ResultLine& line) {
+        ++skipped_;
+        first_skipped_ = first_skipped_ == 0 ? line.number : first_skipped_;
+    }
     void read_line(const ResultLine& line) {
         if (line.comment) {
             return;
@@ -107,6 +112,11 @@ private:
         const auto unusable = [&](const UsedColumn& c) {
             return c.index >= cells.size() || !is_number(cells[c.index]);
         };
+        if (numbered_ && !cells.empty() && !cells[0].text.empty() && !is_number(cells[0]) &&
+            !is_nan_or_infinite(cells[0]) && x_.index != 0 && p_.index != 0) {
+            skip(line); // "Total", "Minimum" in place of a node's number
+            return;
+        }
         if (!unusable(x_) && !unusable(p_) && !(q_ && unusable(*q_))) {
             if (cells.size() != size_ && cells.size() > size_) {
                 reject(
@@ -126,8 +136,7 @@ private:
         }
         // A line of text: a title, a header again, a total.
         if (numbers == 0 || (cells.size() != size_ && has_new_text(cells))) {
-            ++skipped_;
-            first_skipped_ = first_skipped_ == 0 ? line.number : first_skipped_;
+            skip(line);
             return;
         }
         if (cells.size() <= last) {
@@ -252,6 +261,7 @@ private:
     ResultTable table_;
     std::size_t size_ = 0; ///< cells of a row
     std::size_t first_row_ = 0;
+    bool numbered_ = false; ///< the first cell of the first row is a number
     UsedColumn x_;
     UsedColumn p_;
     std::optional<UsedColumn> q_;

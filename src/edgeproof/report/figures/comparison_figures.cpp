@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -65,61 +66,130 @@ std::string length_label(const ComparisonReport& report) {
     return report.units ? unit_label(report.units->length) : std::string();
 }
 
-} // namespace
+/// What is drawn of the pressure, or of the shear traction.
+struct Traction {
+    std::string symbol;
+    std::string id;
+    std::string title;
+    std::optional<double> limit; ///< of the exact curve, where that is infinite somewhere
+    std::function<std::optional<double>(double)> exact;
+    std::function<std::optional<double>(const Node&)> data;
+    std::string error_label;
+    std::string error_what;
+    /// Of a node inside; nothing where there is none.
+    std::function<std::optional<double>(const Node&)> error;
+    std::optional<double> tolerance; ///< of that error
+};
 
-Plot pressure_plot(const ComparisonReport& report, const FileComparison& file,
-                   const std::string& id) {
+Traction pressure_of(const ComparisonReport& report) {
+    const comparison::ExactContact& exact = *report.exact;
+    const comparison::Tolerances& t = report.comparison.tolerances;
+    return {"p",
+            "pressure",
+            "Pressure",
+            exact.scale().mean ? std::optional(3 * exact.scale().value) : std::nullopt,
+            [&exact](double x) { return exact.at(Real(x)).p; },
+            [](const Node& node) { return std::optional(node.p); },
+            "|error of p|/p",
+            "relative error of the data's pressures",
+            [](const Node& node) {
+                const bool told = node.exact.p && *node.exact.p > 0;
+                return told ? std::optional(std::abs(node.error / *node.exact.p)) : std::nullopt;
+            },
+            t.of == comparison::Norm::local ? std::optional(t.pressure) : std::nullopt};
+}
+
+Traction shear_of(const ComparisonReport& report) {
+    const comparison::ExactContact& exact = *report.exact;
+    const comparison::Tolerances& t = report.comparison.tolerances;
+    const double scale = exact.shear()->scale();
+    const bool infinite = exact.shear()->singular() || exact.scale().mean;
+    return {
+        "q",
+        "shear",
+        "Shear traction",
+        infinite ? std::optional(3 * scale) : std::nullopt,
+        [&exact](double x) { return exact.traction(Real(x), exact.at(Real(x))); },
+        [](const Node& node) { return node.shear ? std::optional(node.shear->q) : std::nullopt; },
+        "|error of q|/(|Q|/(a + b) + |bulk tension|/4)",
+        "error of the data's shear traction, relative to |Q|/(a + b) + |bulk tension|/4,",
+        [scale](const Node& node) {
+            const bool told = node.shear && node.shear->exact;
+            return told ? std::optional(std::abs(node.shear->error) / scale) : std::nullopt;
+        },
+        t.of == comparison::Norm::peak ? std::optional(t.q.value_or(t.pressure)) : std::nullopt};
+}
+
+/// The data of a file and the exact curve. `id` names its files.
+Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
+                   const std::string& id, const Traction& traction) {
     const comparison::ExactContact& exact = *report.exact;
     Plot plot;
-    plot.id = id + "-pressure";
-    plot.title = "Pressure: " + shown_name(file);
-    plot.description = "The pressures of the data as points, and the exact pressure as a line, "
-                       "along the contact";
+    plot.id = id + "-" + traction.id;
+    plot.title = traction.title + ": " + shown_name(file);
+    plot.description = "The " + traction.id + " of the data as points, and the exact one as a " +
+                       "line, along the contact";
     plot.x = {"x" + length_label(report), false, {}};
-    plot.y = {"p" + (report.units ? unit_label(report.units->pressure) : std::string()), false, {}};
+    plot.y = {traction.symbol + (report.units ? unit_label(report.units->pressure) : std::string()),
+              false,
+              {}};
     plot.columns = {"x", "exact", "data"};
     plot.curves = {{"exact", "exact", {Pen::Colour::blue, 1, {}, 2}},
                    {"data", "data", {Pen::Colour::black, 0, 6, 1.5}}};
-    double most = file.contact.largest;
+    double least = 0;
+    double most = 0;
+    const auto reach = [&](double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    };
     for (const double x : curve_places(exact)) {
-        const auto place = exact.at(Real(x));
-        if (place.p && exact.scale().mean) {
-            most = std::max(most, std::min(*place.p, 3 * exact.scale().value));
+        const auto value = traction.exact(x);
+        if (value && traction.limit) {
+            reach(std::clamp(*value, -*traction.limit, *traction.limit));
         }
-        plot.rows.push_back({Real(x), place.p ? point(*place.p) : std::nullopt, std::nullopt});
+        plot.rows.push_back({Real(x), value ? point(*value) : std::nullopt, std::nullopt});
     }
     for (const Node& node : file.data.nodes) {
+        const auto value = traction.data(node);
         // Far outside there is nothing to see.
-        if (node.exact.u() > -0.15 * exact.length()) {
-            plot.rows.push_back({point(node.x), std::nullopt, point(node.p)});
+        if (value && node.exact.u() > -0.15 * exact.length()) {
+            reach(*value);
+            plot.rows.push_back({point(node.x), std::nullopt, point(*value)});
         }
     }
-    if (exact.scale().mean) {
-        plot.y.range = {"0", fmt::format("{:.6g}", 1.1 * most)};
+    if (traction.limit) {
+        plot.y.range = {fmt::format("{:.6g}", 1.1 * least), fmt::format("{:.6g}", 1.1 * most)};
     }
     return plot;
 }
 
-Plot error_plot(const ComparisonReport& report, const FileComparison& file, const std::string& id) {
+/// The errors of the nodes inside against u/(a + b), with the edge's elements and, of the pressure,
+/// the window that c_0 is fitted over shaded.
+Plot error_plot(const ComparisonReport& report, const FileComparison& file, const std::string& id,
+                const Traction& traction) {
     const comparison::ExactContact& exact = *report.exact;
+    const bool fitted = traction.symbol == "p";
     Plot plot;
-    plot.id = id + "-error";
-    plot.title = "Error of p: " + shown_name(file);
-    plot.description = "The relative error of the data's pressures against the distance from the "
-                       "edge, on logarithmic axes; the two elements at the edge and the window "
-                       "that c_0 is fitted over are shaded";
+    plot.id = id + (fitted ? "-error" : "-" + traction.id + "-error");
+    plot.title = "Error of " + traction.symbol + ": " + shown_name(file);
+    plot.description =
+        "The " + traction.error_what +
+        " against the distance from the edge, on logarithmic axes; the two "
+        "elements at the edge " +
+        (fitted ? "and the window that c_0 is fitted over are shaded" : "are shaded");
     plot.x = {"distance from the edge, u/(a + b)", true, {}};
-    plot.y = {"|error of p|/p", true, {}};
+    plot.y = {traction.error_label, true, {}};
     plot.columns = {"u", "right", "left"};
     double least_u = 0.5;
     double least = 1;
     double most = 1e-16;
     for (const Node& node : file.data.nodes) {
-        if (!node.exact.p || !node.exact.inside() || !(*node.exact.p > 0) || node.error == 0) {
+        const auto found = node.exact.inside() ? traction.error(node) : std::nullopt;
+        if (!found || *found == 0) {
             continue;
         }
         const double u = node.exact.u() / exact.length();
-        const double error = std::abs(node.error / *node.exact.p);
+        const double error = *found;
         const bool right = node.exact.nearer() == contact::Edge::right;
         plot.rows.push_back(
             {point(u), right ? point(error) : std::nullopt, right ? std::nullopt : point(error)});
@@ -140,13 +210,12 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
     if (2 * element > from && 2 * element < 0.6) {
         plot.bands.push_back({number(from), number(2 * element), "two elements", 0.3});
     }
-    if (const auto& fit = file.fits[index_of(edge)]) {
+    if (const auto& fit = file.fits[index_of(edge)]; fit && fitted) {
         plot.bands.push_back({number(fit->from / exact.length()), number(fit->to / exact.length()),
                               "c_0 fitted here", 0.12});
     }
-    const comparison::Tolerances& t = report.comparison.tolerances;
-    if (t.of == comparison::Norm::local) {
-        plot.level = {number(t.pressure), "tolerance"};
+    if (traction.tolerance) {
+        plot.level = {number(*traction.tolerance), "tolerance"};
     }
     plot.key_below = true;
     return plot;
@@ -188,20 +257,33 @@ Plot convergence_plot(const ComparisonReport& report) {
     return plot;
 }
 
+} // namespace
+
 std::vector<Figure> comparison_figures(const ComparisonReport& report) {
     const PrecisionScope scope(comparison::ExactContact::place_digits);
     std::vector<Figure> figures;
     std::set<std::string> taken{"convergence"};
     for (const FileComparison& file : report.comparison.files) {
         const std::string id = file_id(file.table.file, taken);
+        const bool sheared = report.exact->shear() != nullptr && file.shear.has_value();
         Figure figure{id,
                       shown_name(file),
                       "Left: data and exact pressure. Right: the relative error of each node "
-                      "against its distance from the nearer edge.",
-                      {pressure_plot(report, file, id)}};
-        Plot errors = error_plot(report, file, id);
-        if (!errors.rows.empty()) {
-            figure.plots.push_back(std::move(errors));
+                      "against its distance from the nearer edge." +
+                          std::string(sheared ? " Below: the same of the shear traction, its "
+                                                "error relative to |Q|/(a + b) + |bulk tension|/4."
+                                              : ""),
+                      {}};
+        std::vector<Traction> tractions{pressure_of(report)};
+        if (sheared) {
+            tractions.push_back(shear_of(report));
+        }
+        for (const Traction& traction : tractions) {
+            figure.plots.push_back(traction_plot(report, file, id, traction));
+            Plot errors = error_plot(report, file, id, traction);
+            if (!errors.rows.empty()) {
+                figure.plots.push_back(std::move(errors));
+            }
         }
         figures.push_back(std::move(figure));
     }

@@ -142,11 +142,17 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
         return lines;
     }
     const comparison::Diagnosis& d = *diagnosis;
-    if (d.at_edges_only) {
+    if (!d.causes.empty()) {
+        // They say it all.
+    } else if (d.at_edges_only && d.largest_inside) {
+        lines.push_back(fmt::format("away from the edges {} is right to {}, and scatters by {} "
+                                    "from node to node: no known mistake is told from that",
+                                    symbol, percent_text(d.unexplained), percent_text(d.noise)));
+    } else if (d.at_edges_only) {
         lines.push_back(fmt::format("away from the edges {} is right to {}: what is off lies at "
                                     "the edges, as what a mesh does to them",
                                     symbol, percent_text(d.unexplained)));
-    } else if (d.causes.empty()) {
+    } else {
         lines.push_back(fmt::format("no cause that is known explains {}: {} are left, where the "
                                     "nodes scatter by {}",
                                     symbol, percent_text(d.unexplained), percent_text(d.noise)));

@@ -23,7 +23,7 @@ std::string self_test_text(const comparison::SelfTest& test) {
     }
     out += "\n" + rule + "\n";
     for (const comparison::SelfTestRow& row : test.rows) {
-        out += "| `" + row.name + "` |";
+        out += "| " + (row.name.empty() ? "none" : "`" + row.name + "`") + " |";
         for (const comparison::SelfTestCount& count : row.at) {
             out += " " + cell(count) + " |";
         }

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Programs that are started, and that end with this one."""
+import signal
+import subprocess
+import sys
+
+
+def run(command, **options):
+    """A program that ends when this one is told to by SIGTERM, and whatever that has started in the same way."""
+    before = signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        with subprocess.Popen(command, **options) as child:
+            try:
+                output, errors = child.communicate()
+            except BaseException:
+                child.terminate()
+                raise
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    return subprocess.CompletedProcess(command, child.returncode, output, errors)

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/data_elsewhere.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr double loaded_share = 0.02; ///< of the largest pressure
+constexpr double like_width = 2;      ///< widths of one contact, roughly known
+/// Lengths that programs are written for, in each other's units.
+constexpr std::array usual_units{1e-9, 1e-6, 1e-3, 1e-2, 1e-1,     1e1,     1e2,
+                                 1e3,  1e6,  1e9,  25.4, 1 / 25.4, 25.4e-3, 1 / 25.4e-3};
+
+/// The usual factor by which the data's width becomes the contact's, if one is near.
+std::optional<double> factor_near(double wanted) {
+    std::optional<double> best;
+    for (const double factor : usual_units) {
+        const double off = std::abs(std::log(factor / wanted));
+        if (off < std::log(like_width) && (!best || off < std::abs(std::log(*best / wanted)))) {
+            best = factor;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+void require_nodes_inside(const FileComparison& file, const ExactContact& exact) {
+    if (file.inside > 0) {
+        return;
+    }
+    const auto& nodes = file.data.nodes;
+    const double a = exact.a().value;
+    const double b = exact.b().value;
+    double most = 0;
+    for (const Node& node : nodes) {
+        most = std::max(most, std::abs(node.p));
+    }
+    const auto pressing = [&](const Node& node) { return std::abs(node.p) > loaded_share * most; };
+    const auto first = std::ranges::find_if(nodes, pressing);
+    const std::string none =
+        fmt::format("none of the {} nodes lies inside the contact, {:.6g} < x < {:.6g}",
+                    nodes.size(), -b + file.data.origin, a + file.data.origin);
+    if (first == nodes.end()) {
+        throw InputError(none + ", and none presses",
+                         "give the nodes of the contact, with their pressures")
+            .at(file.table.file, 0);
+    }
+    auto last = nodes.end() - 1;
+    while (!pressing(*last)) {
+        --last;
+    }
+    const double from = first->x + file.data.origin;
+    const double to = last->x + file.data.origin;
+    const double steps = static_cast<double>(last - first);
+    // The contact ends half an element beyond the nodes that press.
+    const double width = to - from + (steps > 0 ? (to - from) / steps : 0);
+    const double ratio = exact.length() / width;
+    const auto unit = factor_near(ratio);
+    std::string instead;
+    if (ratio > 1 / like_width && ratio < like_width) {
+        instead = fmt::format("write --origin {:.4g}, the x of the data at the scene's origin, or "
+                              "leave --origin out",
+                              0.5 * (from + to) - 0.5 * (a - b));
+    } else if (unit) {
+        instead =
+            fmt::format("write --scale x={:.6g} if x is in another unit than the scene's", *unit);
+    } else {
+        instead = "write --scale x=... if x is in another unit than the scene's, --origin if it "
+                  "counts from elsewhere";
+    }
+    throw InputError(fmt::format("{}: the data press from x = {:.6g} to {:.6g}", none, from, to),
+                     instead)
+        .at(file.table.file, 0);
+}
+
+} // namespace edgeproof::comparison

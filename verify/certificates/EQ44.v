@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Expansions.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics Expansions HalfPowers PressureExpansions.
 Open Scope R_scope.
 
 Theorem EQ44_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
@@ -15,11 +15,11 @@ Theorem EQ44_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha
   ~ agrees_through 3 (fun eps => alpha ((b a) - eps * X) - a)
     (fun eps => - eps * X / (b1 a) - eps ^ 2 * X ^ 2 * (b2 a) / (2 * (b1 a) ^ 3) - eps ^ 3 * X ^ 3 * ((b1 a) * (b3 a) - 3 * (b2 a) ^ 2) / (6 * (b1 a) ^ 5)).
 Proof.
-  intros contact left X differ printed.
+  intros contact left X differ.
   edge_facts contact left.
   pose proof (inverse_through_3 _ _ _ _ _ _ _ _ _ _ _ _ contact left X) as derived.
-  apply differ, Rminus_diag_eq.
-  assert (polynomial : agrees_through 3 (fun eps => alpha ((b a) - eps * X) - a) (fun u => (0) + (- (X / (b1 a))) * u + (- ((b2 a) * X ^ 2 / (2 * (b1 a) ^ 3))) * u ^ 2 + (X ^ 3 * (3 * (b2 a) ^ 2 - (b1 a) * (b3 a)) / (6 * (b1 a) ^ 5)) * u ^ 3)).
+  intros printed. apply differ, Rminus_diag_eq.
+  assert (polynomial : agrees_through 3 (fun eps => (alpha ((b a) - eps * X) - a)) (fun u => (0) + (- (X / (b1 a))) * u + (- ((b2 a) * X ^ 2 / (2 * (b1 a) ^ 3))) * u ^ 2 + (X ^ 3 * (3 * (b2 a) ^ 2 - (b1 a) * (b3 a)) / (6 * (b1 a) ^ 5)) * u ^ 3)).
   { apply (agrees_ext _ _ _ _ printed). intros u. field; repeat split; lra. }
   destruct (unique_3 _ _ _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2 & E3).
   transitivity_of E3; field; repeat split; lra.

@@ -86,9 +86,10 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
     certificate.verdict = std::string(name_of(result.outcome.verdict));
     certificate.file = coq_name(result.claim.id) + ".v";
     static const std::map<std::string_view, decltype(&certify_identity)> kinds{
-        {"identity", certify_identity}, {"value", certify_value},
-        {"extent", certify_extent},     {"expansion", certify_expansion},
-        {"monotone", certify_monotone}, {"vanishing", certify_vanishing}};
+        {"identity", certify_identity},     {"value", certify_value},
+        {"extent", certify_extent},         {"expansion", certify_expansion},
+        {"monotone", certify_monotone},     {"vanishing", certify_vanishing},
+        {"uniformity", certify_uniformity}, {"figure", certify_figure}};
     try {
         const auto kind = kinds.find(result.claim.kind);
         if (kind == kinds.end()) {

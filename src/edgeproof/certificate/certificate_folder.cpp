@@ -143,7 +143,7 @@ void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger
         const Certificate today = certify(claim, ledger);
         if (!today.theorems.empty() && holds(today.file, today.text)) {
             claim.certificate = {(std::filesystem::path(shown) / today.file).generic_string(),
-                                 today.whole_verdict};
+                                 today.whole_verdict, (folder / today.file).string()};
         }
     }
 }

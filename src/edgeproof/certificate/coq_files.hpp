@@ -20,6 +20,10 @@ extern const std::string_view FlatAndRounded_v; ///< an integral that is printed
 extern const std::string_view Shear_v;          ///< full stick
 extern const std::string_view Tactics_v;        ///< proofs of identities and of inequalities
 extern const std::string_view Expansions_v;     ///< Taylor polynomials in a small eps
+extern const std::string_view HalfPowers_v;     ///< expansions in half powers of eps
+extern const std::string_view PressureExpansions_v; ///< of pressures near an edge
+
+extern const std::string_view Uniform_v; ///< an expansion for all of a variable at once
 
 } // namespace coq_files
 

@@ -21,6 +21,10 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
                       Certificate& certificate);
 void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& ledger,
                        Certificate& certificate);
+void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                    Certificate& certificate);
+void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                        Certificate& certificate);
 
 /// Text inside a comment of Coq: no comment opens, closes, or begins a string in it.
 [[nodiscard]] std::string in_comment(std::string text);

@@ -132,12 +132,12 @@ SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
     return s;
 }
 
-SampledTheory power_law_contact(long m, const std::string& mark) {
+SampledTheory power_law_contact(long m, const std::string& mark, const Rational& x) {
     Theory theory = m == 0 ? symmetric_punch("wedge", "Part 0 C 0", "(x / 2)", mark)
                            : symmetric_punch("parabola", "Part 0 0 C", "(x / 2)", mark);
     theory.names.emplace("m", std::to_string(m));
     SampledTheory s = sampled(std::move(theory), "power-law", {{"Es", "1"}, {"C", "1"}, {"a", "1"}},
-                              "1/2", "1/4");
+                              x.str(), Rational((1 - x) / 2).str());
     s.sample.scene.parameters.insert_or_assign("m", formula::Exact::parse(std::to_string(m)));
     return s;
 }

@@ -71,8 +71,9 @@ struct Tension {
 [[nodiscard]] Theory symmetric_punch(const std::string& punch, const std::string& parts,
                                      const std::string& beyond, const std::string& mark = "");
 
-/// The contact with Es = C = a = 1 of g'(x) = C sgn(x) |x|^m, for m = 0 or 1, and x = 1/2 in it.
+/// The contact with Es = C = a = 1 of g'(x) = C sgn(x) |x|^m, for m = 0 or 1, and x > 0 in it.
 /// The names of its unknowns end in `mark`, so that two of them can stand in one theorem.
-[[nodiscard]] SampledTheory power_law_contact(long m, const std::string& mark);
+[[nodiscard]] SampledTheory power_law_contact(long m, const std::string& mark,
+                                              const Rational& x = Rational(1, 2));
 
 } // namespace edgeproof::certificate

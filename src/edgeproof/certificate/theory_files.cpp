@@ -14,7 +14,10 @@ const std::vector<TheoryFile>& theory_files() {
         {"FlatAndRounded", coq_files::FlatAndRounded_v, "Contact.vo"},
         {"Shear", coq_files::Shear_v, ""},
         {"Tactics", coq_files::Tactics_v, "Symmetric.vo TiltedWedge.vo Shear.vo"},
-        {"Expansions", coq_files::Expansions_v, "Tactics.vo"}};
+        {"Expansions", coq_files::Expansions_v, "Tactics.vo"},
+        {"HalfPowers", coq_files::HalfPowers_v, "Expansions.vo"},
+        {"PressureExpansions", coq_files::PressureExpansions_v, "HalfPowers.vo"},
+        {"Uniform", coq_files::Uniform_v, "Expansions.vo"}};
     return all;
 }
 

@@ -66,6 +66,28 @@ TEST_CASE("verify shows no certificate that is stated in other definitions") {
     CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate").is_null());
 }
 
+// What the page links to is the certificate, wherever the page is, there already or new.
+TEST_CASE("the page links to the certificate from where it is written") {
+    const Folder folder;
+    folder.write("own.toml", wedge_ledger(wedge_wrong));
+    REQUIRE(run(folder, "certify own.toml --out proofs").code == 0);
+    for (const std::string out : {"out", "out", "some/where/else"}) {
+        REQUIRE(
+            run(folder, "verify own.toml --digits 20 --certificates proofs --out " + out).code ==
+            0);
+        const std::string page = file_text(folder.path() / out / "report.html");
+        const std::size_t end = page.find("\">certificate</a>");
+        REQUIRE(end != std::string::npos);
+        const std::size_t begin = page.rfind("href=\"", end) + 6;
+        const auto linked = folder.path() / out / page.substr(begin, end - begin);
+        CHECK(std::filesystem::equivalent(linked, folder.path() / "proofs/c0.v"));
+    }
+    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is of another formula
+    REQUIRE(run(folder, "verify own.toml --digits 20 --certificates proofs --out out").code == 0);
+    CHECK(file_text(folder.path() / "out/report.html").find("certificate</a>") ==
+          std::string::npos);
+}
+
 TEST_CASE("verify --certificates of no folder is told in a line") {
     const Folder folder;
     folder.write("own.toml", wedge_ledger(wedge_wrong));

@@ -14,8 +14,9 @@ namespace edgeproof::audit {
 /// Theorems about a claim that Coq checks: the file that states them, seen from the ledger's
 /// folder.
 struct TheoremFile {
-    std::string path;           ///< "certificates/EQ18.v"
+    std::string path;           ///< as it is shown: "certificates/EQ18.v"
     bool whole_verdict = false; ///< they say all that the verdict does, not part of it
+    std::string file;           ///< where it is
 };
 
 /// What was found of one claim: the outcome under each reading, and what follows from all.

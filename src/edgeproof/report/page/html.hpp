@@ -40,7 +40,7 @@ struct PageHead {
     std::string ledger_sha256;
     std::string command; ///< that makes the page anew
     std::string date;    ///< 2026-11-23
-    /// Files with the verdicts as theorems, beside the ledger, by the claim's id.
+    /// Files with the verdicts as theorems, as links from the page, by the claim's id.
     std::map<std::string, std::string, std::less<>> certificates;
 };
 

@@ -93,8 +93,8 @@ std::string date_text() {
     return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
-PageHead head_of(const audit::Ledger& ledger, const std::filesystem::path& folder,
-                 const std::string& command) {
+PageHead head_of(const audit::AuditResult& result, const audit::Ledger& ledger,
+                 const std::filesystem::path& home, const std::string& command) {
     PageHead head;
     const std::filesystem::path file = ledger.file;
     head.source = ledger.print;
@@ -105,13 +105,10 @@ PageHead head_of(const audit::Ledger& ledger, const std::filesystem::path& folde
     }
     head.command = command;
     head.date = date_text();
-    for (const audit::Claim& claim : ledger.claims) {
-        std::string name = claim.id;
-        std::ranges::replace(name, '.', '_');
-        const auto theory = file.parent_path() / "certificates" / (name + ".v");
-        if (std::filesystem::is_regular_file(theory, ignored)) {
-            head.certificates.emplace(claim.id,
-                                      std::filesystem::relative(theory, folder, ignored).string());
+    for (const audit::ClaimResult& r : result.claims) {
+        if (r.certificate) {
+            head.certificates.emplace(
+                r.claim.id, std::filesystem::proximate(r.certificate->file, home).generic_string());
         }
     }
     return head;
@@ -120,8 +117,8 @@ PageHead head_of(const audit::Ledger& ledger, const std::filesystem::path& folde
 } // namespace
 
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
-                       const std::filesystem::path& folder, int threads,
-                       const std::string& command) {
+                       const std::filesystem::path& folder, int threads, const std::string& command,
+                       const std::filesystem::path& home) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
     const auto gnuplot = find_gnuplot();
@@ -176,8 +173,9 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
         }
     }
     io::write_whole(folder / "errata.tex", errata_tex(result, ledger.print));
-    io::write_whole(folder / "report.html",
-                    html_page(result, page, head_of(ledger, folder, command)));
+    io::write_whole(
+        folder / "report.html",
+        html_page(result, page, head_of(result, ledger, home.empty() ? folder : home, command)));
 }
 
 } // namespace edgeproof::report

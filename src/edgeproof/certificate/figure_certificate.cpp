@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+#include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/certificate/sampled_statement.hpp"
+#include "edgeproof/certificate/statement.hpp"
+
+#include <fmt/format.h>
+
+namespace edgeproof::certificate {
+
+// A quoted figure at one place of a wedge or a parabola, confirmed: the exact value is within half
+// a unit of the last digit that is quoted.
+void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                    Certificate& certificate) {
+    const audit::Claim& claim = result.claim;
+    if (result.outcome.verdict != audit::Verdict::confirmed) {
+        throw NotStated("of figures, only those that are confirmed are stated");
+    }
+    const audit::Family& family = ledger.family(claim.text("over"));
+    const auto scenes = draw_scenes(family, ledger.families);
+    const bool power_law =
+        profiles_of(ledger, claim.text("over")) == std::vector<std::string>{"power-law"};
+    const formula::Exact m = power_law ? scenes.front().parameter("m") : formula::Exact();
+    if (!power_law || !m.is_rational() || (m.rational() != 0 && m.rational() != 1) ||
+        family.parameters.empty() || family.u.size() != 1 || !family.u.front().is_rational()) {
+        throw NotStated("figures are stated of one place of a wedge or a parabola");
+    }
+    for (const audit::SceneSpec& scene : scenes) {
+        if (scene.parameter("m") != m) {
+            throw NotStated("the figure is of several exponents");
+        }
+    }
+    const SampledTheory contact = power_law_contact(m.rational() == 0 ? 0 : 1, "",
+                                                    Rational(1 - 2 * family.u.front().rational()));
+    const audit::QuotedFigure figure = audit::QuotedFigure::of(claim);
+    const Rational half = figure.within_units(Rational(1, 2)).second - figure.value();
+    Statement statement(contact.theory);
+    const std::string conclusion =
+        fmt::format("Rabs (({}) - {}) <= {}", statement(claim.formula("of")),
+                    coq_number(figure.value()), coq_number(half));
+    const std::string name = coq_name(claim.id) + "_figure";
+    certificate.text =
+        file_head(claim, ledger, contact.theory) + constants(contact.theory.constants) +
+        theorem_text(name, statement.text(conclusion), statement.proof("numbers constants"));
+    certificate.theorems = {
+        {name, fmt::format("it rounds to what is quoted, {}", claim.text("quoted"))}};
+    certificate.whole_verdict = true;
+    certificate.leaves_out = "that it is the same at every scale";
+}
+
+} // namespace edgeproof::certificate

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The named wrong edits of tests/mutations, whose README tells the format."""
+import contextlib
+import tomllib
+from dataclasses import dataclass
+
+from tree_copy import ROOT
+
+FOLDER = ROOT / "tests" / "mutations"
+
+
+class Malformed(Exception):
+    pass
+
+
+@dataclass(frozen=True)
+class Mutation:
+    name: str
+    why: str
+    file: str
+    find: str
+    replace: str
+    target: str
+    case: str | None = None
+    ctest: str | None = None
+
+    def test(self):
+        """What identifies the test, so that each is tried once on the code as it is."""
+        return (self.target, self.case, self.ctest)
+
+    def command(self, build):
+        if self.ctest is not None:
+            return ["ctest", "--test-dir", str(build), "--no-tests=error", "-R", self.ctest]
+        chosen = f"--test-case={self.case}" if self.case else "--test-suite-exclude=slow"
+        return [str(build / "bin" / self.target), chosen]
+
+    def fault(self, root):
+        """Why the edit does not apply to the tree at root, or None."""
+        path = root / self.file
+        if not path.is_file():
+            return f"no file {self.file}"
+        count = path.read_text().count(self.find)
+        return None if count == 1 else f"its text occurs {count} times in {self.file}"
+
+    @contextlib.contextmanager
+    def made(self, tree):
+        """The edit made in tree, and taken back behind the block."""
+        path = tree / self.file
+        original = path.read_text()
+        path.write_text(original.replace(self.find, self.replace))
+        try:
+            yield
+        finally:
+            path.write_text(original)
+
+
+def load(path):
+    try:
+        fields = tomllib.loads(path.read_text())
+        mutation = Mutation(name=path.stem, **fields)
+    except (tomllib.TOMLDecodeError, TypeError) as error:
+        raise Malformed(f"{path}: {error}") from error
+    if not all(isinstance(value, str) for value in fields.values()):
+        raise Malformed(f"{path}: every value is text")
+    if mutation.case and mutation.ctest:
+        raise Malformed(f"{path}: case and ctest exclude each other")
+    if not mutation.find or mutation.find == mutation.replace:
+        raise Malformed(f"{path}: the edit changes nothing")
+    return mutation
+
+
+def load_all(names=()):
+    """Those of these names, or all."""
+    files = {path.stem: path for path in sorted(FOLDER.glob("*.toml"))}
+    unknown = [name for name in names if name not in files]
+    if unknown:
+        raise Malformed(f"no edit is called {', '.join(unknown)}")
+    return [load(files[name]) for name in (names or files)]
+
+
+def first_errors(built):
+    """What a compiler said, for one line."""
+    errors = [line for line in built.stdout.splitlines() if "error:" in line]
+    return errors[0] if errors else built.stdout[-300:]

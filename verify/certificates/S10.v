@@ -1,0 +1,29 @@
+(* Claim S10 of the ledger moore-hills, lines 182 to 182 of its source.
+   Printed: For example, when we are $1\%$ of the distance from contact edge, when $m = 0$, the relative error of the one-term approximation is $\approx 0.4\%$, while for $m = 10$ it is $\approx6.4\%$.
+   Says: in words *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics.
+Open Scope R_scope.
+
+Definition Es : R := 1.
+Definition C : R := 1.
+Definition a : R := 1.
+Definition x : R := (99 / 100).
+Definition wedge : list part := cons (Part 0 C 0) nil.
+Ltac constants := unfold wedge, x, a, C, Es in *.
+Ltac positive := constants; repeat split; lra.
+
+Theorem S10_figure : exists p0 r0 r1 r2,
+  is_pressure Es (slope wedge) a x p0 /\
+  right_edge_series Es (slope wedge) a r0 r1 r2 /\
+  Rabs ((Rabs (1 - (r0 * ((a - x) ^ 0 * sqrt (a - x))) / p0)) - (1 / 250)) <= (1 / 2000).
+Proof.
+  eexists. eexists. eexists. eexists. 
+  split. { apply (pressure Es wedge (x / 2)); sides constants. }
+  split. { apply right_edge with (1 := smooth_contact Es wedge (x / 2) a ltac:(sides constants) ltac:(sides constants)). }
+  numbers constants.
+Qed.
+Print Assumptions S10_figure.
+

@@ -45,7 +45,7 @@ TEST_CASE(
     };
     const std::string behind = "something follows a closing quote";
     const std::string within = "a quote stands within a cell that does not begin with one";
-    for (const auto& [row, fault] : {
+    for (const std::pair<const char*, std::string>& wrong : {
              std::pair{"\"0.4\"999,x", behind},
              std::pair{"\"0.4\" NaN (diverged),x", behind},
              std::pair{"\"0.4\"\t\t.5,x", behind},
@@ -53,8 +53,10 @@ TEST_CASE(
              std::pair{"0.\"4\",x", within},
              std::pair{"x,0.4\"", within},
          }) {
+        const std::string row = wrong.first;
+        const std::string& fault = wrong.second;
         CAPTURE(row);
-        const std::string text = std::string("a,b\n") + row + "\n1,2\n";
+        const std::string text = "a,b\n" + row + "\n1,2\n";
         CHECK_THROWS_AS((void)parse_csv(text, "f.csv"), InputError);
         const Csv csv = parse_csv(text, "f.csv", {.keep_faults = true});
         REQUIRE(csv.rows.size() == 2);

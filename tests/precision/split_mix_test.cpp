@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <initializer_list>
+
 // The first numbers of Java's SplittableRandom(1234567), which Steele, Lea & Flood's paper is of,
 // as published at rosettacode.org/wiki/Pseudo-random_numbers/Splitmix64.
 TEST_CASE("SplitMix64 gives the published numbers") {

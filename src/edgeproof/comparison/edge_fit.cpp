@@ -142,20 +142,21 @@ std::optional<EdgeFit> fit_window(const NearNodes& near, std::size_t terms) {
     if (near.u.size() < terms + fewest_spare) {
         return {};
     }
-    const auto [least, most] = std::ranges::minmax_element(near.u);
-    const auto all = fit_terms(near, near.p, terms, *most);
-    const auto fewer = fit_terms(near, near.p, terms - 1, *most);
-    const auto of_exact = fit_terms(near, near.exact, terms, *most);
+    const auto ends = std::ranges::minmax_element(near.u);
+    const double most = *ends.max;
+    const auto all = fit_terms(near, near.p, terms, most);
+    const auto fewer = fit_terms(near, near.p, terms - 1, most);
+    const auto of_exact = fit_terms(near, near.exact, terms, most);
     if (!all || !fewer || !of_exact) {
         return {};
     }
     EdgeFit fit;
     fit.nodes = near.u.size();
     fit.terms = terms;
-    fit.from = *least;
-    fit.to = *most;
+    fit.from = *ends.min;
+    fit.to = most;
     const auto coefficient = [&](std::size_t k) {
-        const double unit = std::pow(*most, static_cast<double>(k) + 0.5);
+        const double unit = std::pow(most, static_cast<double>(k) + 0.5);
         return FittedCoefficient{
             all->coefficients[k] / unit,
             std::hypot(all->standard_errors[k], all->coefficients[k] - fewer->coefficients[k]) /

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/suspect_maker.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 
 #include <map>
 #include <string>

@@ -5,6 +5,7 @@
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/instantiate.hpp"
+#include "edgeproof/validation/enclosed_value.hpp"
 #include "edgeproof/validation/plain_tanh_sinh.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] std::vector<Ball> force_derivatives(std::size_t count) const;
     /// b(a), b'(a), b''(a), ...
     [[nodiscard]] std::vector<Ball> left_edge_derivatives(std::size_t count) const;
+    /// P'(a + z) along the family of contacts, for every right edge of the ball a.
+    [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
     /// p at the distance u from an edge. Not finite when the ball of x meets a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     /// Where the edge is given as well, the distances from the knots are exact.
@@ -117,8 +119,6 @@ private:
     [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
-    /// P'(a + z) along the family of contacts.
-    [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
     [[nodiscard]] std::vector<Mark<BallSeries>> marks(const Extent<BallSeries>& e) const;
     [[nodiscard]] Ball constant(const formula::Expr& e) const;
     void find_knots_on_edges();

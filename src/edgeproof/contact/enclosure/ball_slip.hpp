@@ -31,6 +31,8 @@ public:
 
     /// |Q|/(f P).
     [[nodiscard]] const Ball& load_ratio() const { return ratio_; }
+    [[nodiscard]] const Ball& force() const { return force_; } ///< P
+    [[nodiscard]] const Ball& friction() const { return friction_; }
     /// |Q| >= f P: no zone sticks.
     [[nodiscard]] bool sliding() const { return !stick_; }
     [[nodiscard]] const BallZone& stick() const { return *stick_; }

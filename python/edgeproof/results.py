@@ -130,6 +130,8 @@ class StickZone(_Plain):
     least_bulk_tension  between it and most_bulk_tension (in the unit of the contact modulus) both
                         edges slip in the direction of Q; a scene beyond them is refused. None where
                         a bound was not found
+    cycle_energy        energy per unit length that friction takes in a cycle from -Q to Q and back,
+                        P held; None with a bulk tension
     in_proportion       Q and the bulk tension may grow in proportion; False: Q has to go first
     """
 
@@ -138,6 +140,7 @@ class StickZone(_Plain):
     b: Value
     least_bulk_tension: Value | None
     most_bulk_tension: Value | None
+    cycle_energy: Value | None
     in_proportion: bool
 
 

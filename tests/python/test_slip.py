@@ -44,6 +44,18 @@ def test_zones_of_hertz(slipping):
             assert [t.terms for t in slip.terms] == [1, 2]
 
 
+def test_the_energy_of_a_cycle(slipping):
+    """Slip times traction: a step dQ adds 2 dQ/(pi E*) arcosh(x/c) to the slip where c sticks."""
+    energy = slipping.slip(digits=30).stick.cycle_energy
+    assert energy.proved
+    with mpmath.workdps(25):
+        def taken(force):
+            c = mpmath.sqrt(1 - force / (mpmath.mpf(F) * mpmath.pi / 4))
+            return mpmath.quad(lambda x: mpmath.sqrt(1 - x * x) / 2 * mpmath.acosh(x / c), [c, 1])
+        cycle = 16 * mpmath.mpf(F) / mpmath.pi * mpmath.quad(taken, [0, mpmath.mpf(Q)])
+        assert mpmath.almosteq(energy.mpmath(), cycle, 1e-17)
+
+
 def test_how_far_one_term_is_right(slipping):
     """d_1/d - 1 = -d/(2a): 1 % where d = a/50."""
     term, = slipping.slip(terms=1, tolerance="1%").terms

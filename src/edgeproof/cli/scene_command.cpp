@@ -319,6 +319,7 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
     facts.push_back(fact("stick_b", stick.b, digits));
     add_fact(facts, "least_bulk_tension", stick.least_tension, digits);
     add_fact(facts, "most_bulk_tension", stick.most_tension, digits);
+    add_fact(facts, "cycle_energy", stick.cycle_energy, digits);
     if (!stick.in_proportion) {
         facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
                                  "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "

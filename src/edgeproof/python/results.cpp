@@ -110,6 +110,7 @@ py::object stick_of(const std::optional<scene::StickValues>& s, const Maker& val
     d["b"] = value(s->b);
     d["least_bulk_tension"] = value(s->least_tension);
     d["most_bulk_tension"] = value(s->most_tension);
+    d["cycle_energy"] = value(s->cycle_energy);
     d["in_proportion"] = s->in_proportion;
     return d;
 }

@@ -98,7 +98,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
             CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
         }
     }
-    CHECK(symbols == 15);
+    CHECK(symbols == 16);
     CHECK_FALSE(quantity_named(""));
     CHECK_FALSE(quantity_named("heat"));
     CHECK_FALSE(quantity_named("p_1"));
@@ -127,11 +127,14 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         {Quantity::stick_a, Ball(Rational(1, 2), bits)},
         {Quantity::stick_b, Ball(Rational(1, 2), bits)},
         {Quantity::p_max, Ball(Rational(1, 2), bits)}, // sqrt(1 - x^2)/2 at x = 0
+        // (8 f^2 P^2/(2 pi)) (t - t^2/2 + (1 - t) ln(1 - t)), f P = 2/5, t = 3/4
+        {Quantity::cycle_energy,
+         (Ball(Rational(15, 32), bits) - log(Ball(2, bits)) / 2) * 16 / (pi * 25)},
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
         const Scene scene = row.needs == QuantityRow::Needs::unknown_tilt ? loaded_wedge("0")
-                            : row.needs == QuantityRow::Needs::friction   ? slipping_hertz_scene()
+                            : row.of_friction()                           ? slipping_hertz_scene()
                                                                           : sheared_hertz();
         const AskedValue asked = asked_of(row);
         if (is_made_of_others(row)) {
@@ -156,7 +159,7 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
         CAPTURE(row.name);
         const bool tilt = row.needs == QuantityRow::Needs::unknown_tilt;
         const AskedValue asked = asked_of(row);
-        const bool slips = row.needs == QuantityRow::Needs::friction;
+        const bool slips = row.of_friction();
         const Ball one = in_balls(tilt    ? loaded_wedge("1/100")
                                   : slips ? slipping_hertz_scene()
                                           : sheared_hertz(),
@@ -178,7 +181,7 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
 
 TEST_CASE("a name that is no quantity: how to write one, and which one was likely meant") {
     const std::string all = "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
-                            "extent_1, measure_1, slip, stick_a, stick_b or p_max";
+                            "extent_1, measure_1, slip, stick_a, stick_b, p_max or cycle_energy";
     CHECK(quantity_advice("temperature") == all);
     CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
     CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);

@@ -46,6 +46,10 @@ int slip(const SceneOptions& o) {
                               scene.ask.tolerance->text() +
                               ", P and bulk_tension/Q held; 1: up to full sliding");
     }
+    if (result.stick && result.stick->cycle_energy) {
+        table.notes.emplace_back("cycle_energy: what friction takes, per unit length, in a cycle "
+                                 "from -Q to Q and back, P held");
+    }
     table.notes.push_back(bound_note(result.plan));
     const ValueColumns value(scene);
     table.columns = {{"edge", report::Column::Kind::text}};

@@ -44,7 +44,8 @@ enum class Quantity {
     stick_b,  ///< distance of its left edge
     residual, ///< 1 - (the first k terms)/p at a point, with its sign
     tilt_difference, ///< p at a point less that of the same profile and a, upright
-    p_max            ///< the greatest pressure
+    p_max,           ///< the greatest pressure
+    cycle_energy     ///< what friction takes in a cycle of Q, P held, without a bulk tension
 };
 
 /// What is planned and computed together; `quantities` of a scene file names these.
@@ -77,7 +78,7 @@ struct QuantityRow {
     /// What k of an AskedValue is.
     enum class Index { none, order, terms };
     /// What a scene must have.
-    enum class Needs { nothing, shear, friction, unknown_tilt };
+    enum class Needs { nothing, shear, friction, friction_alone, unknown_tilt };
 
     Quantity quantity;
     /// In recipes, questions, answers and headers of columns, without the index ("c" of c_1);
@@ -115,10 +116,11 @@ struct QuantityRow {
     /// In place of evaluators: where a search for crossings puts it.
     BoundedValue ExtentValues::*searched = nullptr;
 
-    /// Needs [shear] of the scene, which is left out of the plan of others.
-    [[nodiscard]] bool of_shear() const {
-        return needs == Needs::shear || needs == Needs::friction;
+    [[nodiscard]] bool of_friction() const {
+        return needs == Needs::friction || needs == Needs::friction_alone;
     }
+    /// Needs [shear] of the scene, which is left out of the plan of others.
+    [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }
     [[nodiscard]] bool at_point() const { return place == Place::point; }
     [[nodiscard]] bool at_edge() const { return place != Place::contact; }
 };

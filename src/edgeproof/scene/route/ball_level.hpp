@@ -5,6 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_peak.hpp"
 #include "edgeproof/contact/enclosure/ball_slip.hpp"
+#include "edgeproof/contact/enclosure/cycle_energy.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
@@ -19,6 +20,13 @@
 #include <vector>
 
 namespace edgeproof::scene {
+
+/// Whether BallLevel::cycle_energy has a formula for the scene's profile.
+[[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
+    return scene.profile &&
+           (scene.profile->kind() == contact::Profile::Kind::tilted_wedge ||
+            (scene.symmetric() && contact::BallContact::has_closed_form(*scene.profile)));
+}
 
 /// A scene's contact at one number of bits: what the route in balls goes up from level to level.
 class BallLevel {
@@ -139,6 +147,24 @@ public:
     /// The distance of the stick zone's edge from the origin.
     [[nodiscard]] Ball stick_edge(contact::Edge edge) {
         return slip() != nullptr ? slip()->stick().at(edge) : not_known();
+    }
+    /// Of the scenes that encloses_cycle_energy() tells.
+    [[nodiscard]] Ball cycle_energy() {
+        if (slip() == nullptr) {
+            return not_known();
+        }
+        if (scene_.profile->kind() == contact::Profile::Kind::tilted_wedge) {
+            return similar_cycle_energy(*slip(), Ball(1, bits_));
+        }
+        if (scene_.profile->kind() == contact::Profile::Kind::power_law) {
+            return similar_cycle_energy(*slip(),
+                                        ball_of(scene_.profile->parameters().at("m"), bits_) + 1);
+        }
+        try {
+            return contact::cycle_energy(*closed_, *slip());
+        } catch (const BudgetError&) {
+            return not_known();
+        }
     }
     /// kappa_1, ..., at an edge; not finite ones where there is no slip.
     [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {

@@ -70,8 +70,10 @@ public:
         if (row.searched != nullptr) {
             return extent(asked.edge, asked.k).*row.searched;
         }
-        if (row.needs == QuantityRow::Needs::friction ||
-            (scene_.slips() && row.quantity == Quantity::q)) {
+        if (asked.quantity == Quantity::cycle_energy && !encloses_cycle_energy(scene_)) {
+            return others().value(asked);
+        }
+        if (row.of_friction() || (scene_.slips() && row.quantity == Quantity::q)) {
             slips_.check();
         }
         BoundedValue value = bounded(
@@ -199,6 +201,9 @@ public:
                 slips_.tension_limit(forwards ? contact::Edge::right : contact::Edge::left);
             values.most_tension =
                 slips_.tension_limit(forwards ? contact::Edge::left : contact::Edge::right);
+        }
+        if (plan_.slip && tells_cycle_energy(scene_)) {
+            values.cycle_energy = value({Quantity::cycle_energy});
         }
         return values;
     }

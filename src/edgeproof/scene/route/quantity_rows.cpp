@@ -226,6 +226,18 @@ constexpr std::array quantity_table{
             [](const Scene& s, const Plan& /*plan*/) {
                 return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
             }},
+    Row{.quantity = Quantity::cycle_energy,
+        .symbol = "cycle_energy",
+        .name = "cycle-energy",
+        .group = QuantityGroup::slip,
+        .needs = Row::Needs::friction_alone,
+        .force_power = 1,
+        .length_power = 1,
+        .meaning = "the energy that friction takes in a cycle of Q",
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
+        .exact = no_exact_form_of,
+        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
+        .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "Mindlin's loop"; }},
 };
 
 /// In the order of QuantityGroup.
@@ -283,6 +295,11 @@ double scale_of(const AskedValue& asked, double force, double length) {
     return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
 }
 
+bool tells_cycle_energy(const Scene& scene) {
+    return scene.shear->bulk_tension.sign() == 0 &&
+           (scene.punch || scene.profile->has_closed_form());
+}
+
 std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     const std::string symbol = symbol_of(asked);
     switch (row_of(asked.quantity).needs) {
@@ -298,6 +315,18 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         if (!scene.slips()) {
             return Lack{symbol + " is asked for and there is no friction",
                         "add friction, or leave " + symbol + " out"};
+        }
+        break;
+    case QuantityRow::Needs::friction_alone:
+        if (!scene.slips() || scene.shear->bulk_tension.sign() != 0) {
+            return Lack{symbol + " is asked for and there is " +
+                            (scene.slips() ? "a bulk tension" : "no friction"),
+                        scene.slips() ? "leave bulk_tension out, or leave " + symbol + " out"
+                                      : "add friction, or leave " + symbol + " out"};
+        }
+        if (!tells_cycle_energy(scene)) {
+            return Lack{symbol + " is asked for and is not computed for curved slopes",
+                        "leave " + symbol + " out"};
         }
         break;
     case QuantityRow::Needs::unknown_tilt:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/real_level.hpp"
 
+#include "edgeproof/contact/routes/cycle_energy.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/roots/extremum.hpp"
@@ -171,6 +172,13 @@ BoundedValue RealLevel::stick_edge(contact::Edge edge) {
     const Real d = slip().size(edge);
     const Real from = edge == contact::Edge::right ? contact_.a() : contact_.b();
     return estimated(Real(from - d), Real(d * slip().estimate()), slip_route);
+}
+
+BoundedValue RealLevel::cycle_energy() {
+    const contact::PartialSlip& zones = slip();
+    const Real W = contact::cycle_energy(*uncounted_, zones, *scene_.shear->friction);
+    const PrecisionScope scope(W.precision());
+    return estimated(W, Real(W * zones.estimate()), "Mindlin's loop");
 }
 
 const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {

@@ -48,6 +48,7 @@ public:
     [[nodiscard]] const contact::PartialSlip& slip();
     [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
     [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
+    [[nodiscard]] BoundedValue cycle_energy();
     [[nodiscard]] const std::vector<BoundedValue>& c(contact::Edge edge);
     [[nodiscard]] const std::vector<BoundedValue>& s(contact::Edge edge);
     /// The sum of n terms of p, or of q.

@@ -139,6 +139,9 @@ public:
             Real(level.contact().a() + level.contact().b()),
             contact::ShearLoad<Real>{scene_.shear->Q.to<Real>(),
                                      scene_.shear->bulk_tension.to<Real>()});
+        if (plan_.slip && tells_cycle_energy(scene_)) {
+            values.cycle_energy = value({Quantity::cycle_energy});
+        }
         return values;
     }
 

@@ -78,6 +78,9 @@ struct StickValues {
     /// are: the least and the greatest that are allowed.
     std::optional<BoundedValue> least_tension;
     std::optional<BoundedValue> most_tension;
+    /// Where tells_cycle_energy(): what friction takes in a cycle from -Q to Q and back, P held;
+    /// energy per unit length.
+    std::optional<BoundedValue> cycle_energy;
     /// |sigma_0 (a + b)/Q| < 8/pi: the slip at both edges is in the direction of Q from the first
     /// load on, Q and sigma_0 growing in proportion.
     bool in_proportion = true;
@@ -117,6 +120,10 @@ public:
     [[nodiscard]] virtual StickValues stick() = 0;
     [[nodiscard]] virtual SlipValues slip(contact::Edge edge) = 0;
 };
+
+/// Whether a stick zone is told with its cycle_energy: without a bulk tension; not where g' is
+/// curved, as a quadrature over contacts that are quadratures takes minutes.
+[[nodiscard]] bool tells_cycle_energy(const Scene& scene);
 
 /// What a plan has of the contact itself, one by one.
 [[nodiscard]] ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan);

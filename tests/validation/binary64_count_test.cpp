@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/validation/binary64_count.hpp"
+#include "edgeproof/validation/counts/binary64_count.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

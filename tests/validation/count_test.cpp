@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/validation/count.hpp"
-#include "edgeproof/validation/count_contact.hpp"
-#include "edgeproof/validation/count_state.hpp"
+#include "edgeproof/validation/counts/count.hpp"
+#include "edgeproof/validation/counts/count_contact.hpp"
+#include "edgeproof/validation/counts/count_state.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

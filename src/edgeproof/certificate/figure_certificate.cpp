@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/sampled_statement.hpp"
-#include "edgeproof/certificate/statement.hpp"
+#include "edgeproof/certificate/theory/sampled_statement.hpp"
+#include "edgeproof/certificate/theory/statement.hpp"
 
 #include <fmt/format.h>
 

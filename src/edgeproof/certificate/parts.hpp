@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/certificate/certificate.hpp"
-#include "edgeproof/certificate/theory.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 #include "edgeproof/certificate/scene_certificate.hpp"
 
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/sampled_statement.hpp"
 #include "edgeproof/certificate/stated_contact.hpp"
+#include "edgeproof/certificate/theory/sampled_statement.hpp"
 #include "edgeproof/formula/parse.hpp"
 
 #include <fmt/format.h>

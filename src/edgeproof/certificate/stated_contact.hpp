@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/certificate/theory.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 
 #include <string>

@@ -11,14 +11,14 @@
 ///   convergence.hpp         Convergence: orders and extrapolated values of several meshes
 /// Only the exact contact's values are proved, where their routes say so; edges, fits and
 /// extrapolated values of data are estimates.
-#include "edgeproof/comparison/alignment.hpp"
-#include "edgeproof/comparison/causes.hpp"
-#include "edgeproof/comparison/convergence.hpp"
-#include "edgeproof/comparison/data_edges.hpp"
-#include "edgeproof/comparison/edge_fit.hpp"
-#include "edgeproof/comparison/exact_contact.hpp"
+#include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/comparison/measures.hpp"
+#include "edgeproof/comparison/measures/alignment.hpp"
+#include "edgeproof/comparison/measures/convergence.hpp"
+#include "edgeproof/comparison/measures/data_edges.hpp"
+#include "edgeproof/comparison/measures/edge_fit.hpp"
+#include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/exact_contact.hpp"
+#include "edgeproof/comparison/measures/exact_contact.hpp"
 
 #include <functional>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/sampled_scene.hpp"
 
-#include "edgeproof/validation/sample.hpp"
+#include "edgeproof/validation/counts/sample.hpp"
 
 #include <array>
 

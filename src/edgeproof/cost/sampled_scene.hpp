@@ -15,7 +15,7 @@ struct SampledScene {
 /// The scene of that number, the same for the same seed whatever else is drawn. Every other one has
 /// a curved slope: whole, half and odd powers, functions with poles or branch points near the
 /// contact or on a knot, symmetric or not, by `a` or by P; the others are those of
-/// validation/sample.hpp.
+/// validation/counts/sample.hpp.
 [[nodiscard]] SampledScene sampled_scene(std::uint64_t seed, std::size_t number);
 
 } // namespace edgeproof::cost

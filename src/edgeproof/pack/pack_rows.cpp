@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/exact_contact.hpp"
+#include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/cycle_energy.hpp"
 
-#include "edgeproof/contact/enclosure/cycle_energy.hpp"
+#include "edgeproof/contact/slip/cycle_energy.hpp"
 #include "tests/contact/slip_scenes.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -36,7 +36,7 @@ bool within(const Real& x, const Real& y, const char* relative) {
 
 } // namespace
 
-// The value of the tilted punch: tests/contact/enclosure/cycle_energy_test.cpp says how.
+// The value of the tilted punch: tests/contact/slip/cycle_energy_test.cpp says how.
 TEST_CASE("the energy of a cycle by quadrature: a tilted punch, and closed forms") {
     const PrecisionScope scope(40);
     for (const scenes::SizeCase& c : size_cases()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/batch/double_word_pressure.hpp"
-#include "edgeproof/contact/enclosure/ball_slip.hpp"
 #include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/enclosure/stick_zone.hpp"
+#include "edgeproof/contact/slip/stick_zone.hpp"
 
 #include <memory>
 

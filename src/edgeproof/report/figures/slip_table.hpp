@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/slip_reach.hpp"
+#include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/ball_slips.hpp"
 
-#include "edgeproof/contact/enclosure/slip_reach.hpp"
+#include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/slip_checks.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/ball_slip.hpp"
 #include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/route/plan.hpp"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/theory/coq_text.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace edgeproof::certificate {
+namespace {
+
+using formula::Builtin;
+using formula::Expr;
+using Kind = Expr::Kind;
+
+/// How strongly a term binds: an operand that binds more weakly stands in parentheses.
+enum class Strength { sum = 1, product, sign, power, application, atom };
+
+struct Term {
+    std::string text;
+    Strength strength;
+};
+
+std::string parenthesized(const Term& t, Strength least) {
+    return t.strength < least ? "(" + t.text + ")" : t.text;
+}
+
+std::optional<std::string_view> coq_function(Builtin f) {
+    switch (f) {
+    case Builtin::sqrt:
+        return "sqrt";
+    case Builtin::exp:
+        return "exp";
+    case Builtin::log:
+        return "ln";
+    case Builtin::sin:
+        return "sin";
+    case Builtin::cos:
+        return "cos";
+    case Builtin::tan:
+        return "tan";
+    case Builtin::asin:
+        return "asin";
+    case Builtin::acos:
+        return "acos";
+    case Builtin::atan:
+        return "atan";
+    case Builtin::abs:
+        return "Rabs";
+    case Builtin::max:
+        return "Rmax";
+    case Builtin::min:
+        return "Rmin";
+    default:
+        return std::nullopt;
+    }
+}
+
+class Writer {
+public:
+    Writer(const CoqNames& names, const CoqCall& call) : names_(names), call_(call) {}
+
+    Term operator()(const Expr& e) const {
+        switch (e.kind()) {
+        case Kind::number:
+            return number(e.number());
+        case Kind::pi:
+            return {"PI", Strength::atom};
+        case Kind::symbol:
+            return symbol(e.name());
+        case Kind::neg:
+            return {"- " + operand(e.arg(0), Strength::power), Strength::sign};
+        case Kind::add:
+            return binary(e, " + ", Strength::sum, Strength::product);
+        case Kind::sub:
+            return binary(e, " - ", Strength::sum, Strength::product);
+        case Kind::mul:
+            return binary(e, " * ", Strength::product, Strength::power);
+        case Kind::div:
+            return binary(e, " / ", Strength::product, Strength::power);
+        case Kind::pow:
+            return power(e);
+        case Kind::call:
+            if (const auto name = coq_function(e.builtin())) {
+                return application(std::string(*name), e);
+            }
+            break;
+        default:
+            break;
+        }
+        if (call_) {
+            return {call_(e), Strength::atom};
+        }
+        throw NotStated(fmt::format("{} is not stated in Coq", to_text(e)));
+    }
+
+private:
+    std::string operand(const Expr& e, Strength least) const {
+        return parenthesized((*this)(e), least);
+    }
+    /// Left-associative, as the tree is: a right operand of equal strength stands in parentheses.
+    Term binary(const Expr& e, std::string_view sign, Strength own, Strength right) const {
+        return {operand(e.arg(0), own) + std::string(sign) + operand(e.arg(1), right), own};
+    }
+    static Term number(const Rational& q) {
+        if (denominator(q) == 1 && q >= 0) {
+            return {numerator(q).str(), Strength::atom};
+        }
+        return {coq_number(q), Strength::atom};
+    }
+    Term symbol(const std::string& name) const {
+        const auto found = names_.find(name);
+        if (found == names_.end()) {
+            throw NotStated(fmt::format("'{}' is not stated in Coq", name));
+        }
+        const bool plain = found->second.find(' ') == std::string::npos;
+        return {found->second,
+                plain || found->second.front() == '(' ? Strength::atom : Strength::application};
+    }
+    Term power(const Expr& e) const {
+        const Rational* const exponent = e.arg(1).rational();
+        if (exponent == nullptr) {
+            throw NotStated(fmt::format("the exponent of {} is no rational number", to_text(e)));
+        }
+        if (denominator(*exponent) == 1 && *exponent >= 0) {
+            return {operand(e.arg(0), Strength::application) + " ^ " + numerator(*exponent).str(),
+                    Strength::power};
+        }
+        if (denominator(*exponent) == 1) {
+            return {fmt::format("(/ {} ^ {})", operand(e.arg(0), Strength::application),
+                                numerator(Rational(-*exponent)).str()),
+                    Strength::atom};
+        }
+        return {
+            fmt::format("Rpower {} {}", operand(e.arg(0), Strength::atom), coq_number(*exponent)),
+            Strength::application};
+    }
+    Term application(std::string text, const Expr& e) const {
+        for (const Expr& argument : e.args()) {
+            text += " " + operand(argument, Strength::atom);
+        }
+        return {std::move(text), Strength::application};
+    }
+
+    const CoqNames& names_;
+    const CoqCall& call_;
+};
+
+} // namespace
+
+std::string coq_number(const Rational& q) {
+    const Rational size = q < 0 ? Rational(-q) : q;
+    const std::string text =
+        denominator(size) == 1
+            ? numerator(size).str()
+            : fmt::format("({} / {})", numerator(size).str(), denominator(size).str());
+    return q < 0 ? fmt::format("(- {})", text) : text;
+}
+
+std::string coq_text(const Expr& e, const CoqNames& names, const CoqCall& call) {
+    return Writer(names, call)(e).text;
+}
+
+} // namespace edgeproof::certificate

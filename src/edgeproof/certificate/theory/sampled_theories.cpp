@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/theory/theory.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace edgeproof::certificate {
+namespace {
+
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+/// `parameters` by their names in ledgers; `fraction`: of the contact's length, from the right edge
+/// to x.
+SampledTheory sampled(Theory theory, const std::string& profile, const Parameters& parameters,
+                      const std::string& x, const std::string& fraction) {
+    SampledTheory s;
+    s.theory = std::move(theory);
+    const std::vector<Constant> made_of_them = std::exchange(s.theory.constants, {});
+    s.sample.scene.family = profile;
+    s.sample.scene.profile = profile;
+    for (const auto& [name, value] : parameters) {
+        const formula::Exact exact = formula::Exact::parse(value);
+        const std::string coq_name = name == "R" ? "R0" : name; // R is Coq's type of real numbers
+        s.theory.names.emplace(name, coq_name);
+        s.theory.constants.push_back({coq_name, coq_number(exact.rational())});
+        s.sample.scene.parameters.insert_or_assign(name, exact);
+    }
+    s.theory.names.emplace("x", "x");
+    s.theory.constants.push_back({"x", coq_number(formula::Exact::parse(x).rational())});
+    s.theory.constants.insert(s.theory.constants.end(), made_of_them.begin(), made_of_them.end());
+    s.sample.fraction = formula::Exact::parse(fraction);
+    return s;
+}
+
+Theory tilted_wedge() {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Tactics", "TiltedWedge"};
+    theory.names = {{"b", "(gam * a)"}};
+    const std::string slope = "(slope phi (tilt phi gam))";
+    theory.right = {{"r0", "r1", "r2"},
+                    "right_edge_series Es " + slope + " a r0 r1 r2",
+                    "eapply right_edge, smooth_contact; positive"};
+    theory.left = {{"l0", "l1", "l2"},
+                   "left_edge_series Es " + slope + " (gam * a) l0 l1 l2",
+                   "refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); "
+                   "[apply smooth_contact | apply left_of_a]; positive"};
+    theory.load = {{"P0"}, "is_load Es " + slope + " a (gam * a) P0", "apply wedge_load; positive"};
+    theory.pressure = {
+        {"p0"}, "is_pressure Es " + slope + " a x p0", "apply pressure_right_of_apex; positive"};
+    return theory;
+}
+
+Theory flat_and_rounded() {
+    Theory theory = symmetric_punch("punch", "Part t 0 (1 / R0)", "((t + x) / 2)");
+    theory.imports.emplace_back("FlatAndRounded");
+    theory.integrals = {{"integral((Pi/2 - asin(t/s))*s/sqrt(s^2 - x^2), s, max(x, t), a)",
+                         "apply rounded_integral; positive"}};
+    return theory;
+}
+
+} // namespace
+
+Theory symmetric_punch(const std::string& punch, const std::string& parts,
+                       const std::string& beyond, const std::string& mark) {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Symmetric", "Tactics"};
+    theory.names = {{"b", "a"}};
+    const std::string r = fmt::format("r0{0} r1{0} r2{0}", mark);
+    theory.right = {{"r0" + mark, "r1" + mark, "r2" + mark},
+                    fmt::format("right_edge_series Es (slope {}) a {}", punch, r),
+                    fmt::format("apply right_edge with (1 := smooth_contact Es {} {} a "
+                                "ltac:(sides constants) ltac:(sides constants))",
+                                punch, beyond)};
+    theory.load = {{"P0" + mark},
+                   fmt::format("is_load Es (slope {}) a a P0{}", punch, mark),
+                   "apply load_total; sides constants"};
+    theory.pressure = {{"p0" + mark},
+                       fmt::format("is_pressure Es (slope {}) a x p0{}", punch, mark),
+                       fmt::format("apply (pressure Es {} {}); sides constants", punch, beyond)};
+    theory.constants = {{punch, fmt::format("cons ({}) nil", parts), "list part"}};
+    return theory;
+}
+
+std::vector<SampledTheory> sampled_theories(std::string_view profile) {
+    const auto wedge = [](const std::string& gam, const std::string& a, const std::string& x,
+                          const std::string& fraction) {
+        SampledTheory s = sampled(tilted_wedge(), "tilted-wedge",
+                                  {{"Es", "1"}, {"phi", "1"}, {"gam", gam}, {"a", a}}, x, fraction);
+        s.sample.scene.parameters.insert_or_assign(
+            "alpha", formula::Exact::parse("2/pi*asin((1-" + gam + ")/(1+" + gam + "))"));
+        return s;
+    };
+    const auto flat = [](const std::string& t, const std::string& a, const std::string& x,
+                         const std::string& fraction) {
+        return sampled(flat_and_rounded(), "flat-and-rounded",
+                       {{"Es", "1"}, {"t", t}, {"R", "1"}, {"a", a}}, x, fraction);
+    };
+    if (profile == "tilted-wedge") {
+        return {wedge("1/4", "1", "1/2", "2/5"), wedge("1/9", "9", "4", "1/2"),
+                wedge("1/4", "4", "2", "2/5")};
+    }
+    if (profile == "flat-and-rounded") {
+        return {flat("1", "2", "3/2", "1/8"), flat("3", "5", "4", "1/10")};
+    }
+    return {};
+}
+
+SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear"};
+    const bool right = edge == contact::Edge::right;
+    theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension.name}, {"b", "b"}};
+    const std::string traction = fmt::format("(full_stick Q {} a b)", tension.name);
+    theory.right_shear = {{"s0", "s1", "s2"},
+                          fmt::format("right_shear_series {} a s0 s1 s2", traction),
+                          "apply right_shear; positive"};
+    theory.left_shear = {{"v0", "v1", "v2"},
+                         fmt::format("left_shear_series {} b v0 v1 v2", traction),
+                         "apply left_shear; positive"};
+    // The contact of a wedge, by which the enclosures know where its edges are.
+    SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
+                              right ? "2/5" : "3/5");
+    s.theory.constants.push_back({"b", "1"});
+    s.theory.constants.push_back({tension.name, tension.coq});
+    for (const auto& [name, value] :
+         Parameters{{"Es", "1"}, {"phi", "1"}, {"gam", "1/4"}, {"alpha", "2/pi*asin(3/5)"}}) {
+        s.sample.scene.parameters.insert_or_assign(name, formula::Exact::parse(value));
+    }
+    s.sample.scene.parameters.insert_or_assign("sig0", tension.exact);
+    s.sample.edge = edge;
+    return s;
+}
+
+SampledTheory power_law_contact(long m, const std::string& mark, const Rational& x) {
+    Theory theory = m == 0 ? symmetric_punch("wedge", "Part 0 C 0", "(x / 2)", mark)
+                           : symmetric_punch("parabola", "Part 0 0 C", "(x / 2)", mark);
+    theory.names.emplace("m", std::to_string(m));
+    SampledTheory s = sampled(std::move(theory), "power-law", {{"Es", "1"}, {"C", "1"}, {"a", "1"}},
+                              x.str(), Rational((1 - x) / 2).str());
+    s.sample.scene.parameters.insert_or_assign("m", formula::Exact::parse(std::to_string(m)));
+    return s;
+}
+
+} // namespace edgeproof::certificate

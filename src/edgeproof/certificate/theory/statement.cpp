@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/theory/statement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <tuple>
+
+namespace edgeproof::certificate {
+
+void Statement::need(const Fact& fact, const std::string& what) {
+    if (fact.statement.empty()) {
+        throw NotStated(fmt::format("the Coq files have nothing about {}", what));
+    }
+    const auto same = [&](const Fact& f) { return f.statement == fact.statement; };
+    if (std::none_of(facts_.begin(), facts_.end(), same)) {
+        facts_.push_back(fact);
+    }
+}
+
+std::string Statement::integral(const formula::Expr& e, CoqNames names) {
+    const std::string written = to_text(e);
+    for (const auto& [lemma, proof] : theory_.integrals) {
+        if (lemma == written) {
+            const std::string& variable = e.arg(1).name();
+            const std::string ends =
+                fmt::format("({}) ({})", coq_text(e.arg(2), names), coq_text(e.arg(3), names));
+            names.insert_or_assign(variable, variable);
+            need({{"l0"},
+                  fmt::format("is_improper_integral (fun {} => {}) {} l0", variable,
+                              coq_text(e.arg(0), names), ends),
+                  proof},
+                 "the integral");
+            return "l0";
+        }
+    }
+    throw NotStated(fmt::format("there is no lemma for {}", written));
+}
+
+std::string Statement::call(const formula::Expr& e, const CoqNames& names) {
+    if (e.kind() == formula::Expr::Kind::integral) {
+        return integral(e, names);
+    }
+    if (e.kind() == formula::Expr::Kind::call && e.name() == "p" &&
+        e.arg(0) == formula::Expr::symbol("x")) {
+        need(theory_.pressure, "the pressure");
+        return theory_.pressure.unknowns.at(0);
+    }
+    if (e.kind() == formula::Expr::Kind::call && e.name() == "right_local" &&
+        e.arg(1) == formula::Expr::symbol("x")) {
+        return local_sum(e);
+    }
+    throw NotStated(fmt::format("{} is not stated in Coq", to_text(e)));
+}
+
+std::string Statement::local_sum(const formula::Expr& e) {
+    const Rational* const terms = e.arg(0).rational();
+    if (terms == nullptr || *terms < 1 || *terms > 3) {
+        throw NotStated(fmt::format("{} has not one to three terms", to_text(e)));
+    }
+    need(theory_.right, "the right edge");
+    std::string sum;
+    for (std::size_t k = 0; Rational(k) < *terms; ++k) {
+        sum += fmt::format("{}{} * ((a - x) ^ {} * sqrt (a - x))", k == 0 ? "" : " + ",
+                           theory_.right.unknowns.at(k), k);
+    }
+    return "(" + sum + ")";
+}
+
+std::string Statement::operator()(const formula::Expr& e) {
+    CoqNames names = theory_.names;
+    const std::array<std::tuple<std::string_view, const Fact*, std::string_view>, 4> series{
+        {{"right_c", &theory_.right, "the right edge"},
+         {"left_c", &theory_.left, "the left edge"},
+         {"right_s", &theory_.right_shear, "shear at the right edge"},
+         {"left_s", &theory_.left_shear, "shear at the left edge"}}};
+    for (const std::string& name : free_symbols(e)) {
+        for (const auto& [prefix, fact, what] : series) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (name == fmt::format("{}{}", prefix, k)) {
+                    need(*fact, std::string(what));
+                    names.insert_or_assign(name, fact->unknowns.at(k));
+                }
+            }
+        }
+        if (name == "P") {
+            need(theory_.load, "the load");
+            names.insert_or_assign(name, theory_.load.unknowns.at(0));
+        }
+    }
+    return coq_text(e, names, [&](const formula::Expr& part) { return call(part, names); });
+}
+
+std::string Statement::text(const std::string& conclusion) const {
+    std::string unknowns;
+    std::string all;
+    for (const Fact& fact : facts_) {
+        for (const std::string& unknown : fact.unknowns) {
+            unknowns += " " + unknown;
+        }
+        all += "  " + fact.statement + " /\\\n";
+    }
+    return (unknowns.empty() ? "" : "exists" + unknowns + ",\n") + all + "  " + conclusion;
+}
+
+std::string Statement::proof(const std::string& last) const {
+    std::string text;
+    for (const Fact& fact : facts_) {
+        for (std::size_t i = 0; i < fact.unknowns.size(); ++i) {
+            text += "eexists. ";
+        }
+    }
+    if (!text.empty()) {
+        text = "  " + text + "\n";
+    }
+    for (const Fact& fact : facts_) {
+        text += "  split. { " + fact.proof + ". }\n";
+    }
+    return text + "  " + last + ".\n";
+}
+
+} // namespace edgeproof::certificate

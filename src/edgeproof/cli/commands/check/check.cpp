@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/commands/check/check_kinds.hpp"
+#include "edgeproof/cli/program_messages.hpp"
+#include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cli/shipped_file.hpp"
+#include "edgeproof/conformance/answers/program_driver.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/scratch.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/report/figures/agreement_figure.hpp"
+#include "edgeproof/report/tables/agreement_report.hpp"
+#include "edgeproof/report/tables/reference_table.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr double most_digits_of_a_check = 10'000;
+constexpr double most_ulps = 1e300;
+
+struct CheckOptions {
+    std::string answers;
+    std::string recipe;
+    std::string command;
+    std::string ledger;
+    std::string lines = "csv";
+    std::string batch = "500";
+    std::string runs = "200";
+    std::string timeout = "600";
+    std::string digits;
+    std::string ulps;
+    std::string errors = "20";
+    std::string junit;
+    std::string figure;
+    std::string threads;
+    bool conditioned = false;
+    bool self_test = false;
+    SelfTestOptions self;
+};
+
+double positive(const std::string& option, const std::string& text, double most) {
+    double value = 0;
+    try {
+        value = parse_decimal(text).convert_to<double>();
+    } catch (const InputError& error) {
+        throw InputError(option + " " + text + ": " + error.problem(), "give a number > 0");
+    }
+    if (!(value > 0 && value <= most)) {
+        throw InputError(option + " " + text + " is out of range", "give a number > 0, such as 10");
+    }
+    return value;
+}
+
+conformance::Target target_of(const CheckOptions& o) {
+    conformance::Target target;
+    if (!o.digits.empty()) {
+        target.digits = positive("--digits", o.digits, most_digits_of_a_check);
+    }
+    if (!o.ulps.empty()) {
+        target.ulps = positive("--ulps", o.ulps, most_ulps);
+    }
+    target.conditioned = o.conditioned;
+    return target;
+}
+
+void refuse_recipe(const CheckOptions& o) {
+    if (o.command.empty() && std::filesystem::path(o.answers).extension() == ".toml") {
+        throw InputError(
+            "this is a TOML file, not answers (CSV)",
+            "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
+            "ledger with --ledger")
+            .at(o.answers, 0);
+    }
+}
+
+io::Csv read_answers(const CheckOptions& o) {
+    return io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
+                         io::input_name(o.answers), {.keep_faults = true});
+}
+
+/// Asks a program; what it answers is never bad input, only wrong.
+conformance::Answers ask_program(const CheckOptions& o) {
+    if (!o.recipe.empty()) {
+        throw InputError("--recipe is given with --exec", "give the recipe alone, as the first");
+    }
+    conformance::ProgramDriverOptions options;
+    options.command = o.command;
+    options.seconds = positive("--timeout", o.timeout, 1e9);
+    options.batch = whole_number("--batch", o.batch, 1, 1'000'000);
+    options.runs = whole_number("--runs", o.runs, 1, 1'000'000);
+    if (o.lines != "csv" && o.lines != "json") {
+        throw InputError("--lines " + o.lines + " is no way to speak", "write csv or json");
+    }
+    options.lines = o.lines == "json" ? conformance::Lines::json : conformance::Lines::csv;
+    ProgramMessages messages;
+    options.said = std::ref(messages);
+    Progress progress("answers");
+    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    const conformance::Recipe recipe = conformance::read_recipe(o.answers);
+    const conformance::Questions asked = rounded_to_binary64(recipe.questions);
+    options.write_csv = [&](const conformance::Questions& part) {
+        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
+    };
+    return ask_program_in_batches(asked, options);
+}
+
+conformance::Answers answers_of(const CheckOptions& o) {
+    if (!o.command.empty()) {
+        return ask_program(o);
+    }
+    return o.recipe.empty()
+               ? conformance::echoed_answers(read_answers(o))
+               : conformance::answers_to(
+                     conformance::rounded_to_binary64(conformance::read_recipe(o.recipe).questions),
+                     read_answers(o));
+}
+
+int check(const CheckOptions& o) {
+    if (!o.ledger.empty()) {
+        return check_ledger(o.ledger, o.threads);
+    }
+    if (o.answers.empty()) {
+        throw InputError("there is nothing to check",
+                         "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
+    }
+    if (o.self_test) {
+        return self_test(o.answers, o.self, o.threads);
+    }
+    io::check_output(o.junit);
+    io::check_output(o.figure);
+    if (!o.figure.empty()) {
+        const io::Scratch usable; // needed in the end: told before the work
+    }
+    report::Conformance result;
+    result.target = target_of(o);
+    const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
+    conformance::ReferenceOptions options;
+    options.threads = o.threads.empty()
+                          ? 0
+                          : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
+    refuse_recipe(o);
+    const auto print = [](const std::string& report) {
+        const std::string text = printable_lines(report);
+        std::fwrite(text.data(), 1, text.size(), stdout);
+    };
+    if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty()) {
+        if (const auto summary = check_in_blocks(o.answers, result.target, errors, options)) {
+            print(summary->text());
+            return summary->pass() ? 0 : 1;
+        }
+    }
+    result.answers = answers_of(o);
+    {
+        Progress progress("references");
+        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+        result.agreements = compare(result.answers, result.target, options);
+        result.conventions = infer_conventions(result.answers, result.agreements, options);
+    }
+    if (!o.junit.empty()) {
+        io::write_output(o.junit, conformance_junit(result));
+    }
+    if (!o.figure.empty()) {
+        write_agreement_figure(result, o.figure);
+    }
+    print(conformance_text(result, errors));
+    return result.pass() ? 0 : 1;
+}
+
+} // namespace
+
+void add_check(CLI::App& app, int& code) {
+    CLI::App* sub =
+        app.add_subcommand("check", "compare another program's answers with reference values");
+    auto o = std::make_shared<CheckOptions>();
+    sub->add_option("answers", o->answers,
+                    "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
+                    "with --exec and --self-test the recipe");
+    sub->add_option("--recipe", o->recipe,
+                    "what was asked: names what is missing or twice; rows may then stand in any "
+                    "order and hold id and value alone");
+    sub->add_option("--exec", o->command,
+                    "run this command: it reads the questions and writes rows with id and value");
+    sub->add_option("--lines", o->lines, "with --exec: speak csv, or json (an object a line)")
+        ->capture_default_str();
+    sub->add_option("--batch", o->batch, "with --exec: questions that one run is asked")
+        ->capture_default_str();
+    sub->add_option("--runs", o->runs, "with --exec: start it at most so often")
+        ->capture_default_str();
+    sub->add_option("--timeout", o->timeout, "with --exec: seconds after which a run is stopped")
+        ->capture_default_str();
+    sub->add_option("--digits", o->digits, "pass with |value/exact - 1| <= 10^-D");
+    sub->add_option("--ulps", o->ulps, "pass within N binary64 units in the last place");
+    sub->add_flag("--conditioned", o->conditioned,
+                  "let errors pass that the rounding of the inputs explains");
+    sub->add_option("--errors", o->errors, "show at most so many failures")->capture_default_str();
+    sub->add_option("--junit", o->junit, "write JUnit XML to this file");
+    sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
+    sub->add_option("--ledger", o->ledger, "verify the formulas of this ledger instead");
+    sub->add_flag("--self-test", o->self_test,
+                  "answer the recipe rightly, corrupt the answers in many ways, and count what is "
+                  "found");
+    sub->add_option("--seed", o->self.seed, "of --self-test")->capture_default_str();
+    sub->add_option("--files", o->self.files, "of --self-test: corrupted files")
+        ->capture_default_str();
+    sub->add_option("--threads", o->threads, "threads (default: one a processor)");
+    sub->callback([o, &code] {
+        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
+        o->recipe = file_or_shipped(o->recipe, shipped_recipes);
+        o->answers = file_or_shipped(o->answers, shipped_recipes);
+        code = check(*o);
+    });
+}
+
+} // namespace edgeproof::cli

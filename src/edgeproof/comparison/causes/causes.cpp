@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/causes/causes.hpp"
+
+#include "edgeproof/comparison/causes/digit_causes.hpp"
+#include "edgeproof/comparison/causes/suspects.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr double mesh_allowance = 0.003; ///< of the largest pressure, for the mesh
+constexpr double share_for_mesh = 0.05;  ///< and no more than this of what is to be explained
+constexpr double scatter_allowance = 1.6;
+constexpr double share_left = 0.3;
+constexpr double as_little = 1.2;
+constexpr std::size_t fewest_nodes_told = 8;
+constexpr std::size_t most_nodes = 1000;
+constexpr double edge_share = 0.02; ///< of the suspect's contact
+constexpr double roundoff = 1e-12;
+
+/// How data stand to the values of a suspect.
+struct Fit {
+    double left = 0;        ///< rms of data less suspect, of its largest value
+    double noise = 0;       ///< rms scatter of that from node to node
+    double scale = 1;       ///< of the suspect's values that fits the data best
+    double scale_error = 0; ///< standard error of that by the scatter where it stands
+    std::size_t nodes = 0;
+    bool largest_told = false; ///< the largest of all errors is at a node that counts here
+
+    [[nodiscard]] bool is_scatter(double allowance) const {
+        return left <= scatter_allowance * noise + allowance &&
+               std::abs(scale - 1) <= 3 * scale_error + allowance;
+    }
+};
+
+/// What is left of a node, and the suspect's value there, of the largest value.
+struct LeftOver {
+    double off = 0;
+    double value = 0;
+};
+
+/// The scatter of what is left, and the standard error that it gives the scale. White noise has
+/// second differences of sqrt(6) times its size. Only nodes that follow each other. Noise may be
+/// even, or go with the pressure: the larger error of the two.
+void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
+    double sum = 0;
+    double weighted = 0;
+    double squares = 0;
+    std::size_t n = 0;
+    for (std::size_t i = 1; i + 1 < left.size(); ++i) {
+        if (left[i - 1] && left[i] && left[i + 1]) {
+            const double second = left[i - 1]->off - 2 * left[i]->off + left[i + 1]->off;
+            const double square = left[i]->value * left[i]->value;
+            sum += second * second / 6;
+            weighted += square * second * second / 6;
+            squares += square;
+            ++n;
+        }
+    }
+    if (n > 0 && squares > 0) {
+        fit.noise = std::sqrt(sum / static_cast<double>(n));
+        fit.scale_error = std::max(fit.noise / std::sqrt(squares), std::sqrt(weighted) / squares);
+    }
+}
+
+/// Data at the nodes looked at.
+struct Observed {
+    NodesLookedAt nodes;
+    std::vector<double> values;
+    double element = 0;          ///< the widest at an edge
+    std::vector<double> corners; ///< where p is infinite
+};
+
+std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
+    const double zone = std::max(2 * data.element, edge_share * (suspect.a + suspect.b));
+    const auto told = [&](std::size_t i) {
+        const double x = data.nodes[i].x;
+        return std::isfinite(suspect.values[i]) &&
+               std::min(std::abs(x - suspect.a), std::abs(x + suspect.b)) >= zone &&
+               std::ranges::none_of(data.corners,
+                                    [=](double at) { return std::abs(x - at) < zone; });
+    };
+    Fit fit;
+    double largest = 0;
+    double products = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        if (told(i)) {
+            largest = std::max(largest, std::abs(suspect.values[i]));
+            products += data.values[i] * suspect.values[i];
+            squares += suspect.values[i] * suspect.values[i];
+        }
+    }
+    if (!(squares > 0)) {
+        return {};
+    }
+    // The data's sign is their own: a mistake may make a pressure that pulls, on the whole.
+    const double sign = products < 0 ? -1 : 1;
+    std::vector<std::optional<LeftOver>> left; // of nodes inside the suspect's contact
+    double square = 0;
+    std::size_t all = 0;
+    std::array<double, 2> worst{}; // of nodes beside an edge, and of those that count
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        const double x = data.nodes[i].x;
+        const bool within = told(i) && x < suspect.a && x > -suspect.b;
+        const double off = told(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
+        if (std::isfinite(suspect.values[i])) {
+            double& most = worst[told(i) ? 1 : 0];
+            most = std::max(most, std::abs(sign * data.values[i] - suspect.values[i]));
+        }
+        left.push_back(within ? std::optional(LeftOver{off, suspect.values[i] / largest})
+                              : std::nullopt);
+        all += told(i) ? 1 : 0;
+        fit.nodes += within ? 1 : 0;
+        square += off * off;
+    }
+    if (fit.nodes < fewest_nodes_told) {
+        return {};
+    }
+    fit.left = std::sqrt(square / static_cast<double>(all));
+    find_scatter(left, fit);
+    fit.scale = sign * products / squares;
+    fit.largest_told = worst[1] >= worst[0];
+    return fit;
+}
+
+NodesLookedAt looked_at(const AlignedResult& data) {
+    NodesLookedAt nodes{data, {}};
+    const std::size_t step = (data.nodes.size() + most_nodes - 1) / most_nodes;
+    for (std::size_t i = 0; i < data.nodes.size(); i += std::max<std::size_t>(1, step)) {
+        nodes.nodes.push_back(i);
+    }
+    return nodes;
+}
+
+std::vector<double> corners_of(const ExactContact& exact) {
+    std::vector<double> corners;
+    for (const ContactKnot& knot : exact.knots()) {
+        if (knot.corner) {
+            corners.push_back(knot.x);
+        }
+    }
+    return corners;
+}
+
+double median_ratio(const Observed& data, const std::vector<double>& right) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        if (std::isfinite(right[i]) && right[i] != 0) {
+            ratios.push_back(data.values[i] / right[i]);
+        }
+    }
+    if (ratios.empty()) {
+        return 1;
+    }
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
+}
+
+/// The likeliest first; what leaves clearly more is told apart from the best, and no cause.
+void rank(std::vector<Cause>& causes) {
+    std::ranges::stable_sort(causes, {}, &Cause::scatter);
+    if (causes.empty()) {
+        return;
+    }
+    const double best = causes.front().scatter;
+    std::erase_if(
+        causes, [best](const Cause& cause) { return cause.scatter > as_little * best + roundoff; });
+    for (Cause& cause : causes) {
+        for (const Cause& other : causes) {
+            const bool new_name =
+                other.name != cause.name &&
+                std::ranges::find(cause.equally_likely, other.name) == cause.equally_likely.end();
+            if (new_name) {
+                cause.equally_likely.push_back(other.name);
+            }
+        }
+    }
+}
+
+Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
+                            const std::function<void(const TakeSuspect&)>& for_each) {
+    Diagnosis diagnosis;
+    const auto as_it_is = fit_of(data, right); // none where hardly a node lies in the exact contact
+    diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
+    if (as_it_is) {
+        diagnosis.noise = as_it_is->noise;
+        diagnosis.largest_inside = as_it_is->largest_told;
+        diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
+    }
+    const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);
+    const double factor = median_ratio(data, right.values);
+    for_each([&](const Suspect& suspect) {
+        const auto fit = fit_of(data, suspect);
+        if (fit && fit->is_scatter(allowance) && fit->left < share_left * diagnosis.unexplained) {
+            diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
+        }
+    });
+    rank(diagnosis.causes);
+    if (!diagnosis.causes.empty()) {
+        diagnosis.noise = diagnosis.causes.front().scatter;
+    }
+    return diagnosis;
+}
+
+} // namespace
+
+Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
+                   SuspectContacts& suspects, const ExactContact& exact) {
+    Observed observed{
+        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
+    Suspect right{"", "", exact.a().value, exact.b().value, {}};
+    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
+        const Node& node = observed.nodes[i];
+        observed.values.push_back(node.p);
+        right.values.push_back(node.exact.p.value_or(std::nan("")));
+    }
+    Diagnosis diagnosis = diagnose_observed(observed, right, [&](const TakeSuspect& take) {
+        for_each_suspect(observed.nodes, suspects, exact, take);
+    });
+    if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
+        if (const auto cause = cause_in_digits(table, data, exact)) {
+            diagnosis.causes.push_back(*cause);
+        }
+    }
+    return diagnosis;
+}
+
+Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
+                         SuspectContacts& suspects, const ExactContact& exact) {
+    Observed observed{
+        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
+    Suspect right{"", "", exact.a().value, exact.b().value, {}};
+    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
+        const auto& shear = observed.nodes[i].shear;
+        observed.values.push_back(shear ? shear->q : 0);
+        right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
+    }
+    return diagnose_observed(observed, right, [&](const TakeSuspect& take) {
+        for_each_shear_suspect(observed.nodes, suspects, exact, take);
+    });
+}
+
+} // namespace edgeproof::comparison

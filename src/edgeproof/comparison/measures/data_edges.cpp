@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/measures/data_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr double pressing_fraction = 0.002;
+
+/// Of nodes that lie more than two elements outside the exact contact.
+double scatter_outside(const AlignedResult& data, double element) {
+    double sum = 0;
+    std::size_t n = 0;
+    for (const Node& node : data.nodes) {
+        if (node.exact.u() < -2 * element) {
+            sum += node.p * node.p;
+            ++n;
+        }
+    }
+    return n > 2 ? std::sqrt(sum / static_cast<double>(n)) : 0;
+}
+
+/// Nodes seen from an edge inwards: distances grow with the index.
+struct Inwards {
+    std::vector<double> d; ///< along x, outermost first, from any origin
+    std::vector<double> p;
+};
+
+Inwards inwards(const AlignedResult& data, contact::Edge edge) {
+    Inwards out;
+    for (const Node& node : data.nodes) {
+        out.d.push_back(edge == contact::Edge::right ? -node.x : node.x);
+        out.p.push_back(node.p);
+    }
+    if (edge == contact::Edge::right) {
+        std::ranges::reverse(out.d);
+        std::ranges::reverse(out.p);
+    }
+    return out;
+}
+
+/// Where p^2 vanishes outside d[i], between there and `limit`.
+double vanishing_point(const Inwards& nodes, std::size_t i, double limit) {
+    const double x0 = nodes.d[i];
+    const double y0 = nodes.p[i] * nodes.p[i];
+    std::vector<std::pair<double, double>> next; // of other places, all pressed
+    for (std::size_t j = i + 1; j < nodes.d.size() && next.size() < 2; ++j) {
+        const double x = nodes.d[j] - x0;
+        const bool new_place = next.empty() ? x > 0 : x > next.back().first;
+        if (new_place && nodes.p[j] > 0) {
+            next.emplace_back(x, nodes.p[j] * nodes.p[j] - y0);
+        }
+    }
+    if (next.empty() || next[0].second <= 0) {
+        return 0.5 * (x0 + limit);
+    }
+    double slope = next[0].second / next[0].first;
+    double root = -y0 / slope;
+    if (next.size() == 2) {
+        const double second = next[1].second / next[1].first;
+        const double curvature = (second - slope) / (next[1].first - next[0].first);
+        slope -= curvature * next[0].first;
+        const double discriminant = slope * slope - 4 * curvature * y0;
+        if (slope > 0 && discriminant >= 0) {
+            root = -2 * y0 / (slope + std::sqrt(discriminant));
+        }
+    }
+    return std::clamp(x0 + root, std::min(limit, x0), x0);
+}
+
+std::optional<double> edge_of(const Inwards& nodes, double threshold) {
+    const auto found = std::ranges::find_if(nodes.p, [=](double p) { return p > threshold; });
+    if (found == nodes.p.end()) {
+        return {};
+    }
+    const auto i = static_cast<std::size_t>(found - nodes.p.begin());
+    double limit = 0;
+    if (i > 0) {
+        limit = nodes.d[i - 1];
+    } else { // the data end on a node that presses
+        std::size_t j = 1;
+        while (j + 1 < nodes.d.size() && nodes.d[j] == nodes.d[0]) {
+            ++j;
+        }
+        limit = nodes.d[0] - (nodes.d[std::min(j, nodes.d.size() - 1)] - nodes.d[0]);
+    }
+    return vanishing_point(nodes, i, limit);
+}
+
+/// The width of the interval that holds the edge, or of the one nearest to it.
+double element_at(const AlignedResult& data, double edge) {
+    double width = 0;
+    double nearest = 0;
+    for (std::size_t i = 1; i < data.nodes.size(); ++i) {
+        const double left = data.nodes[i - 1].x;
+        const double right = data.nodes[i].x;
+        if (!(right > left)) {
+            continue;
+        }
+        const double away = edge < left ? left - edge : edge > right ? edge - right : 0;
+        if (width == 0 || away < nearest) {
+            width = right - left;
+            nearest = away;
+        }
+    }
+    return width;
+}
+
+} // namespace
+
+DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
+    DataContact found;
+    const double a = exact.a().value;
+    const double b = exact.b().value;
+    found.element = {element_at(data, a), element_at(data, -b)};
+    const double slack = 1e-9 * exact.length();
+    found.reaches = {data.nodes.back().x >= a - found.element[0] - slack,
+                     data.nodes.front().x <= -b + found.element[1] + slack};
+    double first = 0;
+    double last = 0;
+    std::size_t inside = 0;
+    for (const Node& node : data.nodes) {
+        found.largest = std::max(found.largest, node.p);
+        if (node.exact.inside()) {
+            first = inside == 0 ? node.x : first;
+            last = node.x;
+            ++inside;
+        }
+    }
+    if (inside > 1) {
+        found.mean_element = (last - first) / static_cast<double>(inside - 1);
+    }
+    double force = 0;
+    for (std::size_t i = 1; i < data.nodes.size(); ++i) {
+        const Node& left = data.nodes[i - 1];
+        const Node& right = data.nodes[i];
+        const double half_width = 0.5 * (right.x - left.x);
+        force += half_width * (left.p + right.p);
+    }
+    if (data.half) {
+        force *= 2;
+    }
+    found.force = force;
+    if (!(found.largest > 0)) {
+        return found;
+    }
+    constexpr double most_of_scatter = 0.05; // a second contact is no scatter
+    const double scatter = 4 * scatter_outside(data, std::max(found.element[0], found.element[1]));
+    const double threshold = std::max(pressing_fraction * found.largest,
+                                      std::min(scatter, most_of_scatter * found.largest));
+    if (data.half != contact::Edge::left) {
+        const auto edge = edge_of(inwards(data, contact::Edge::right), threshold);
+        found.a = edge ? std::optional(-*edge) : edge;
+    }
+    if (data.half != contact::Edge::right) {
+        const auto edge = edge_of(inwards(data, contact::Edge::left), threshold);
+        found.b = edge ? std::optional(-*edge) : edge;
+    }
+    bool pressed = false;
+    bool gap = false;
+    for (const Node& node : data.nodes) {
+        if (node.p > threshold) {
+            found.gaps += gap ? 1 : 0;
+            pressed = true;
+            gap = false;
+        } else {
+            gap = pressed;
+        }
+    }
+    return found;
+}
+
+} // namespace edgeproof::comparison

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/measures/exact_contact.hpp"
+
+#include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/batch/double_word_pressure.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr unsigned value_digits = 20;
+constexpr unsigned contact_digits = 40;
+constexpr std::size_t coefficients = 3;
+/// Of a and b at `contact_digits`, of a + b.
+constexpr double edge_error = 1e-37;
+constexpr double closed_form_error = 1e-20;
+
+contact::Profile profile_of(const scene::Scene& scene) {
+    return scene.profile ? *scene.profile
+                         : solve_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
+                                      *scene.moment, contact_digits)
+                               .profile;
+}
+
+/// Whether g' changes its formula there: the origin of a parabola is a knot in name only.
+bool bends(const contact::Profile& profile, std::size_t knot) {
+    const auto& before = profile.pieces()[knot].linear;
+    const auto& behind = profile.pieces()[knot + 1].linear;
+    return !before || !behind || profile.has_corner(knot) ||
+           !contact::certainly_zero(before->rate - behind->rate);
+}
+
+ExactValue exact_value(const scene::BoundedValue& value) {
+    const PrecisionScope scope(value_digits + 10);
+    return {value.value.midpoint().convert_to<double>(), value.how()};
+}
+
+} // namespace
+
+struct ExactContact::Solved {
+    explicit Solved(const scene::Scene& scene)
+        : contact(profile_of(scene), scene.contact_modulus, scene.load, contact_digits),
+          batch(contact, value_digits), right(contact.a()), left(contact.b()) {
+        if (contact::DoubleWordPressure::has_form(contact.profile())) {
+            length = Real(right + left).convert_to<double>();
+            try {
+                words.emplace(contact.profile(),
+                              contact::BallContact(contact.profile(), scene.contact_modulus,
+                                                   scene.load,
+                                                   contact::DoubleWordPressure::contact_bits));
+            } catch (const BudgetError&) {
+                // An edge that is not told from a corner: the batch rule does without.
+            }
+        }
+        scene::Scene asked = scene;
+        asked.shear.reset();
+        asked.ask = {};
+        asked.ask.edges = {contact::Edge::right, contact::Edge::left};
+        asked.ask.terms = {coefficients};
+        asked.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
+        asked.ask.digits = {value_digits, Rounding::nearest, false};
+        const scene::SceneResult result = run_scene(asked);
+        a = exact_value(result.contact.a);
+        b = exact_value(result.contact.b);
+        force = exact_value(*result.contact.force);
+        for (const scene::EdgeValues& edge : result.coefficients) {
+            for (std::size_t k = 0; k < coefficients; ++k) {
+                c[index_of(edge.edge)][k] = exact_value(edge.c[k]);
+            }
+        }
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+            radius[index_of(edge)] = contact.convergence_radius(edge).convert_to<double>();
+        }
+        const PrecisionScope scope(place_digits);
+        const contact::Profile& profile = contact.profile();
+        if (scene.shear) {
+            shear.emplace(scene, profile, contact::Extent<Real>{right, left}, contact.force());
+        }
+        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+            const Real x = profile.knots()[i].to<Real>();
+            if (x < right && x > -left && bends(profile, i)) {
+                knots.push_back({x.convert_to<double>(), profile.has_corner(i)});
+                exact_knots.push_back(x);
+            }
+        }
+    }
+
+    /// Nothing where that does not have the digits: beside a corner, say.
+    [[nodiscard]] std::optional<Real> closed_form(const Real& from_right,
+                                                  const Real& from_left) const {
+        if (!words) {
+            return {};
+        }
+        const bool by_right = from_right < from_left;
+        const Real& u = by_right ? from_right : from_left;
+        DoubleWord distance = to_double_word(u);
+        distance.radius += edge_error * length;
+        const DoubleWord p =
+            words->at(by_right ? contact::Edge::right : contact::Edge::left, distance);
+        if (!(p.radius <= std::abs(p.high) * closed_form_error)) {
+            return {};
+        }
+        return Real(p.high) + Real(p.low);
+    }
+
+    contact::NormalContact contact;
+    contact::BatchPressure batch;
+    /// In closed form, where there is one.
+    std::optional<contact::DoubleWordPressure> words;
+    double length = 0;
+    Real right; ///< a
+    Real left;  ///< b
+    ExactValue a;
+    ExactValue b;
+    ExactValue force;
+    std::array<std::array<ExactValue, coefficients>, 2> c;
+    std::array<double, 2> radius{};
+    std::vector<ContactKnot> knots;
+    std::vector<Real> exact_knots;
+    Scale scale;
+    std::optional<ExactShear> shear;
+};
+
+ExactContact::ExactContact(const scene::Scene& scene)
+    : solved_(io::at_place(scene.file, scene.load_line,
+                           [&] { return std::make_unique<Solved>(scene); })) {
+    Solved& s = *solved_;
+    s.scale = {s.force.value / length(), 0, true};
+    if (std::ranges::any_of(s.knots, &ContactKnot::corner)) {
+        return;
+    }
+    // Where p is largest: samples, dense beside knots, where p may rise steeply; then the best of
+    // them between its neighbours. At the maximum p is flat, so its place costs p no digits.
+    std::vector<double> samples;
+    constexpr int even = 160;
+    for (int i = 1; i < even; ++i) {
+        samples.push_back(-s.b.value + length() * i / even);
+    }
+    for (const ContactKnot& knot : s.knots) {
+        samples.push_back(knot.x);
+        for (double step = 0.1 * length(); step > 1e-9 * length(); step /= 2.5) {
+            samples.push_back(knot.x - step);
+            samples.push_back(knot.x + step);
+        }
+    }
+    std::erase_if(samples, [&](double x) { return x <= -s.b.value || x >= s.a.value; });
+    std::ranges::sort(samples);
+    std::size_t best = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        check_interruption();
+        const double p = pressure(samples[i]);
+        if (p > largest) {
+            largest = p;
+            best = i;
+        }
+    }
+    double lower = best > 0 ? samples[best - 1] : samples[best];
+    double upper = best + 1 < samples.size() ? samples[best + 1] : samples[best];
+    double x = samples[best];
+    constexpr double golden = 0.381966011250105;
+    for (int i = 0; i < 60 && upper - lower > 1e-12 * length(); ++i) {
+        check_interruption();
+        const double s1 = lower + golden * (upper - lower);
+        const double s2 = upper - golden * (upper - lower);
+        const double p1 = pressure(s1);
+        const double p2 = pressure(s2);
+        for (const auto& [place, p] : {std::pair{s1, p1}, std::pair{s2, p2}}) {
+            if (p > largest) {
+                largest = p;
+                x = place;
+            }
+        }
+        (p1 < p2 ? lower : upper) = p1 < p2 ? s1 : s2;
+    }
+    s.scale = {largest, x, false};
+}
+
+ExactContact::~ExactContact() = default;
+ExactContact::ExactContact(ExactContact&&) noexcept = default;
+ExactContact& ExactContact::operator=(ExactContact&&) noexcept = default;
+
+const ExactValue& ExactContact::a() const { return solved_->a; }
+const ExactValue& ExactContact::b() const { return solved_->b; }
+const ExactValue& ExactContact::force() const { return solved_->force; }
+const ExactValue& ExactContact::c(contact::Edge edge, std::size_t k) const {
+    return solved_->c.at(index_of(edge)).at(k);
+}
+bool ExactContact::symmetric() const { return solved_->contact.profile().symmetric(); }
+double ExactContact::convergence_radius(contact::Edge edge) const {
+    return solved_->radius.at(index_of(edge));
+}
+const std::vector<ContactKnot>& ExactContact::knots() const { return solved_->knots; }
+std::string ExactContact::pressure_route() const {
+    return solved_->words ? "in closed form" : "by the batch rule";
+}
+const ExactContact::Scale& ExactContact::scale() const { return solved_->scale; }
+
+ExactContact::Place ExactContact::at(const Real& x) const {
+    const PrecisionScope scope(place_digits);
+    const Real right = solved_->right - x;
+    const Real left = solved_->left + x;
+    Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0, Real(0)};
+    if (!(right > 0) || !(left > 0)) {
+        return place;
+    }
+    if (const auto p = solved_->closed_form(right, left)) {
+        place.exact_p = *p;
+        place.p = place.exact_p.convert_to<double>();
+        return place;
+    }
+    try {
+        place.exact_p = solved_->batch(contact::Point<Real>{right, left, x}).value;
+        place.p = place.exact_p.convert_to<double>();
+    } catch (const DomainError&) { // on a corner
+        place.p.reset();
+    }
+    return place;
+}
+
+const ExactShear* ExactContact::shear() const {
+    return solved_->shear ? &*solved_->shear : nullptr;
+}
+
+std::optional<double> ExactContact::traction(const Real& x, const Place& place) const {
+    if (!solved_->shear) {
+        return {};
+    }
+    const PrecisionScope scope(place_digits);
+    const Real right = solved_->right - x;
+    const Real left = solved_->left + x;
+    const bool singular = solved_->shear->singular();
+    const Real at_edge = length() * 1e-12; // a place in binary64 is on the edge no nearer than that
+    if (singular && std::min(Real(abs(right)), Real(abs(left))) < at_edge) {
+        return {};
+    }
+    if (!(right > 0) || !(left > 0)) {
+        return 0.0;
+    }
+    if (!place.p && !singular) {
+        return {};
+    }
+    return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
+}
+
+double ExactContact::pressure(double x) const {
+    return at(Real(x)).p.value_or(solved_->scale.value);
+}
+
+} // namespace edgeproof::comparison

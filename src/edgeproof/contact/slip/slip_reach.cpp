@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/slip/slip_reach.hpp"
+
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long scan_bits_of_slip = 160;
+constexpr int most_scans = 4;
+constexpr int narrowest_step = 44; ///< bits to which load ratios are told apart
+constexpr int nearest_to_zero = 400;
+constexpr int nearest_to_sliding = 60;
+
+Rational two_to_the_minus(int k) {
+    return {Integer(1), Integer(Integer(1) << static_cast<unsigned>(k))};
+}
+
+} // namespace
+
+struct SlipReachSearch::Place {
+    Rational tau;
+    BallZone zone;
+    Ball d;
+};
+
+/// E = d_n/d - 1 of a slip at one number of bits.
+class SlipReachSearch::Error {
+public:
+    Error(const BallSlip& slip, Edge edge, std::size_t n, const formula::Exact& tolerance)
+        : slip_(slip), edge_(edge), n_(n), bits_(slip.zones().bits()),
+          tolerance_(formula::enclosed_constant(tolerance, bits_)) {
+        const SlipSeries<Ball> all = slip.series(n);
+        kappa_ = edge == Edge::right ? all.right : all.left;
+        for (const Ball& k : kappa_) {
+            if (!k.is_finite()) {
+                throw BudgetError("the expansion of the slip zone is not enclosed at " +
+                                  std::to_string(bits_) + " bits");
+            }
+        }
+    }
+    [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] const BallSlip& slip() const { return slip_; }
+    [[nodiscard]] std::size_t cost() const { return slip_.zones().cost(); }
+    [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
+    [[nodiscard]] Ball ball(const Rational& tau) const { return {tau, bits_}; }
+    [[nodiscard]] Ball hull(const Rational& lo, const Rational& hi) const {
+        return Ball::hull(ball(lo), ball(hi));
+    }
+    [[nodiscard]] Place place(const Rational& tau, const BallZone& near) const {
+        Place p{tau, slip_.stick_at(ball(tau), near), Ball(0, bits_)};
+        p.d = slip_.whole().at(edge_) - p.zone.at(edge_);
+        return p;
+    }
+    [[nodiscard]] Ball terms(const Ball& tau) const { return slip_sum(kappa_, n_, tau); }
+    /// d_n/tau.
+    [[nodiscard]] Ball terms_over(const Ball& tau) const {
+        Ball sum = kappa_[n_ - 1];
+        for (std::size_t k = n_ - 1; k-- > 0;) {
+            sum = sum * tau + kappa_[k];
+        }
+        return sum;
+    }
+    [[nodiscard]] Ball terms_rate(const Ball& tau) const {
+        Ball sum = kappa_[n_ - 1] * static_cast<long>(n_);
+        for (std::size_t k = n_ - 1; k-- > 0;) {
+            sum = sum * tau + kappa_[k] * static_cast<long>(k + 1);
+        }
+        return sum;
+    }
+    [[nodiscard]] Ball at(const Place& p) const { return terms(ball(p.tau)) / p.d - 1; }
+    /// E' over the load ratios between two places, as far as |E| is at most twice the tolerance
+    /// there: d_n/d is 1 + E, which that bounds better than enclosures of both over a long way.
+    [[nodiscard]] Ball rate(const Place& lo, const Place& hi) const {
+        const Ball tau = hull(lo.tau, hi.tau);
+        const Ball d = Ball::hull(lo.d, hi.d);
+        const Ball enclosed = terms(tau) / d;
+        const Ball twice(Ball(tolerance_ * 2).upper(), bits_);
+        const Ball ratio = enclosed.is_finite() && enclosed.radius() < twice.midpoint()
+                               ? enclosed
+                               : Ball::hull(1 - twice, 1 + twice);
+        return (terms_rate(tau) - ratio * slip_.rate_between(lo.zone, hi.zone, edge_)) / d;
+    }
+    [[nodiscard]] bool within(const Ball& E) const {
+        return E.is_finite() && certainly_less(abs(E), tolerance_);
+    }
+    /// 1: above the tolerance, -1: below minus it, 0: neither is certain.
+    [[nodiscard]] int beyond(const Ball& E) const {
+        return certainly_less(tolerance_, E) ? 1 : certainly_less(E, -tolerance_) ? -1 : 0;
+    }
+    [[nodiscard]] bool within_to_sliding(const Place& p) const {
+        const Ball d = slip_.sizes_to_sliding(p.zone, edge_);
+        return within(terms(hull(p.tau, Rational(1))) / d - 1);
+    }
+
+private:
+    const BallSlip& slip_;
+    Edge edge_;
+    std::size_t n_;
+    long bits_;
+    Ball tolerance_;
+    std::vector<Ball> kappa_;
+};
+
+SlipReachSearch::SlipReachSearch(Slip slip, Edge edge, std::size_t n, formula::Exact tolerance)
+    : slip_(std::move(slip)), edge_(edge), n_(n), tolerance_(std::move(tolerance)) {}
+
+void SlipReachSearch::count(std::size_t cost) {
+    check_interruption();
+    zones_ += cost;
+    if (zones_ > most_zones) {
+        throw BudgetError("undecided after " + std::to_string(most_zones / cost) + " stick zones");
+    }
+}
+
+/// d/tau is a mean of d's rate over the way from 0.
+bool SlipReachSearch::within_from_the_start(const Error& f, const Rational& tau) const {
+    const Place p = f.place(tau, f.slip().whole());
+    const Ball mean = f.slip().rate_between(f.slip().whole(), p.zone, edge_);
+    return f.within(f.terms_over(f.hull(Rational(0), tau)) / mean - 1);
+}
+
+void SlipReachSearch::scan() {
+    const Ball decades = -log(formula::enclosed_constant(tolerance_, 64)) / log(Ball(2, 64));
+    const long small = std::max(0L, static_cast<long>(decades.midpoint().convert_to<double>()));
+    for (int attempt = 0; attempt < most_scans; ++attempt) {
+        const long bits = (scan_bits_of_slip + 2 * small) << attempt;
+        try {
+            const Error f(slip_(bits), edge_, n_, tolerance_);
+            Rational tau(1, 2);
+            int halvings = 1;
+            while (!within_from_the_start(f, tau)) {
+                count(f.cost());
+                tau /= 2;
+                if (++halvings > nearest_to_zero) {
+                    throw BudgetError("the error of the slip zone is not enclosed near Q = 0");
+                }
+            }
+            Place lo = f.place(tau, f.slip().whole());
+            Rational step(1, 4); // of lo, at first
+            const Rational last = 1 - two_to_the_minus(nearest_to_sliding);
+            for (;;) {
+                count(f.cost());
+                if (f.within_to_sliding(lo)) {
+                    leaves_ = false;
+                    scanned_ = true;
+                    return;
+                }
+                if (lo.tau >= last) {
+                    throw BudgetError("undecided next to full sliding");
+                }
+                Rational next = lo.tau * (1 + step);
+                next = exact_value(f.ball(next).with_bits(64).midpoint());
+                // Towards 1 by halves of what is left.
+                const Rational nearer = (lo.tau + 1) / 2;
+                const Rational to = std::min(next, nearer);
+                const Place hi = f.place(to, lo.zone);
+                const Ball at_lo = f.at(lo);
+                const Ball at_hi = f.at(hi);
+                // Until E has left the tolerance its rate is in this ball; while it is within twice
+                // the tolerance, too, so that with a rate of one sign it does not come back.
+                const Ball rate = f.rate(lo, hi);
+                const bool monotone = rate.is_finite() && !contains_zero(rate);
+                const Ball over =
+                    rate.is_finite() ? at_lo + rate * Ball::hull(Ball(0, bits), f.ball(to - lo.tau))
+                                     : f.terms(f.hull(lo.tau, to)) / Ball::hull(lo.d, hi.d) - 1;
+                if (f.within(over) || (monotone && f.within(at_lo) && f.within(at_hi))) {
+                    lo = hi;
+                    step = std::min(Rational(1, 2), Rational(step * Rational(3, 2)));
+                    continue;
+                }
+                if (monotone && f.within(at_lo) && f.beyond(at_hi) != 0) {
+                    lo_ = lo.tau;
+                    hi_ = to;
+                    side_ = f.beyond(at_hi);
+                    scanned_ = true;
+                    return;
+                }
+                step = (to - lo.tau) / lo.tau / 2;
+                if (step < two_to_the_minus(narrowest_step)) {
+                    throw BudgetError("the error of the slip zone touches the tolerance");
+                }
+            }
+        } catch (const BudgetError&) {
+            if (zones_ > most_zones || attempt + 1 == most_scans) {
+                throw;
+            }
+        }
+    }
+}
+
+EnclosedReach SlipReachSearch::at(long bits) {
+    if (!scanned_) {
+        scan();
+    }
+    if (!leaves_) {
+        return {Ball(1, bits), false};
+    }
+    const Error f(slip_(bits), edge_, n_, tolerance_);
+    const Ball level = side_ > 0 ? f.tolerance() : -f.tolerance();
+    // Newton's method between lo and hi, which proves nothing.
+    Rational lo = lo_;
+    Rational hi = hi_;
+    Place p = f.place(lo, f.slip().whole());
+    Rational tau = (lo + hi) / 2;
+    for (int k = 0; k < 400; ++k) {
+        count(f.cost());
+        p = f.place(tau, p.zone);
+        const Ball gap = f.at(p) - level;
+        if (contains_zero(gap)) {
+            break;
+        }
+        (certainly_positive(gap) == (side_ > 0) ? hi : lo) = tau;
+        const Ball step = gap / f.rate(p, p);
+        Rational next = (lo + hi) / 2;
+        if (step.is_finite()) {
+            const Rational newton = exact_value(Ball(f.ball(tau) - step).midpoint());
+            next = newton > lo && newton < hi ? newton : next;
+        }
+        const bool refined =
+            abs(Rational(next - tau)) < tau * two_to_the_minus(static_cast<int>(bits) - 24);
+        tau = next;
+        if (refined) {
+            break;
+        }
+    }
+    // The proof: the signs on both sides.
+    for (long k = bits - 24; k > 8; k -= 16) {
+        count(2 * f.cost());
+        const Rational slack = tau * two_to_the_minus(static_cast<int>(k));
+        const Rational left = std::max(lo_, Rational(tau - slack));
+        const Rational right = std::min(hi_, Rational(tau + slack));
+        const Ball at_left = f.at(f.place(left, p.zone)) - level;
+        const Ball at_right = f.at(f.place(right, p.zone)) - level;
+        if (side_ > 0 ? certainly_negative(at_left) && certainly_positive(at_right)
+                      : certainly_positive(at_left) && certainly_negative(at_right)) {
+            return {Ball::hull(f.ball(left), f.ball(right)), true};
+        }
+    }
+    throw BudgetError("so few bits do not enclose where the tolerance is left");
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/slip/stick_zone.hpp"
+
+#include "edgeproof/precision/error.hpp"
+
+#include <optional>
+#include <string>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr int most_zone_steps = 400;
+constexpr int most_growing_steps = 60;
+constexpr long bits_of_a_zone_step = 12; ///< left over when Newton's steps have converged
+
+Ball middle_of(const Ball& x) { return {x.midpoint(), x.bits()}; }
+
+Ball two_to_minus(long bits, long working) {
+    return {Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits))), working};
+}
+
+/// (E*/4) times the integral of (g' + tilt)/w.
+Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
+    return zones.modulus() * Ball::pi(zones.bits()) / 4 * (v.mean_slope + tilt);
+}
+
+class LinearZones : public ZoneSolver {
+public:
+    explicit LinearZones(const BallContact& contact) : contact_(contact) {}
+    [[nodiscard]] long bits() const override { return contact_.bits(); }
+    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+    [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
+        const BallContact c = contact_.between(zone.a, zone.b);
+        return {c.zone_force(), c.zone_mean_slope(), c.zone_rate(Edge::right),
+                c.zone_rate(Edge::left)};
+    }
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
+        return contact_.between(zone.a, zone.b).pressure(edge, u);
+    }
+    [[nodiscard]] BallZone core() const override {
+        return {contact_.minimum_end(Edge::right), contact_.minimum_end(Edge::left)};
+    }
+
+private:
+    BallContact contact_;
+};
+
+/// P = K a^(m + 1).
+class PowerLawZones : public ZoneSolver {
+public:
+    explicit PowerLawZones(const BallContact& contact)
+        : contact_(contact), force_(contact.force()), rate_(contact.force_rate()),
+          power_(rate_ * contact.a() / force_) {}
+    [[nodiscard]] long bits() const override { return contact_.bits(); }
+    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+    [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
+        const Ball part = zone.a / contact_.a();
+        const Ball rate = rate_ * pow(part, power_ - 1);
+        return {force_ * pow(part, power_), Ball(0, bits()), rate, rate};
+    }
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
+        return contact_.between(zone.a, zone.b).pressure(edge, u);
+    }
+    [[nodiscard]] BallZone zone(const Ball& force, const Ball&, const BallZone&) const override {
+        const Ball a = contact_.a() * pow(force / force_, 1 / power_);
+        return {a, a};
+    }
+
+private:
+    BallContact contact_;
+    Ball force_;
+    Ball rate_;
+    Ball power_; ///< m + 1
+};
+
+} // namespace
+
+BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone& near) const {
+    BallZone at{middle_of(near.a), middle_of(near.b)};
+    const Ball P = middle_of(force);
+    const Ball turned = middle_of(tilt);
+    const Ball tiny = two_to_minus(bits() - bits_of_a_zone_step, bits());
+    const Ball half_the_bits = two_to_minus(bits() / 2, bits());
+    std::optional<Ball> before;
+    int growing = 0;
+    for (int k = 0; k < most_zone_steps; ++k) {
+        const Ball D = at.length();
+        const ZoneValues v = values(at);
+        const Ball missing = v.force - P;
+        const Ball turn = D * turn_of(*this, v, turned);
+        Ball da = middle_of((missing + turn) / v.right_rate);
+        Ball db = middle_of((missing - turn) / v.left_rate);
+        if (!da.is_finite() || !db.is_finite()) {
+            break;
+        }
+        // A step takes away less than all of the zone.
+        const Ball limit = D * Ball(Rational(7, 16), bits());
+        const Ball most = max(abs(da), abs(db));
+        if (certainly_less(limit, most)) {
+            da *= limit / most;
+            db *= limit / most;
+        }
+        at = {middle_of(at.a - da), middle_of(at.b - db)};
+        const Ball size = abs(da) + abs(db);
+        if (!certainly_less(tiny * (abs(at.a) + abs(at.b)), size)) {
+            return at;
+        }
+        const bool shrinks = !before || certainly_less(size * 2, *before);
+        if (!shrinks && certainly_less(size, half_the_bits * D)) {
+            return at; // roundoff
+        }
+        growing += before && certainly_less(*before, size) ? 1 : 0;
+        if (growing > most_growing_steps) {
+            break;
+        }
+        before = size;
+    }
+    throw BudgetError("no stick zone was found at " + std::to_string(bits()) + " bits");
+}
+
+// Interval Newton, edge by edge: where the image of a box lies inside it, it holds one zone and no
+// other (moore-kearfott-cloud2009). The sum and the difference of F - P and D turn_of have the
+// rates (dP/da + turn, turn) and (-turn, dP/db - turn), and turn is 0 at the zone: there is no
+// matrix to invert.
+BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& near) const {
+    const BallZone m = search(force, tilt, near);
+    const ZoneValues at = values(m);
+    const Ball missing = at.force - force;
+    const Ball turn = m.length() * turn_of(*this, at, tilt);
+    const Ball least = two_to_minus(bits() - 4, bits()) * m.length();
+    Ball radius_a = abs((missing + turn) / at.right_rate) * 2 + least;
+    Ball radius_b = abs((missing - turn) / at.left_rate) * 2 + least;
+    for (long k = 0; 5 * k < bits() && radius_a.is_finite() && radius_b.is_finite(); ++k) {
+        const BallZone box{Ball::around(m.a.midpoint(), radius_a.upper(), bits()),
+                           Ball::around(m.b.midpoint(), radius_b.upper(), bits())};
+        const ZoneValues v = values(box);
+        const Ball off = turn_of(*this, v, tilt);
+        const BallZone image{m.a - (missing + turn + off * (box.b - m.b)) / (v.right_rate + off),
+                             m.b - (missing - turn - off * (box.a - m.a)) / (v.left_rate - off)};
+        if (image.a.is_finite() && image.b.is_finite() && contains(box.a, image.a) &&
+            contains(box.b, image.b)) {
+            return image;
+        }
+        radius_a = middle_of(radius_a * 32);
+        radius_b = middle_of(radius_b * 32);
+    }
+    throw BudgetError("ball arithmetic at " + std::to_string(bits()) +
+                      " bits does not isolate the stick zone");
+}
+
+std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact) {
+    if (contact.piecewise_linear()) {
+        return std::make_unique<LinearZones>(contact);
+    }
+    return std::make_unique<PowerLawZones>(contact);
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the counts of values have in common: contacts counted side by side, the state kept now and
+// then, so that a count that was interrupted goes on.
+
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/validation/counts/state_text.hpp"
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::validation {
+
+/// Counts the contacts that `state.contacts` does not have yet. `count(number, values)` counts one
+/// and gives its cells and its findings; it is called from several threads. Calls
+/// `options.progress` after each and `options.checkpoint` after some and at the end. Returns the
+/// findings by contact. Throws Interrupted with the state kept, and what `count` throws.
+template <class Finding, class Options, class State, class Count>
+std::map<std::size_t, std::vector<Finding>>
+count_contacts_left(const Options& options, State& state, const ContactSizes& sizes,
+                    const Count& count) {
+    constexpr std::size_t contacts_between_checkpoints = 20;
+    const std::vector<std::size_t> left = contacts_left(sizes.contacts(), state.contacts);
+    std::map<std::size_t, std::vector<Finding>> findings;
+    std::size_t done = sizes.but(left);
+    std::mutex mutex;
+    std::size_t since = 0;
+    const auto keep = [&] {
+        if (options.checkpoint) {
+            options.checkpoint(state);
+        }
+    };
+    try {
+        parallel::work_through(parallel::all_pieces(left.size()), options.threads,
+                               [&](std::size_t i) {
+                                   const std::size_t number = left[i];
+                                   auto found = count(number, sizes.of(number));
+                                   const std::lock_guard lock(mutex);
+                                   state.contacts[number] = std::move(found.cells);
+                                   findings[number] = std::move(found.findings);
+                                   done += sizes.of(number);
+                                   if (options.progress) {
+                                       options.progress(done, options.values);
+                                   }
+                                   if (++since == contacts_between_checkpoints) {
+                                       since = 0;
+                                       keep();
+                                   }
+                               });
+    } catch (const Interrupted&) {
+        keep();
+        throw Interrupted("interrupted after " + std::to_string(done) + " of " +
+                          std::to_string(options.values) + " values");
+    }
+    keep();
+    return findings;
+}
+
+} // namespace edgeproof::validation

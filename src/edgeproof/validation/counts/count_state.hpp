@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/validation/counts/count.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace edgeproof::validation {
+
+/// The contacts in which nothing was found, a line each; those in which something was are left out,
+/// so that they are done again.
+[[nodiscard]] std::string write_count_state(const CountState& state);
+/// Throws InputError with the line for a text that is no such state, or one of another seed, number
+/// of values or digits than `wanted`.
+[[nodiscard]] CountState parse_count_state(std::string_view text, const std::string& file,
+                                           const CountState& wanted);
+
+} // namespace edgeproof::validation

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/validation/counts/sample.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::validation {
+namespace {
+
+using scene::Quantity;
+
+constexpr unsigned look_digits = 20;
+
+std::string entry(const char* key, const std::string& value) {
+    return std::string(key) + " = \"" + value + "\"";
+}
+
+/// One in so many contacts has a curved g', whose values take integrals: minutes a contact. Not the
+/// last ones of a count, for which the other threads would wait.
+constexpr std::size_t curved_every = 2000;
+constexpr std::size_t first_curved = 7;
+
+std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) {
+    const auto fraction = [&] { return std::to_string(dice.between(1, 98)) + "/99"; };
+    switch (profile) {
+    case 0: {
+        static constexpr std::array<const char*, 9> exponents{"0",   "1",   "2",  "3",     "1/2",
+                                                              "5/8", "7/3", "10", "1/1000"};
+        return "kind = \"power-law\"\n" + entry("m", exponents.at(dice.below(9))) + "\n" +
+               entry("C", dice.decimal(4, dice.between(-3, 1)));
+    }
+    case 1: {
+        static constexpr std::array<const char*, 4> odd{"1/1000000", "999999/1000000", "0", "1/2"};
+        const std::string ratio = dice.below(4) == 0 ? odd.at(dice.below(4)) : fraction();
+        return "kind = \"flat-and-rounded\"\n" + entry("t", ratio + "*" + a) + "\n" +
+               entry("R", dice.decimal(3, dice.between(0, 3)));
+    }
+    case 2: {
+        static constexpr std::array<const char*, 3> angles{"pi/16", "1/10", "pi/3"};
+        const std::string phi = angles.at(dice.below(3));
+        const char* const side = dice.below(2) == 0 ? "" : "-";
+        return "kind = \"tilted-wedge\"\n" + entry("phi", phi) + "\n" +
+               entry("alpha", side + fraction() + "*" + phi);
+    }
+    case 3:
+        return "kind = \"tilted-flat-and-rounded\"\n" + entry("alpha", fraction() + "/20") + "\n" +
+               entry("t", fraction() + "*" + a) + "\n" + entry("R", dice.decimal(3, 0) + "*" + a);
+    case 4:
+        // Convex for any steepness: each piece goes on from where the one before ends.
+        return "kind = \"piecewise\"\nknots = [\"-" + a + "/" + std::to_string(dice.between(2, 9)) +
+               "\", \"0\", \"" + a + "/" + std::to_string(dice.between(2, 9)) +
+               "\"]\nslopes = [\"-1/5\", \"-1/" + std::to_string(dice.between(6, 30)) + "\", \"1/" +
+               std::to_string(dice.between(6, 30)) + "\", \"1/5 + x/(" +
+               std::to_string(dice.between(1, 50)) + "*" + a + ")\"]";
+    default:
+        return "kind = \"piecewise\"\nsymmetric = true\nknots = [\"" + a + "/" +
+               std::to_string(dice.between(2, 5)) + "\"]\nslopes = [\"x/(" +
+               std::to_string(dice.between(2, 30)) + "*" + a + ")\", \"x/(2*" + a + ") + (x/" + a +
+               ")^3\"]";
+    }
+}
+
+std::string scene_text(Dice& dice, std::size_t profile, bool by_force) {
+    const std::string a = dice.decimal(3, dice.between(-3, 2));
+    std::string text = "[profile]\n" + profile_text(dice, profile, a) + "\n[load]\n";
+    text += by_force ? entry("P", dice.decimal(3, dice.between(-4, 2))) : entry("a", a);
+    static constexpr std::array<const char*, 3> moduli{"1", "7/3", "2.1e11"};
+    text += "\n" + entry("contact_modulus", moduli.at(by_force ? 0 : dice.below(3))) + "\n";
+    const char* const side = dice.below(2) == 0 ? "" : "-";
+    text += "[shear]\n" + entry("Q", side + dice.decimal(3, dice.between(-3, 1))) + "\n" +
+            entry("bulk_tension", dice.decimal(3, dice.between(-3, 1))) + "\n";
+    return text;
+}
+
+class Drawing {
+public:
+    Drawing(Dice& dice, SampledContact& contact) : dice_(dice), contact_(contact) {
+        const scene::Scene& scene = contact.scene;
+        const contact::NormalContact look(*scene.profile, scene.contact_modulus, scene.load,
+                                          look_digits);
+        const PrecisionScope scope(look_digits);
+        a_ = look.a();
+        b_ = look.b();
+    }
+
+    [[nodiscard]] SampledValue draw(std::size_t i) {
+        // Of 50: 40 pressures, 5 coefficients, 3 shear, 2 of P or b.
+        SampledValue v;
+        v.asked.edge = dice_.below(2) == 0 ? contact::Edge::right : contact::Edge::left;
+        const std::size_t turn = i % 10;
+        if (turn == 3 && i % 20 == 3) {
+            v.regime = 7;
+            const bool point = dice_.below(2) == 0;
+            v.asked.quantity = point ? Quantity::q : Quantity::s;
+            v.asked.k = dice_.below(3);
+            if (point) {
+                (void)place(v, dice_.below(3));
+            }
+            return v;
+        }
+        if (turn == 3) {
+            v.regime = 6;
+            v.asked.edge = contact::Edge::right;
+            v.asked.quantity = dice_.below(2) == 0 ? Quantity::P : Quantity::b;
+            return v;
+        }
+        if (turn == 7) {
+            v.regime = 5;
+            v.asked.quantity = Quantity::c;
+            v.asked.k = dice_.below(4);
+            return v;
+        }
+        v.asked.quantity = Quantity::p;
+        v.regime = place(v, dice_.below(5));
+        return v;
+    }
+
+private:
+    /// Sets u; the regime that it is in.
+    std::size_t place(SampledValue& v, std::size_t wanted) {
+        const bool right = v.asked.edge == contact::Edge::right;
+        const PrecisionScope scope(look_digits);
+        const Real own = right ? a_ : b_;
+        const Real length = a_ + b_;
+        if (wanted == 4 && by_knot(v, right)) {
+            return 4;
+        }
+        // A decimal of six digits at that part of what there is.
+        Real u = length;
+        std::size_t regime = wanted;
+        if (wanted == 0) {
+            u = own * pow(Real(10), -dice_.between(13, 300));
+        } else if (wanted == 1) {
+            u = own * pow(Real(10), -dice_.between(4, 12));
+        } else if (wanted == 3) {
+            u = own + (length - own) * dice_.between(1, 999) / 1000;
+        } else {
+            u = own * dice_.between(1, 999) / 1000;
+            regime = 2;
+        }
+        v.asked.u =
+            formula::Exact::parse(to_decimal(Real(u * dice_.between(900001, 999999) / 1000000), 6));
+        return regime;
+    }
+    /// 10^-k of a on either side of a knot that the given edge sees.
+    bool by_knot(SampledValue& v, bool right) {
+        const scene::Scene& scene = contact_.scene;
+        const bool given =
+            scene.load.kind == contact::Load::Kind::right_edge && (right || scene.symmetric());
+        std::vector<const formula::Exact*> inside;
+        for (const formula::Exact& knot : scene.profile->knots()) {
+            const Real at = knot.to<Real>();
+            if (at < a_ * 99 / 100 && -at < b_ * 99 / 100) {
+                inside.push_back(&knot);
+            }
+        }
+        if (!given || inside.empty()) {
+            return false;
+        }
+        const formula::Expr& a = scene.load.value.expr();
+        const formula::Expr& knot = inside[dice_.below(inside.size())]->expr();
+        const Real size = (a_ + b_) / 1000 * pow(Real(10), -dice_.between(0, 30));
+        const formula::Expr beside = formula::Exact::parse(to_decimal(size, 3)).expr();
+        const formula::Expr at = right ? a - knot : a + knot;
+        v.asked.u = formula::Exact(dice_.below(2) == 0 ? at - beside : at + beside);
+        return true;
+    }
+
+    Dice& dice_;
+    SampledContact& contact_;
+    Real a_;
+    Real b_;
+};
+
+} // namespace
+
+std::string Dice::decimal(unsigned digits, int exponent) {
+    std::string text(1, static_cast<char>('1' + below(9)));
+    text += ".";
+    for (unsigned i = 1; i < digits; ++i) {
+        text += static_cast<char>('0' + below(10));
+    }
+    return exponent == 0 ? text : text + "e" + std::to_string(exponent);
+}
+
+SampledContact sampled_contact(std::uint64_t seed, std::size_t number, std::size_t values) {
+    Dice dice(Dice(seed ^ (0x632be59bd9b4e019U * (number + 1))).next());
+    SampledContact contact;
+    // Power laws, most of which have no logarithms, take ten times as long as the others: one
+    // in 17.
+    contact.profile = number % curved_every == first_curved ? 5 : (dice.below(17) + 3) / 4;
+    const bool by_force = dice.below(4) == 0 && contact.profile != 5;
+    contact.text = scene_text(dice, contact.profile, by_force);
+    contact.scene = scene::parse_scene(contact.text, "contact " + std::to_string(number));
+    Drawing drawing(dice, contact);
+    for (std::size_t i = 0; i < values; ++i) {
+        contact.values.push_back(drawing.draw(i));
+    }
+    return contact;
+}
+
+} // namespace edgeproof::validation

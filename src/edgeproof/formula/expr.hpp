@@ -98,8 +98,8 @@ private:
 /// after an operator) the eye needs. Parses back to the same tree.
 [[nodiscard]] std::string to_text(const Expr& e);
 
-/// LaTeX. `symbol` says how a name is set; by default Greek names become Greek letters and
-/// trailing digits subscripts.
+/// LaTeX. `symbol` says how a name is set. A name for which it gives nothing: Greek names become
+/// Greek letters, trailing digits and what follows an underscore subscripts, P1 and b2 derivatives.
 [[nodiscard]] std::string to_tex(const Expr& e,
                                  const std::function<std::string(std::string_view)>& symbol = {});
 

@@ -4,13 +4,13 @@
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_extents.hpp"
+#include "edgeproof/scene/route/ball_places.hpp"
 #include "edgeproof/scene/route/ball_refinement.hpp"
 #include "edgeproof/scene/route/ball_slips.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 
-#include <algorithm>
-#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -20,29 +20,12 @@ class BallRoute : public ValueRoute {
 public:
     BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
         : scene_(scene), plan_(plan), work_(work), balls_(scene, plan, work),
-          slips_(balls_, scene, plan) {
+          places_(balls_, scene, plan), slips_(balls_, scene, plan) {
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == contact::Load::Kind::force ? 1 : 0;
-        if (auto length =
-                balls_.refine([](BallLevel& level) { return level.length(); },
-                              [](ExactValues& exact) { return exact.length(); },
-                              {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
-            length_ = std::move(length->value);
-        }
-        if (scene.load.kind == contact::Load::Kind::right_edge) {
-            known_[contact::Edge::right] = rational_of(scene.load.value);
-            if (scene.symmetric()) {
-                known_[contact::Edge::left] = known_[contact::Edge::right];
-            }
-        } else if (length_) {
-            know(contact::Edge::right);
-        }
-        if (length_) {
-            know(contact::Edge::left);
-        }
         // No contact at any precision: the routes in Real say why.
-        if (!length_) {
+        if (places_.length() == nullptr) {
             (void)others();
         }
     }
@@ -50,10 +33,10 @@ public:
     /// Whether g' is proved not to decrease in the contact, on which all that is proved of a curved
     /// profile rests. Throws InputError where it is proved to decrease.
     [[nodiscard]] bool slope_rises() {
-        if (balls_.closed() || !length_) {
+        if (balls_.closed() || places_.length() == nullptr) {
             return true; // decided exactly; or nothing is proved in any case
         }
-        const BallLevel* level = balls_.at_level(length_->bits());
+        const BallLevel* level = balls_.at_level(places_.length()->bits());
         check_reach(*scene_.profile, level->a(), level->b());
         const contact::SlopeMonotonicity monotonicity =
             monotonicity_of_slope(*scene_.profile, level->a(), level->b());
@@ -91,7 +74,7 @@ public:
     }
 
     BoundedValue place(contact::Edge edge, const Distance& u) override {
-        return place_of(edge, u, checked(edge, u));
+        return place_of(edge, u, places_.enclosed(edge, u));
     }
 
     ContactValues contact() override {
@@ -100,7 +83,7 @@ public:
     }
 
     PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
-        const Ball from = checked(edge, u);
+        const Ball from = places_.enclosed(edge, u);
         const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         (balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures) +=
             p || together ? 1 : 0;
@@ -235,59 +218,15 @@ private:
     /// What the scene states, and where an edge is known to be.
     [[nodiscard]] std::optional<Rational> known_exactly(const QuantityRow& row) const {
         if (row.distance_of) {
-            const auto known = known_.find(*row.distance_of);
-            return known == known_.end() ? std::nullopt : known->second;
+            return places_.known(*row.distance_of);
         }
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }
-    /// u in a ball. Throws DomainError beyond the contact, and for a place by the edges that is on
-    /// a corner, as far as many bits tell.
-    [[nodiscard]] Ball checked(contact::Edge edge, const Distance& u) {
-        if (!u.number() && length_) {
-            return checked_by_edges(edge, u);
-        }
-        Ball from = u.enclosure({}, {}, length_ ? length_->bits() : plan_.bits);
-        if (length_ && !certainly_less(from, *length_)) {
-            throw DomainError("the point lies outside the contact");
-        }
-        return from;
-    }
-    [[nodiscard]] Ball checked_by_edges(contact::Edge edge, const Distance& u) {
-        refuse_corner_at(u);
-        bool outside = false;
-        for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
-            const BallLevel* level = balls_.at_level(bits);
-            if (level == nullptr) {
-                continue;
-            }
-            Ball from = level->distance(u);
-            if (certainly_negative(from) || certainly_less(level->length(), from)) {
-                throw DomainError("the point lies outside the contact");
-            }
-            outside = !certainly_positive(from) || !certainly_less(from, level->length());
-            const auto corners = level->proved_pressure().corners(edge);
-            if (!outside && std::none_of(corners.begin(), corners.end(), [&](const Ball& corner) {
-                    return overlaps(corner, from);
-                })) {
-                return from;
-            }
-        }
-        throw DomainError(outside ? "the point is on an edge, or cannot be told from it"
-                                  : "the point is on a corner, or cannot be told from it");
-    }
-    /// Where x is a number, exact algebra tells.
-    void refuse_corner_at(const Distance& u) const {
-        if (!u.x() || !scene_.profile) {
-            return;
-        }
-        const auto& knots = scene_.profile->knots();
-        for (std::size_t i = 0; i < knots.size(); ++i) {
-            if (scene_.profile->has_corner(i) &&
-                contact::certainly_zero(knots[i].expr() - u.x()->expr())) {
-                throw DomainError("the point is on a corner, where the pressure is infinite");
-            }
-        }
+    /// x of the point u, which is `from` in a ball.
+    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u, const Ball& from) {
+        return bounded(places_.x(edge, u, from), "given",
+                       [&](ValueRoute& other) { return other.place(edge, u); });
     }
     template <class Instead>
     [[nodiscard]] Approximation approximation(contact::Edge edge, const Distance& u, std::size_t i,
@@ -310,39 +249,6 @@ private:
         return {n,
                 {local->value, true, "series", local->exactly},
                 {error->value, true, "series", error->exactly}};
-    }
-    /// x of the point u, which is `from` in a ball.
-    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u, const Ball& from) {
-        const auto& known = known_[edge];
-        const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
-        const bool right = edge == contact::Edge::right;
-        if (u.x() && rational_of(*u.x())) {
-            const Rational x = *rational_of(*u.x());
-            return {Ball(x, std::max(from.bits(), 128L)), true, "given", x};
-        }
-        if (known && distance != nullptr) {
-            const Rational x = right ? Rational(*known - *distance) : Rational(*distance - *known);
-            // The text of what is known exactly is made of that: a ball of any width will do.
-            const long bits = plan_.digits.binary64 ? std::max(from.bits(), 128L) : from.bits();
-            return {Ball(x, bits), true, "given", x};
-        }
-        return bounded(balls_.refine(
-                           [&](BallLevel& level) {
-                               if (!u.number()) {
-                                   return u.x_enclosure(level.a(), level.b(), level.bits());
-                               }
-                               const Ball at = level.distance(u);
-                               return right ? level.a() - at : at - level.b();
-                           },
-                           [&](ExactValues& exact) { return exact.x(edge, exact.u(u)); },
-                           plan_.digits, plan_.narrow_bits),
-                       "given", [&](ValueRoute& other) { return other.place(edge, u); });
-    }
-    /// Keeps where an edge is, if that is a rational number, and known.
-    void know(contact::Edge edge) {
-        if (const auto exact = balls_.at_level(length_->bits())->known(edge)) {
-            known_[edge] = rational_of(*exact);
-        }
     }
     void count_expansions(contact::Edge edge, bool p, bool q) {
         const bool together = q && scene_.shear->path == contact::LoadingPath::together;
@@ -371,10 +277,8 @@ private:
     const Plan& plan_;
     contact::Work& work_;
     BallRefinement balls_;
+    BallPlaces places_;
     BallSlips slips_;
-    std::optional<Ball> length_;
-    std::map<contact::Edge, std::optional<Rational>>
-        known_; ///< distances of the edges from the origin
     std::set<std::pair<contact::Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     contact::Work work_of_others_;

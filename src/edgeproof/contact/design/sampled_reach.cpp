@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/reach.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/roots/extremum.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
+
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,8 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
-constexpr int refinements_of_a_place = 48;
+constexpr double width_of_a_crossing = 0x1p-48; // relative
+constexpr int bits_of_an_extremum = 27;         // values are flat there: half of those of a double
 /// An extremum of |f| by less than this share of the tolerance is looked at more closely.
 constexpr double near_the_tolerance = 0.25;
 
@@ -62,13 +65,14 @@ public:
                 result.extrema.push_back({edge, top, most, error(top) > 0 ? 1 : -1});
                 if (most >= 0) { // passed between two samples
                     leaves = true;
-                    exit = crossing(before, top);
+                    exit = crossing(before, at_before, top, most);
                 }
             }
             const bool was = at_before < 0;
             const bool is = e[k] < 0;
             if (was != is) {
-                const double at = was ? crossing(before, u[k]) : crossing(u[k], before);
+                const double at = was ? crossing(before, at_before, u[k], e[k])
+                                      : crossing(u[k], e[k], before, at_before);
                 measure += was ? at - before : u[k] - at;
                 if (was && !leaves) {
                     leaves = true;
@@ -95,16 +99,15 @@ public:
 
 private:
     /// Within at `in`, beyond at `out`.
-    [[nodiscard]] double crossing(double in, double out) const {
-        for (int k = 0; k < refinements_of_a_place; ++k) {
-            const double m = (in + out) / 2;
-            (excess(m) < 0 ? in : out) = m;
-        }
-        return (in + out) / 2;
+    [[nodiscard]] double crossing(double in, double at_in, double out, double at_out) const {
+        return roots::bracketed_root([this](double u) { return excess(u); }, in, at_in, out, at_out,
+                                     width_of_a_crossing)
+            .x;
     }
     [[nodiscard]] double highest(double lo, double hi) const {
-        return roots::place_of_minimum([this](double u) { return -excess(u); }, lo, hi,
-                                       refinements_of_a_place);
+        return boost::math::tools::brent_find_minima([this](double u) { return -excess(u); }, lo,
+                                                     hi, bits_of_an_extremum)
+            .first;
     }
 
     const ErrorOverBox& f_;

@@ -65,6 +65,37 @@ TEST_CASE("the half-width of a pad by hand") {
     CHECK(json["scene"] == "command line");
 }
 
+// p = E* sqrt(a^2 - x^2)/(2 R): 0.15 at x = 0.4, a = 1/2, R = E* = 1.
+TEST_CASE("points on the command line stand for those of the scene's file") {
+    const Folder folder;
+    const std::string contact =
+        "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = \"1/2\"\ncontact_modulus = 1\n";
+    folder.write("none.toml", contact);
+    folder.write("other.toml", contact + "[ask]\nx = [0, \"a/4\"]\nprocess_zone = \"1e-2\"\n"
+                                         "edges = [\"left\"]\ndigits = 12\n");
+    const auto last = [](const std::string& csv) { return lines(csv).back(); };
+    for (const char* const scene : {"none.toml", "other.toml"}) {
+        CAPTURE(scene);
+        const std::string pressure = "pressure " + std::string(scene) + " --digits 12";
+        const Outcome by_x = run(folder, pressure + " --x=-0.4 --edge left");
+        CHECK(by_x.code == 0);
+        CHECK(last(by_x.out).find(",0.150000000000,") != std::string::npos);
+        const Outcome by_u = run(folder, pressure + " --u a/4,1/10 --edge right");
+        CHECK(by_u.code == 0);
+        CHECK(lines(table_of(by_u.out)).size() == 3);
+        CHECK(last(by_u.out).find("right,1/10,") == 0);
+        CHECK(last(by_u.out).find(",0.150000000000,") != std::string::npos);
+        const Outcome zone = run(folder, "extent " + std::string(scene) +
+                                             " --tolerance 1% --terms 1 --process-zone 0.9");
+        CHECK(zone.code == 0);
+        CHECK(zone.out.find("# process_zone: 0.9") != std::string::npos);
+        const Outcome outside = run(folder, pressure + " --u 2 --edge right");
+        CHECK(outside.code == 2);
+        CHECK(outside.err.find(std::string(scene) + ": u = 2 from the right edge") == 0);
+        CHECK(run(folder, pressure + " --u nowhere").err.find("edgeproof: u = \"nowhere\"") == 0);
+    }
+}
+
 TEST_CASE("quantities that make no scene: one line") {
     const std::pair<const char*, const char*> all[] = {
         {"pressure", "edgeproof: no scene is given; name its file, - for standard input, or"},

@@ -85,8 +85,12 @@ scene::Scene given_scene(const SceneOptions& o) {
     if (!o.scene.empty() && o.stated.given()) {
         throw InputError("a scene is given by its file and by quantities", "give one of the two");
     }
-    return o.scene.empty() ? stated_scene(o)
-                           : scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
+    if (o.scene.empty()) {
+        return stated_scene(o);
+    }
+    scene::SceneEntries asked;
+    asked.ask = o.stated.asked();
+    return scene::read_scene(file_or_shipped(o.scene, shipped_scenes), scene_text(asked));
 }
 
 void ask_quantities(scene::Scene& scene, const std::string& list) {

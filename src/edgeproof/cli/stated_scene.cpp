@@ -77,6 +77,7 @@ std::vector<std::string> parts_of(const std::string& text) {
 
 void StatedScene::add_options(CLI::App& sub) {
     const char* const group = "A scene by its quantities, in place of a file";
+    const char* const ask_group = "What is asked, in place of what the scene's file asks";
     for (const StatedProfile& profile : stated_profiles) {
         sub.add_flag("--" + std::string(profile.kind), profiles_[std::string(profile.kind)],
                      std::string(profile.help))
@@ -85,15 +86,31 @@ void StatedScene::add_options(CLI::App& sub) {
     for (const StatedQuantity& quantity : stated_quantities) {
         sub.add_option(option_of(quantity.key), quantities_[std::string(quantity.key)],
                        std::string(quantity.help))
-            ->group(group);
+            ->group(quantity.section == StatedSection::ask ? ask_group : group);
     }
 }
 
 bool StatedScene::given() const {
     return std::any_of(profiles_.begin(), profiles_.end(),
                        [](const auto& p) { return p.second; }) ||
-           std::any_of(quantities_.begin(), quantities_.end(),
-                       [](const auto& q) { return !q.second.empty(); });
+           std::any_of(stated_quantities.begin(), stated_quantities.end(),
+                       [this](const StatedQuantity& q) {
+                           return q.section != StatedSection::ask &&
+                                  !quantities_.at(std::string(q.key)).empty();
+                       });
+}
+
+std::vector<scene::SceneEntry> StatedScene::asked() const {
+    std::vector<scene::SceneEntry> asked;
+    for (const char* const key : {"u", "x"}) {
+        if (const std::string& list = quantities_.at(key); !list.empty()) {
+            asked.push_back({key, parts_of(list)});
+        }
+    }
+    if (const std::string& zone = quantities_.at("process_zone"); !zone.empty()) {
+        asked.push_back({"process_zone", zone});
+    }
+    return asked;
 }
 
 scene::SceneEntries StatedScene::entries() const {
@@ -131,13 +148,10 @@ scene::SceneEntries StatedScene::entries() const {
             entries.shear.push_back({key, text});
             break;
         case StatedSection::ask:
-            if (key == "process_zone") {
-                entries.ask.push_back({key, text});
-            } else {
-                entries.ask.push_back({key, parts_of(text)});
-            }
+            break;
         }
     }
+    entries.ask = asked();
     return entries;
 }
 

@@ -14,8 +14,10 @@ namespace edgeproof::cli {
 class StatedScene {
 public:
     void add_options(CLI::App& sub);
-    /// Any of them is given.
+    /// Any of them is given that a file would have outside [ask].
     [[nodiscard]] bool given() const;
+    /// What is asked, of a scene by its file as well: its points, its process zone.
+    [[nodiscard]] std::vector<scene::SceneEntry> asked() const;
     /// What the scene's file would hold. Throws InputError for none or several profiles, and for a
     /// parameter that the profile does not have.
     [[nodiscard]] scene::SceneEntries entries() const;

@@ -86,7 +86,9 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     if (ask.has("digits")) {
         result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
     }
-    result.u = read_places(ask, names_of(profile, scene));
+    if (ask.has("u") || ask.has("x")) {
+        result.u = read_places(ask, names_of(profile, scene));
+    }
     if (ask.has("tolerance")) {
         result.tolerance =
             at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });

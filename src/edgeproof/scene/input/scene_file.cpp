@@ -10,6 +10,8 @@
 #include "edgeproof/scene/input/read_ask.hpp"
 #include "edgeproof/scene/input/read_profile.hpp"
 
+#include <utility>
+
 namespace edgeproof::scene {
 namespace {
 
@@ -218,6 +220,24 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
     }
 }
 
+/// Nobody wrote lines of it: errors name none, nor do those of its points.
+void read_asked_instead(std::string_view asked, const io::TomlSection& profile, Scene& scene) {
+    const std::vector<AskedPoint> points = std::exchange(scene.ask.u, {});
+    const std::size_t line = scene.ask_line;
+    try {
+        read_ask(io::TomlSection::parse(asked, "").section("ask"), profile, scene);
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead());
+    }
+    scene.ask_line = scene.ask.u.empty() ? line : 0;
+    if (scene.ask.u.empty()) {
+        scene.ask.u = points;
+    }
+    for (AskedPoint& point : scene.ask.u) {
+        point.line = scene.ask_line == 0 ? 0 : point.line;
+    }
+}
+
 } // namespace
 
 Scene read_contact(const io::TomlSection& top) {
@@ -227,7 +247,7 @@ Scene read_contact(const io::TomlSection& top) {
     return scene;
 }
 
-Scene parse_scene(std::string_view text, const std::string& file) {
+Scene parse_scene(std::string_view text, const std::string& file, std::string_view asked) {
     const io::TomlSection top = io::TomlSection::parse(text, file);
     expect_file_kind(top, FileKind::scene);
     top.allow({"title", "units", "profile", "load", "shear", "ask"});
@@ -242,13 +262,16 @@ Scene parse_scene(std::string_view text, const std::string& file) {
         const io::TomlSection profile = top.section("profile");
         io::at_place(ask.file(), ask.line(), [&] { read_ask(ask, profile, scene); });
     }
+    if (!asked.empty()) {
+        read_asked_instead(asked, top.section("profile"), scene);
+    }
     default_quantities(scene.ask, scene.shear.has_value(), scene.slips());
     return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+Scene read_scene(const std::filesystem::path& file, std::string_view asked) {
     return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
-                       io::input_name(file));
+                       io::input_name(file), asked);
 }
 
 } // namespace edgeproof::scene

@@ -97,9 +97,11 @@ struct Scene {
 /// Reads a scene (examples/README.md says what goes into one). Throws InputError with file and line
 /// for whatever is malformed: unknown keys and kinds, a load given twice or not at all, numbers
 /// that are none.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file);
-/// The same from text; `file` is what errors name.
-[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file, std::string_view asked = {});
+/// The same from text; `file` is what errors name. `asked`: an [ask] of a command line, in TOML;
+/// its keys stand for those of the file, and its errors name no file.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file,
+                                std::string_view asked = {});
 
 /// [profile], [load] and [shear] of `top`, whatever else it has; nothing is asked.
 [[nodiscard]] Scene read_contact(const io::TomlSection& top);

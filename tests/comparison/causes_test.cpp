@@ -203,11 +203,27 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
         REQUIRE(file.diagnosis);
         CHECK(file.diagnosis->causes.empty());
         CHECK_FALSE(file.diagnosis->at_edges_only);
+        REQUIRE(file.diagnosis->factor);
+        CHECK(std::abs(file.diagnosis->factor->value / factor - 1) < 1e-12);
     }
-    // A smooth error of 5 % that no mistake makes.
-    CHECK(diagnosed([&](double x) {
-              return right.p(x) * (1 + 0.05 * std::sin(40 * x));
-          }).diagnosis->causes.empty());
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal(0, 1);
+    const FileComparison noisy = diagnosed(
+        [&](double x) { return std::numbers::pi / 2 * right.p(x) * (1 + 3e-3 * normal(random)); });
+    REQUIRE(noisy.diagnosis->factor);
+    const CommonFactor& noisy_factor = *noisy.diagnosis->factor;
+    CHECK(std::abs(noisy_factor.value - std::numbers::pi / 2) < 4 * noisy_factor.error);
+    CHECK(noisy_factor.error < 3e-3); // of one node
+    CHECK(noisy_factor.error > 3e-4); // of a hundred nodes, or so
+    // A smooth error of 5 % that no mistake makes, and no factor; a pressure too wide.
+    const auto none = [&](const std::function<double(double)>& p) {
+        const FileComparison file = diagnosed(p);
+        REQUIRE(file.diagnosis);
+        CHECK(file.diagnosis->causes.empty());
+        CHECK_FALSE(file.diagnosis->factor);
+    };
+    none([&](double x) { return right.p(x) * (1 + 0.05 * std::sin(40 * x)); });
+    none([&](double x) { return 1.7 * right.p(x / 1.1); });
     // The node at the edge is off by a tenth of the peak: the mesh.
     const double a = exact.a().value;
     const FileComparison mesh = diagnosed([&](double x) {

@@ -183,6 +183,10 @@ void rank(std::vector<Cause>& causes) {
     }
 }
 
+bool explains(const Fit& fit, double allowance, double unexplained) {
+    return fit.is_scatter(allowance) && fit.left < share_left * unexplained;
+}
+
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
                             const std::function<void(const TakeSuspect&)>& for_each) {
     Diagnosis diagnosis;
@@ -197,13 +201,23 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     const double factor = median_ratio(data, right.values);
     for_each([&](const Suspect& suspect) {
         const auto fit = fit_of(data, suspect);
-        if (fit && fit->is_scatter(allowance) && fit->left < share_left * diagnosis.unexplained) {
+        if (fit && explains(*fit, allowance, diagnosis.unexplained)) {
             diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
         }
     });
     rank(diagnosis.causes);
     if (!diagnosis.causes.empty()) {
         diagnosis.noise = diagnosis.causes.front().scatter;
+    } else if (as_it_is && !diagnosis.at_edges_only) {
+        Suspect scaled = right;
+        for (double& value : scaled.values) {
+            value *= as_it_is->scale;
+        }
+        const auto fit = fit_of(data, scaled);
+        if (fit && explains(*fit, allowance, diagnosis.unexplained)) {
+            diagnosis.factor = {as_it_is->scale, fit->scale_error * std::abs(as_it_is->scale)};
+            diagnosis.noise = fit->noise;
+        }
     }
     return diagnosis;
 }

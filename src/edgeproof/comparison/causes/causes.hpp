@@ -5,6 +5,7 @@
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct Cause {
     std::vector<std::string> equally_likely; ///< others that leave as little
 };
 
+/// What data are of the exact values, with its standard error by their scatter.
+struct CommonFactor {
+    double value = 1;
+    double error = 0;
+};
+
 /// What was found of the causes.
 struct Diagnosis {
     /// What is left without a cause, and the scatter of the data: rms, relative to the largest
@@ -29,6 +36,8 @@ struct Diagnosis {
                                 ///< off is no mistake's
     bool largest_inside = false; ///< the largest error is one of those nodes', and at no edge
     std::vector<Cause> causes;   ///< the likeliest first
+    /// Where no cause is known: the factor that explains the data as a cause would.
+    std::optional<CommonFactor> factor;
 };
 
 /// Holds data against the pressures that a program with each known mistake would compute

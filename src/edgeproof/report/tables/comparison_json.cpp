@@ -123,6 +123,10 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
         j["knots"].push_back(std::move(row));
     }
     j["causes"] = causes_json(file.diagnosis);
+    if (file.diagnosis && file.diagnosis->factor) {
+        j["common_factor"] = {{"value", file.diagnosis->factor->value},
+                              {"error", file.diagnosis->factor->error}};
+    }
     if (file.shear) {
         j["causes_of_q"] = causes_json(file.shear_diagnosis);
     }

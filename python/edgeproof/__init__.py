@@ -13,6 +13,8 @@ Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.dec
 Formulas    verify(ledger): printed claims held to the mechanics
 Programs    check(answers, recipe=...): other programs' numbers held to the exact ones
 Meshes      compare(scene, result): x and p of a mesh held to the exact contact
+Design      design(file): the parameter of a range for which an approximation reaches farthest
+Relations   relations(quantities): polynomials in multipliers that vanish along every profile
 Errors      Error, InputError and DomainError (both ValueError), BudgetError, UndecidedError
 
 Numbers are given as str ("0.4", "pi/16", "3/2"), int, fractions.Fraction, decimal.Decimal,
@@ -25,6 +27,8 @@ from .audit import Audit, Claim, verify
 from .comparison import Comparison, Cause, Held, Limit, MeshErrors, MeshResult, compare
 from .conformance import Agreement, Case, Convention, check, questions
 from .errors import BudgetError, DomainError, Error, InputError, UndecidedError
+from .multipliers import Relation, Relations, relations
+from .optimum import Design, design
 from .profiles import (
     Number,
     Profile,
@@ -51,9 +55,10 @@ from .scene import Scene, read_scene
 
 __all__ = [
     "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
-    "Comparison", "Contact", "Convention", "DomainError", "Error", "Extent", "Held", "InputError",
-    "Limit", "MeshErrors", "MeshResult", "Number", "Point", "Profile", "Result", "Scene", "Slip",
-    "SlipTerms", "StickZone", "UndecidedError", "Value", "__version__", "check", "compare",
-    "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene",
-    "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
+    "Comparison", "Contact", "Convention", "Design", "DomainError", "Error", "Extent", "Held",
+    "InputError", "Limit", "MeshErrors", "MeshResult", "Number", "Point", "Profile", "Relation",
+    "Relations", "Result", "Scene", "Slip", "SlipTerms", "StickZone", "UndecidedError", "Value",
+    "__version__", "check", "compare", "design", "flat_and_rounded", "hertz", "piecewise",
+    "power_law", "questions", "read_scene", "relations", "tilted_flat_and_rounded", "tilted_wedge",
+    "verify", "wedge",
 ]

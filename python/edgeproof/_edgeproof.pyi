@@ -123,3 +123,21 @@ def compare(
     tolerance_c0: str | None,
     progress: Callable[[int, int], object] | None,
 ) -> Mapping[str, str]: ...
+def design(
+    text: str,
+    file: str,
+    gap: str,
+    digits: int,
+    maximise: str | None,
+    tolerance: str | None,
+    edge: str | None,
+    terms: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> dict[str, Any]: ...
+def relations(
+    quantities: Sequence[str],
+    degree: int,
+    symmetric: bool,
+    given: Sequence[tuple[str, str]],
+    free: Sequence[str],
+) -> str: ...

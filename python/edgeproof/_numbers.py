@@ -79,6 +79,11 @@ def exact_text(value: Any, name: str) -> str:
                     "Fraction, Decimal or mpmath.mpf")
 
 
+def text_or_none(value: Any, name: str) -> str | None:
+    """The same, or None for None."""
+    return None if value is None else exact_text(value, name)
+
+
 def whole(value: Any, name: str) -> int:
     """A whole number. Raises TypeError for anything else, 50.0 and "50" included."""
     try:

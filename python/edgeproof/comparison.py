@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _edgeproof
-from ._numbers import exact_text
+from ._numbers import exact_text, text_or_none
 from .errors import InputError
 from .profiles import Number
 from .scene import Scene, read_scene
@@ -270,10 +270,6 @@ def _decimal_text(value: Number, name: str) -> str:
         raise InputError(f"{name} = {text} is no decimal number", "give one that ends") from None
 
 
-def _text_or_none(value: Number | None, name: str) -> str | None:
-    return None if value is None else exact_text(value, name)
-
-
 def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence[OneResult], *,
             columns: str | Mapping[str, str | int] | None = None,
             scale: str | Mapping[str, Number] | None = None, origin: Number | None = None,
@@ -302,9 +298,9 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
         scale = {k: _decimal_text(v, f"scale[{k!r}]") for k, v in scale.items()}
     found = _edgeproof.compare(
         asked._native, asked.file or asked.title or "a scene", _tables(results), _pairs(columns),
-        _pairs(scale), _text_or_none(origin, "origin"), _text_or_none(tolerance, "tolerance"), of,
-        _decimal_text(edge_zone, "edge_zone"), _text_or_none(tolerance_a, "tolerance_a"),
-        _text_or_none(tolerance_P, "tolerance_P"), _text_or_none(tolerance_c0, "tolerance_c0"),
+        _pairs(scale), text_or_none(origin, "origin"), text_or_none(tolerance, "tolerance"), of,
+        _decimal_text(edge_zone, "edge_zone"), text_or_none(tolerance_a, "tolerance_a"),
+        text_or_none(tolerance_P, "tolerance_P"), text_or_none(tolerance_c0, "tolerance_c0"),
         progress)
     told = json.loads(found["json"])
     return Comparison(

@@ -179,7 +179,8 @@ def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | No
         passed=found["passed"],
         cases=tuple(Case(**case) for case in found["cases"]),
         faults=tuple(found["faults"]),
-        conventions=tuple(Convention(**{**convention, "also": tuple(convention["also"])}) for convention in found["conventions"]),
+        conventions=tuple(Convention(also=tuple(c.pop("also")), **c)
+                          for c in found["conventions"]),
         estimates=found["estimates"],
         text=found["text"],
     )

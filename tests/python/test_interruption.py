@@ -16,7 +16,7 @@ import edgeproof, numpy
 scene = edgeproof.Scene(edgeproof.PROFILE, a=1, contact_modulus=1)
 print("ready", flush=True)
 try:
-    scene.WORK
+    WORK
     print("finished")
 except KeyboardInterrupt:
     print("interrupted")
@@ -71,14 +71,18 @@ def run(code, after=0.3):
 
 
 @pytest.mark.parametrize("profile, work", [
-    (SINH, "coefficients(60, digits=3000)"),  # rules of integration, and integrals
-    (SINH, "pressure([f'{k}/10000' for k in range(1, 9000)], digits=100)"),
-    (SINH, "extent(tolerance='1e-9', digits=1500)"),
-    ("hertz(1)", "pressures(numpy.full(40_000_000, 0.1))"),
+    (SINH, "scene.coefficients(60, digits=3000)"),  # rules of integration, and integrals
+    (SINH, "scene.pressure([f'{k}/10000' for k in range(1, 9000)], digits=100)"),
+    (SINH, "scene.extent(tolerance='1e-9', digits=1500)"),
+    ("hertz(1)", "scene.pressures(numpy.full(40_000_000, 0.1))"),
     # one operation, of minutes
-    ('power_law(m="1/3", C=1)', "pressure('0.1', digits=100_000)"),
+    ('power_law(m="1/3", C=1)', "scene.pressure('0.1', digits=100_000)"),
+    ("hertz(1)", "edgeproof.design(DESIGN, digits=1000, gap='1e-300')"),
+    ("hertz(1)", "edgeproof.relations("
+                 "['right.c3', 'right.c2', 'left.c2', 'left.c1', 'b1', 'b2', 'L'], 10)"),
 ])
-def test_ctrl_c_ends_a_computation(profile, work):
+def test_ctrl_c_ends_a_computation(profile, work, source):
+    work = work.replace("DESIGN", repr(str(source / "examples/design/exponent.toml")))
     out, err, seconds = run(ALONE.replace("PROFILE", profile).replace("WORK", work))
     assert out.splitlines()[0] == "interrupted", err
     scene = edgeproof.Scene(eval("edgeproof." + profile), a=1, contact_modulus=1)
@@ -99,7 +103,7 @@ def test_a_handler_that_goes_on_goes_on(profile, digits, places):
 def test_nothing_goes_on_unseen(tmp_path):
     """The process of many digits ends with the one that asked, however that ends."""
     code = ALONE.replace("PROFILE", 'power_law(m="1/3", C=1)').replace(
-        "WORK", "pressure('0.1', digits=100_000)")
+        "WORK", "scene.pressure('0.1', digits=100_000)")
     for sent in (signal.SIGINT, signal.SIGKILL):
         child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
                                  preexec_fn=lambda: signal.signal(signal.SIGINT,

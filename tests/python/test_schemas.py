@@ -132,10 +132,6 @@ def read_recipe(text, folder):
     edgeproof.questions(file)
 
 
-def read_design(text, folder):
-    pytest.skip("Python reads no design")
-
-
 def places(value, path=()):
     """Every table and every key, by its path."""
     yield path

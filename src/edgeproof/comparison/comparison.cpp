@@ -11,7 +11,6 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr std::size_t fewest_inside = 3;
 constexpr double presses = 0.002;
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }

@@ -45,6 +45,9 @@ struct Tolerances {
     std::optional<double> q;  ///< in the norm of `of`; without it, as the pressure
 };
 
+/// Of nodes inside the exact contact: fewer are too few to judge by.
+inline constexpr std::size_t fewest_inside = 3;
+
 /// A result held against a scene.
 struct FileComparison {
     ResultTable table;

@@ -34,8 +34,18 @@ std::optional<double> factor_near(double wanted) {
 
 } // namespace
 
-void require_nodes_inside(const FileComparison& file, const ExactContact& exact) {
-    if (file.inside > 0) {
+void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
+                          const EdgeZone& zone) {
+    if (file.inside >= fewest_inside) {
+        const bool any = std::ranges::any_of(file.data.nodes, [&](const Node& node) {
+            return node.exact.inside() && is_counted(node, zone, file.contact);
+        });
+        if (!any) {
+            throw InputError(
+                fmt::format("the edge zones leave none of the {} nodes inside", file.inside),
+                "write a narrower --edge-zone, or give a finer mesh")
+                .at(file.table.file, 0);
+        }
         return;
     }
     const auto& nodes = file.data.nodes;
@@ -48,8 +58,15 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact)
     const auto pressing = [&](const Node& node) { return std::abs(node.p) > loaded_share * most; };
     const auto first = std::ranges::find_if(nodes, pressing);
     const std::string none =
-        fmt::format("none of the {} nodes lies inside the contact, {:.6g} < x < {:.6g}",
-                    nodes.size(), -b + file.data.origin, a + file.data.origin);
+        fmt::format("{} of the {} nodes {} inside the contact, {:.6g} < x < {:.6g}",
+                    file.inside == 0 ? "none" : fmt::format("{}", file.inside), nodes.size(),
+                    file.inside == 2 ? "lie" : "lies", -b + file.data.origin, a + file.data.origin);
+    if (file.inside > 0 &&
+        static_cast<std::size_t>(std::ranges::count_if(nodes, pressing)) < fewest_inside) {
+        throw InputError(none + ": too few to judge by",
+                         "give a finer mesh: three nodes or more inside")
+            .at(file.table.file, 0);
+    }
     if (first == nodes.end()) {
         throw InputError(none + ", and none presses",
                          "give the nodes of the contact, with their pressures")

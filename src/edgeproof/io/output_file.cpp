@@ -65,4 +65,21 @@ void make_folder(const std::filesystem::path& folder) {
     }
 }
 
+void check_folder(const std::filesystem::path& folder) {
+    std::filesystem::path there = folder; // the nearest one that is
+    std::error_code none;
+    while (!there.empty() && !std::filesystem::exists(there, none)) {
+        there = there.parent_path();
+    }
+    if (there.empty()) {
+        there = ".";
+    }
+    if (!std::filesystem::is_directory(there, none)) {
+        cannot("make the folder", folder, ENOTDIR);
+    }
+    if (::access(there.c_str(), W_OK | X_OK) != 0) {
+        cannot(there == folder ? "write into" : "make the folder", folder, errno);
+    }
+}
+
 } // namespace edgeproof::io

@@ -25,4 +25,8 @@ void check_output(const std::filesystem::path& file);
 /// nothing can be written into it.
 void make_folder(const std::filesystem::path& folder);
 
+/// Throws InputError where make_folder would, as far as can be told beforehand; makes nothing: for
+/// a folder that is made by what is written into it, once there is something to write.
+void check_folder(const std::filesystem::path& folder);
+
 } // namespace edgeproof::io

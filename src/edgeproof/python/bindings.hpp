@@ -12,6 +12,8 @@
 ///   audit.cpp    verify
 ///   check.cpp    check
 ///   compare.cpp  compare
+///   design.cpp   design
+///   relations.cpp  relations
 namespace edgeproof::python {
 
 /// None for an empty text.
@@ -26,5 +28,7 @@ void bind_scene(pybind11::module_& module);
 void bind_audit(pybind11::module_& module);
 void bind_check(pybind11::module_& module);
 void bind_compare(pybind11::module_& module);
+void bind_design(pybind11::module_& module);
+void bind_relations(pybind11::module_& module);
 
 } // namespace edgeproof::python

@@ -101,7 +101,8 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
                 progress(files.size(), tables.size());
                 files.push_back(comparison::compare_file(
                     std::move(table), exact, report.comparison.tolerances, at, &suspects));
-                comparison::require_nodes_inside(files.back(), exact);
+                comparison::require_nodes_inside(files.back(), exact,
+                                                 report.comparison.tolerances.zone);
             }
             progress(files.size(), tables.size());
             if (files.size() > 1) {

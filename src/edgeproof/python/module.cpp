@@ -10,4 +10,6 @@ PYBIND11_MODULE(_edgeproof, module) {
     edgeproof::python::bind_audit(module);
     edgeproof::python::bind_check(module);
     edgeproof::python::bind_compare(module);
+    edgeproof::python::bind_design(module);
+    edgeproof::python::bind_relations(module);
 }

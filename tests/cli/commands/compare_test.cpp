@@ -93,6 +93,29 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml still.csv", "none of the 3" + none + "-1.5 < x < 1.5, and none presses");
     refused("scene.toml right.csv still.csv --json --html none.html", "still.csv: none of the 3");
     CHECK_FALSE(std::filesystem::exists(c.folder.path() / "none.html"));
+    // Too few nodes inside: a finer mesh, or another unit; zones that leave none of them, though
+    // nodes outside are left.
+    c.folder.write("coarse.csv", "x,p\n-3,0\n-1,0.8385\n1,0.8385\n3,0\n");
+    refused("scene.toml coarse.csv",
+            "coarse.csv: 2 of the 4 nodes lie inside the contact, -1.5 < x < 1.5: too few to judge "
+            "by; give a finer mesh");
+    c.folder.write("one.csv", "x,p\n-3,0\n0,1.125\n3,0\n");
+    refused("scene.toml one.csv --tolerance 1e-9", "one.csv: 1 of the 3 nodes lies inside");
+    refused("scene.toml odd.csv --scale x=25.4", "2 of the 64 nodes lie inside the contact, -1.5 < "
+                                                 "x < 1.5: the data press from");
+    refused("scene.toml odd.csv --scale x=25.4", "write --scale x=0.0393701 if x is in another");
+    refused("scene.toml right.csv --edge-zone 1.6", "the edge zones leave none of the 47 nodes");
+    CHECK(run(c.folder, "compare scene.toml right.csv --edge-zone 1.4").code == 0);
+    c.folder.write("three.csv", "x,p\n-3,0\n-1,0.83853\n0,1.125\n1,0.83853\n3,0\n");
+    CHECK(run(c.folder, "compare scene.toml three.csv").code == 0);
+    c.folder.write("wide.csv", "x,p\n-3,1\n-1,0.83853\n0,1.125\n1,0.83853\n3,1\n");
+    CHECK(run(c.folder, "compare scene.toml wide.csv").code == 1);
+    // No folder of figures where there is nothing to draw, and none where it cannot be.
+    refused("scene.toml none.csv --figures none", "none.csv");
+    refused("scene.toml right.csv still.csv --figures none/there", "still.csv: none of the 3");
+    refused("scene.toml right.csv --figures none --tolerance 0", "--tolerance 0");
+    CHECK_FALSE(std::filesystem::exists(c.folder.path() / "none"));
+    refused("scene.toml none.csv --figures scene.toml/there", "cannot make the folder");
     c.folder.write("nan.csv", "x,p\n0,1\n1,nan\n");
     refused("scene.toml nan.csv", "nan.csv:3: the row holds 'nan'");
     c.folder.write("bad.toml", "[profile]\nkind = \"hertz\"\n");

@@ -182,3 +182,41 @@ TEST_CASE("results that cannot be read: one line, with the place") {
     CHECK(
         contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=1")), "one column is taken"));
 }
+
+TEST_CASE("results: blanks separate, and a name has several words") {
+    const std::string rows = "7 -0.5 1\n3 0 1.5\n9 0.5 1\n";
+    for (const std::string header : {
+             "Node Label  COORD1  CPRESS",
+             "Node Label X Contact Pressure",
+             "node number true distance along path contact pressure",
+             "Node Label x mm p MPa",
+             "# Node Label x Contact Pressure",
+             "Element ID X Coordinate [mm] Normal Traction [MPa]",
+         }) {
+        CAPTURE(header);
+        check_three(parsed_result(header + "\n" + rows, in_mm_and_MPa()));
+    }
+    // Units that the words say count.
+    check_three(parsed_result("Node Label x m p kPa\n7 -5e-4 1e3\n3 0 1.5e3\n9 5e-4 1e3\n",
+                              in_mm_and_MPa()));
+    // Two columns, and one of text.
+    check_three(parsed_result("X Contact Pressure\n-0.5 1\n0 1.5\n0.5 1\n"));
+    check_three(parsed_result("Part Instance Node Label COORD1 CPRESS\nA 7 -0.5 1\nA 3 0 1.5\n"
+                              "A 9 0.5 1\n"));
+    // A title of words is none: that of a table with a header, and that of one without.
+    check_three(parsed_result("Contact Pressure over x\nNode Label x p\n" + rows));
+    const auto told = [&](const std::string& header) {
+        const std::string line = refusal(header + "\n" + rows);
+        CAPTURE(line);
+        return begins(line, "r.csv:1: the header names 4 columns, and the rows have 3") &&
+               contains_text(line, "Node_Label") && contains_text(line, "--columns x=1,p=2");
+    };
+    CHECK(told("Contact Pressure over x"));
+    CHECK(told("Gauge Name x p"));
+    // Coord X | Pos | p, or Coord | X Pos | p.
+    CHECK(told("Coord X Pos p"));
+    // What it says to write helps.
+    check_three(parsed_result("Gauge Name x p\n" + rows, with_columns("x=2,p=3")));
+    check_three(parsed_result("Gauge_Name x p\n" + rows));
+    check_three(parsed_result("'Gauge Name' x p\n" + rows));
+}

@@ -105,3 +105,31 @@ TEST_CASE("a design scene: what is wrong, with its line") {
     CHECK(problem_of(pad_design(flat_of_range, "printed = { R = \"1\" }\n"))
               .find("there is no parameter R") != std::string::npos);
 }
+
+TEST_CASE("a design scene asked otherwise than it says") {
+    using edgeproof::scene::DesignObjective;
+    const auto asked = [](const std::string& text, const edgeproof::scene::DesignQuestion& q) {
+        return edgeproof::scene::parse_design(text, "pad.toml", q);
+    };
+    const std::string text = pad_design(flat_of_range, "terms = 2\nedge = \"left\"\n");
+    const auto as_it_says = asked(text, {});
+    CHECK(as_it_says.terms == 2);
+    CHECK(as_it_says.edges == std::vector{edgeproof::contact::Edge::left});
+    const auto otherwise = asked(text, {"measure", "1/100", "both", 3});
+    CHECK(otherwise.objective == DesignObjective::measure);
+    CHECK(otherwise.tolerance.rational() == Rational(1, 100));
+    CHECK(otherwise.edges.size() == 2);
+    CHECK(otherwise.terms == 3);
+    // What is asked in place of a key that is wrong hides it; a key that is not known it does not.
+    CHECK(
+        asked(pad_design(flat_of_range, "edge = \"top\"\n"), {{}, {}, "right", {}}).edges.size() ==
+        1);
+    CHECK_THROWS_WITH_AS((void)asked(pad_design(flat_of_range, "edges = \"left\"\n"),
+                                     {"measure", "1/100", "both", 3}),
+                         doctest::Contains("pad.toml:11"), InputError);
+    // Without [design].
+    const std::string bare = text.substr(0, text.find("[design]"));
+    CHECK(asked(bare, {"first_exit", "1/100", {}, {}}).terms == 1);
+    CHECK_THROWS_WITH_AS((void)asked(bare, {"first_exit", {}, {}, {}}),
+                         doctest::Contains("there is no [design]"), InputError);
+}

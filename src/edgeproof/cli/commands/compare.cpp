@@ -124,7 +124,7 @@ int compare_results(const CompareOptions& o) {
     io::check_output(o.junit);
     io::check_output(o.html);
     if (!o.figures.empty()) {
-        io::make_folder(o.figures);
+        io::check_folder(o.figures); // made once there is something to write
     }
     const scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     reading.units = scene.units;
@@ -144,7 +144,8 @@ int compare_results(const CompareOptions& o) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
                 std::move(table), exact, report.comparison.tolerances, origin, &suspects));
-            comparison::require_nodes_inside(report.comparison.files.back(), exact);
+            comparison::require_nodes_inside(report.comparison.files.back(), exact,
+                                             report.comparison.tolerances.zone);
         }
     }
     if (report.comparison.files.size() > 1) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/audit/ledger/claim.hpp"
-#include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/audit/relations/asked_relations.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/tables/relations_table.hpp"
 
 #include <memory>
 #include <string>
@@ -12,8 +11,6 @@
 
 namespace edgeproof::cli {
 namespace {
-
-constexpr std::size_t most_degree = 12;
 
 struct RelationsOptions : SceneOptions {
     std::vector<std::string> quantities;
@@ -32,74 +29,19 @@ std::pair<std::string, std::string> given_name(const std::string& text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-formula::Expr formula_of(const std::string& option, const std::string& text,
-                         const audit::Vocabulary& vocabulary) {
-    try {
-        return audit::parse_formula(text, vocabulary);
-    } catch (const InputError& error) {
-        throw InputError(option + text + ": " + error.problem(), error.instead());
-    }
-}
-
 int relations(const RelationsOptions& o) {
-    audit::Vocabulary vocabulary;
-    for (const std::string& name : audit::scene_symbols()) {
-        if (name != "u" && name != "x" && name != "M") {
-            vocabulary.symbols.add(name);
-        }
-    }
-    vocabulary.symbols.add("Q");
-    vocabulary.symbols.add("sig0");
-    for (const std::string& name : o.free) {
-        vocabulary.symbols.add(name);
-    }
-    audit::SymbolicCase under;
-    under.symmetric = o.symmetric;
+    audit::RelationQuestion question;
+    question.quantities = o.quantities;
+    question.degree =
+        static_cast<long>(whole_number("--degree", o.degree, 1, audit::most_relation_degree));
+    question.symmetric = o.symmetric;
     for (const std::string& text : o.given) {
-        const auto [name, formula] = given_name(text);
-        if (!vocabulary.symbols.has(name)) {
-            throw InputError("--given " + text + ": there is no '" + name + "'",
-                             "give P1, P2, ..., b, b1, ... as formulas in what is left free");
-        }
-        under.names.emplace(name, formula_of("--given ", formula, vocabulary));
+        question.given.push_back(given_name(text));
     }
-    std::vector<audit::RelatedQuantity> quantities;
-    for (const std::string& text : o.quantities) {
-        quantities.push_back({text, formula_of("", text, vocabulary)});
-    }
-    const auto degree = static_cast<unsigned>(whole_number("--degree", o.degree, 1, most_degree));
-    const audit::FoundRelations found = audit::find_relations(quantities, degree, under);
-    report::Table table;
-    table.title = "polynomial relations that hold along every profile";
-    std::string names;
-    for (const std::string& text : o.quantities) {
-        names += (names.empty() ? "" : ", ") + text;
-    }
-    table.facts = {{"quantities", names},
-                   {"degree", std::to_string(degree)},
-                   {"contact", o.symmetric ? "symmetric" : "any"}};
-    for (const std::string& text : o.given) {
-        table.facts.push_back({"given", text});
-    }
-    table.facts.push_back({"monomials", std::to_string(found.monomials)});
-    table.facts.push_back({"complete", found.complete ? "yes" : "no"});
-    table.notes = {
-        "each relation is proved by symbols: it holds identically in a, b and the derivatives of P "
-        "and b that are not given"};
-    table.notes.emplace_back(
-        !found.complete ? "a relation was found at samples and not proved: there may be more"
-        : found.relations.empty()
-            ? "there is no relation of this degree or less: proved by the rank of their matrix at "
-              "exact samples"
-            : "every relation of this degree or less is a sum of multiples of these: proved by the "
-              "rank of their matrix at exact samples");
-    table.columns = {{"degree", report::Column::Kind::count},
-                     {"relation", report::Column::Kind::text}};
-    for (const audit::PolynomialRelation& r : found.relations) {
-        table.rows.push_back({std::to_string(r.degree()), relation_text(r, quantities)});
-    }
-    emit(table, o);
-    return found.complete ? 0 : 1;
+    question.free = o.free;
+    const audit::AskedRelations asked = asked_relations(question);
+    emit(report::relations_table(question, asked), o);
+    return asked.found.complete ? 0 : 1;
 }
 
 } // namespace

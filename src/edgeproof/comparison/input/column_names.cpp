@@ -74,6 +74,38 @@ constexpr std::array known_names{
     KnownName{"tau", ColumnRole::shear, 4},
 };
 
+/// Columns beside these that programs write.
+constexpr std::array<std::string_view, 28> other_names{"node",
+                                                       "nodelabel",
+                                                       "nodenumber",
+                                                       "nodeno",
+                                                       "nodeid",
+                                                       "element",
+                                                       "elem",
+                                                       "elementlabel",
+                                                       "elementnumber",
+                                                       "elementid",
+                                                       "label",
+                                                       "number",
+                                                       "no",
+                                                       "id",
+                                                       "partinstance",
+                                                       "partinstancename",
+                                                       "y",
+                                                       "z",
+                                                       "ycoord",
+                                                       "ycoordinate",
+                                                       "zcoord",
+                                                       "zcoordinate",
+                                                       "coordinatey",
+                                                       "coordinatez",
+                                                       "cstatus",
+                                                       "copen",
+                                                       "gap",
+                                                       "status"};
+constexpr std::size_t most_words_of_a_name = 4; // "True distance along path"
+constexpr std::size_t most_words_of_a_header = 64;
+
 char lower(char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); }
 
 std::string plain_of(std::string_view text) {
@@ -92,6 +124,16 @@ std::string_view without_blanks(std::string_view text) {
     return from == std::string_view::npos
                ? std::string_view{}
                : text.substr(from, text.find_last_not_of(" \t") - from + 1);
+}
+
+bool is_known(const std::string& written) {
+    const std::string plain = read_column_name(written).plain;
+    return role_of(plain).has_value() || std::ranges::find(other_names, plain) != other_names.end();
+}
+
+/// A word that no prose has.
+bool is_symbol(std::string_view word) {
+    return word.find_first_of("0123456789._:") != std::string_view::npos;
 }
 
 } // namespace
@@ -128,6 +170,46 @@ std::optional<NamedRole> role_of(std::string_view plain_name) {
     const auto found = std::ranges::find(known_names, plain_name, &KnownName::plain);
     return found == known_names.end() ? std::nullopt
                                       : std::optional(NamedRole{found->role, found->rank});
+}
+
+std::optional<std::vector<std::string>> names_of_words(const std::vector<std::string>& words,
+                                                       std::size_t count) {
+    if (words.size() < count || words.size() > most_words_of_a_header) {
+        return {};
+    }
+    struct Way {
+        int ways = 0; ///< 2: two or more
+        std::string last;
+        std::size_t before = 0;
+    };
+    // ways[k][i]: the first i words as k names.
+    std::vector<std::vector<Way>> ways(count + 1, std::vector<Way>(words.size() + 1));
+    ways[0][0].ways = 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            std::string name;
+            const std::size_t most = std::min(words.size(), i + most_words_of_a_name);
+            for (std::size_t end = i + 1; ways[k][i].ways > 0 && end <= most; ++end) {
+                if (name.find_first_of("[(<") != std::string::npos) {
+                    break; // a unit ends a name
+                }
+                name += (name.empty() ? "" : " ") + words[end - 1];
+                if (is_known(name) || (end == i + 1 && is_symbol(name))) {
+                    Way& to = ways[k + 1][end];
+                    to = {std::min(2, to.ways + ways[k][i].ways), name, i};
+                }
+            }
+        }
+    }
+    if (ways[count][words.size()].ways != 1) {
+        return {};
+    }
+    std::vector<std::string> names(count);
+    for (std::size_t k = count, i = words.size(); k > 0; --k) {
+        names[k - 1] = ways[k][i].last;
+        i = ways[k][i].before;
+    }
+    return names;
 }
 
 ColumnChoice parse_columns(std::string_view text) {

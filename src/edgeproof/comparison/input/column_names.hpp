@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/scene/input/units.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,12 @@ struct NamedRole {
     int rank;
 };
 [[nodiscard]] std::optional<NamedRole> role_of(std::string_view plain_name);
+
+/// The words of a header that blanks cut as `count` names, some of them of several words ("Node
+/// Label", "x mm"). Nothing where there is more than one way, or a word that is no name known: a
+/// title is no header.
+[[nodiscard]] std::optional<std::vector<std::string>>
+names_of_words(const std::vector<std::string>& words, std::size_t count);
 
 /// What a user says of the columns: "x=1,p=3", "x=COORD1,p=CPRESS,q=CSHEAR1".
 struct ColumnChoice {

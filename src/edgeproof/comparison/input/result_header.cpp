@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 namespace edgeproof::comparison {
@@ -55,6 +56,16 @@ private:
                 cells = std::move(again);
             }
         }
+        if (separator_ == Separator::blank && cells.size() > size_ && numbers_in(cells) == 0) {
+            std::vector<std::string> words;
+            std::ranges::transform(cells, std::back_inserter(words), &Cell::text);
+            if (auto names = names_of_words(words, size_)) {
+                cells.clear();
+                for (std::string& name : *names) {
+                    cells.push_back({std::move(name)});
+                }
+            }
+        }
         return cells;
     }
 
@@ -95,11 +106,16 @@ private:
                 header_ = std::move(names);
                 return;
             }
-            if (both && !lines_[i].comment && names.size() > 1) {
+            const bool blanks = separator_ == Separator::blank;
+            const bool told = blanks && reading_.columns.x && reading_.columns.p;
+            if (both && !lines_[i].comment && names.size() > 1 && !told) {
                 reject(lines_[i].number,
                        fmt::format("the header names {} columns, and the rows have {}",
                                    names.size(), size_),
-                       "name every column once, and write no decimal commas where commas separate");
+                       blanks ? "write each name as one word (Node_Label) or in quotes, or say "
+                                "which columns by number: --columns x=1,p=2"
+                              : "name every column once, and write no decimal commas where commas "
+                                "separate");
             }
             if (names.size() == size_ && !near_header_ && !lines_[i].comment && !all_units(names)) {
                 near_header_ = i;

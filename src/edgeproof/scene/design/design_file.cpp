@@ -39,7 +39,7 @@ contact::ParameterRange range_at(const io::TomlSection& section, std::string_vie
     return r;
 }
 
-void read_parameters(const io::TomlSection& top, DesignScene& design) {
+void read_parameters(const io::TomlSection& top, std::size_t line, DesignScene& design) {
     const auto add = [&](const io::TomlSection& section, const std::string& name) {
         for (const DesignScene::Parameter& p : design.parameters) {
             if (p.name == name) {
@@ -70,62 +70,95 @@ void read_parameters(const io::TomlSection& top, DesignScene& design) {
         }
     }
     if (design.parameters.empty() || design.parameters.size() > most_design_parameters) {
-        top.reject(top.section("design").line(),
+        top.reject(line,
                    std::to_string(design.parameters.size()) + " numbers of the scene are ranges",
                    "write one or two as { from = \"0\", to = \"3\" }");
     }
 }
 
-void read_edges_of_design(const io::TomlSection& section, DesignScene& design) {
-    const std::string edge = section.text("edge");
+std::vector<contact::Edge> edges_named(const std::string& edge) {
     if (edge == "both") {
-        design.edges = {contact::Edge::right, contact::Edge::left};
-    } else if (edge == "right" || edge == "left") {
-        design.edges = {edge == "right" ? contact::Edge::right : contact::Edge::left};
-    } else {
-        section.reject("edge", "there is no edge '" + edge + "'", "write right, left or both");
+        return {contact::Edge::right, contact::Edge::left};
+    }
+    if (edge == "right" || edge == "left") {
+        return {edge == "right" ? contact::Edge::right : contact::Edge::left};
+    }
+    throw InputError("there is no edge '" + edge + "'", "write right, left or both");
+}
+
+DesignObjective objective_named(const std::string& maximise) {
+    static constexpr std::array<std::string_view, 3> names{"first_exit", "measure", "slip_load"};
+    if (maximise == "measure") {
+        return DesignObjective::measure;
+    }
+    if (maximise == "slip_load") {
+        return DesignObjective::slip_load;
+    }
+    if (maximise != "first_exit") {
+        throw InputError("nothing is known of '" + maximise + "'", one_of(maximise, names));
+    }
+    return DesignObjective::first_exit;
+}
+
+formula::Exact tolerance_below_1(const std::string& text) {
+    formula::Exact tolerance = parse_tolerance(text);
+    if (!tolerance.is_rational() || tolerance.rational() >= 1) {
+        throw InputError("the tolerance is not a rational number below 1",
+                         "write 1%, 0.01 or 1/100");
+    }
+    return tolerance;
+}
+
+std::size_t terms_in_range(long terms) {
+    if (terms < 1 || terms > most_design_terms) {
+        throw InputError("terms = " + std::to_string(terms) + " is out of range",
+                         "give a whole number from 1 to " + std::to_string(most_design_terms));
+    }
+    return static_cast<std::size_t>(terms);
+}
+
+/// What a key of the section says, with the place of what `meaning` refuses.
+template <class Meaning>
+auto meaning_at(const io::TomlSection& section, std::string_view key, const Meaning& meaning) {
+    return io::at_place(section.file(), section.line(key),
+                        [&] { return meaning(section.written(key)); });
+}
+
+/// What may be asked in place of [design].
+void set_question(const DesignQuestion& asked, const io::TomlSection* section,
+                  DesignScene& design) {
+    design.objective = asked.maximise ? objective_named(*asked.maximise)
+                                      : meaning_at(*section, "maximise", objective_named);
+    design.tolerance = asked.tolerance ? tolerance_below_1(*asked.tolerance)
+                                       : meaning_at(*section, "tolerance", tolerance_below_1);
+    if (asked.terms) {
+        design.terms = terms_in_range(*asked.terms);
+    } else if (section != nullptr && section->has("terms")) {
+        design.terms = section->count("terms", 1, most_design_terms);
+    }
+    if (asked.edge) {
+        design.edges = edges_named(*asked.edge);
+    } else if (section != nullptr && section->has("edge")) {
+        design.edges = meaning_at(*section, "edge", edges_named);
     }
 }
 
-void read_objective(const io::TomlSection& section, DesignScene& design) {
-    const std::string maximise = section.text("maximise");
-    if (maximise == "measure") {
-        design.objective = DesignObjective::measure;
-    } else if (maximise == "slip_load") {
-        design.objective = DesignObjective::slip_load;
+/// What is said in [design] alone.
+void read_design_section(const io::TomlSection& section, DesignScene& design) {
+    if (design.objective == DesignObjective::slip_load) {
         for (const char* key : {"of", "unit", "part"}) {
             if (section.has(key)) {
                 section.reject(key, std::string(key) + " is of distances, slip_load of Q/(f P)",
                                "leave it out");
             }
         }
-    } else if (maximise != "first_exit") {
-        static constexpr std::array<std::string_view, 3> names{"first_exit", "measure",
-                                                               "slip_load"};
-        section.reject("maximise", "nothing is known of '" + maximise + "'",
-                       one_of(maximise, names));
     }
-}
-
-void read_design_section(const io::TomlSection& section, DesignScene& design) {
-    section.allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
-    read_objective(section, design);
     if (section.has("of")) {
         const std::string of = section.text("of");
         if (of != "pressure" && of != "shear") {
             section.reject("of", "there is no traction '" + of + "'", "write pressure or shear");
         }
         design.shear = of == "shear";
-    }
-    design.terms = section.has("terms") ? section.count("terms", 1, most_design_terms) : 1;
-    design.tolerance = io::at_place(section.file(), section.line("tolerance"),
-                                    [&] { return parse_tolerance(section.written("tolerance")); });
-    if (!design.tolerance.is_rational() || design.tolerance.rational() >= 1) {
-        section.reject("tolerance", "the tolerance is not a rational number below 1",
-                       "write 1%, 0.01 or 1/100");
-    }
-    if (section.has("edge")) {
-        read_edges_of_design(section, design);
     }
     if (section.has("unit")) {
         const std::string unit = section.text("unit");
@@ -183,9 +216,14 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
     return scene;
 }
 
-DesignScene parse_design(std::string_view text, const std::string& file) {
+DesignScene parse_design(std::string_view text, const std::string& file,
+                         const DesignQuestion& asked) {
     const io::TomlSection top = io::TomlSection::parse(text, file);
-    if (!top.has("design")) {
+    std::optional<io::TomlSection> section;
+    if (top.has("design")) {
+        section = top.section("design");
+        section->allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
+    } else if (!asked.maximise || !asked.tolerance) {
         top.reject(top.line(), "there is no [design]",
                    "add [design] with maximise and tolerance (docs/design.md)");
     }
@@ -194,8 +232,12 @@ DesignScene parse_design(std::string_view text, const std::string& file) {
     design.file = file;
     design.title = top.has("title") ? top.text("title") : std::string();
     design.scene_text_ = without_sections(text, {"design", "parameters", "design.printed"});
-    read_parameters(top, design);
-    read_design_section(top.section("design"), design);
+    const std::size_t line = section ? section->line() : top.line();
+    read_parameters(top, line, design);
+    set_question(asked, section ? &*section : nullptr, design);
+    if (section) {
+        read_design_section(*section, design);
+    }
     // Both ends make a scene; what is between is convex where they are, or refused when it is
     // tried.
     std::vector<Rational> lo;
@@ -207,11 +249,11 @@ DesignScene parse_design(std::string_view text, const std::string& file) {
     const Scene one = design.at(lo);
     (void)design.at(hi);
     if (design.objective == DesignObjective::slip_load && !one.slips()) {
-        top.reject(top.section("design").line(), "slip_load is asked for and nothing slips",
+        top.reject(line, "slip_load is asked for and nothing slips",
                    "add [shear] with Q and friction");
     }
     if (design.shear && !one.shear) {
-        top.reject(top.section("design").line(), "shear is asked for and there is no [shear]",
+        top.reject(line, "shear is asked for and there is no [shear]",
                    "add [shear] with Q or bulk_tension");
     }
     return design;

@@ -18,6 +18,14 @@ enum class DesignObjective {
     slip_load   ///< the Q/(f P) up to which n terms of a slip zone's size are within the tolerance
 };
 
+/// What is asked in place of what [design] says.
+struct DesignQuestion {
+    std::optional<std::string> maximise;
+    std::optional<std::string> tolerance;
+    std::optional<std::string> edge; ///< right, left or both
+    std::optional<long> terms;
+};
+
 /// A scene in which one or two numbers are ranges, and the question which values are best
 /// (docs/design.md).
 class DesignScene {
@@ -47,12 +55,15 @@ public:
     errors(std::string& why_not) const;
 
 private:
-    friend DesignScene parse_design(std::string_view text, const std::string& file);
+    friend DesignScene parse_design(std::string_view text, const std::string& file,
+                                    const DesignQuestion& asked);
     std::string scene_text_; ///< without [design] and [parameters]; lines are kept
 };
 
-/// Throws InputError with file and line.
+/// A scene without [design] is asked what `asked` says, which then has a tolerance. Throws
+/// InputError with file and line.
 [[nodiscard]] DesignScene read_design(const std::filesystem::path& file);
-[[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file);
+[[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
+                                       const DesignQuestion& asked = {});
 
 } // namespace edgeproof::scene

@@ -10,11 +10,14 @@
 
 namespace edgeproof::scene {
 
+inline constexpr unsigned most_design_digits = 1000;
+
 /// What a design found.
 struct DesignResult {
     contact::BestReach best;
     /// Empty where everything is proved; else why the result is an estimate.
     std::string missing;
+    [[nodiscard]] bool proved() const { return best.proved && missing.empty(); }
     /// The reach for the values that are printed somewhere, proved where `best` has a proof.
     std::optional<Ball> printed_reach;
     std::optional<Ball> falls_short; ///< 1 - printed_reach/best

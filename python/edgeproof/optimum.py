@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parameter of a scene for which an approximation reaches farthest."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import json
+import os
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from . import _edgeproof
+from ._edgeproof import Value
+from ._numbers import exact_text, text_or_none, whole
+from ._shipped import file_or_shipped
+from .profiles import Number
+
+__all__ = ["Design", "design"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Design:
+    """The best values of a scene's ranges. The names are those of `edgeproof design --format json`.
+
+    values            by parameter, a Value each, in the scene's units
+    reach             what is reached there, or approached (attained is False): of "first_exit" and
+                      "measure" a fraction of a + b, unless the scene says unit = "distance"; of
+                      "slip_load" Q/(friction P)
+    gap               no other value of the range reaches farther by more: proved by branch and
+                      bound; None where nothing is proved
+    proved            else values and reach are estimates, and `missing` says why
+    best              what kind of optimum it is, in words
+    touches_at        the distance (as reach) at which the error touches the tolerance; None where
+                      it does not
+    reach_shown_at    by parameter, the exact values beside the best at which the reach is proved to
+                      within the gap; empty where nothing is proved
+    printed           by parameter, values that the scene names to compare with; reach_at_printed:
+                      theirs; falls_short_by: 1 - reach_at_printed/reach. Empty, None without them
+    """
+
+    title: str
+    tolerance: str
+    terms: int
+    values: Mapping[str, Value]
+    reach: Value
+    gap: str | None
+    proved: bool
+    missing: str
+    best: str
+    attained: bool
+    touches_at: Value | None
+    reach_shown_at: Mapping[str, Value]
+    printed: Mapping[str, Value]
+    reach_at_printed: Value | None
+    falls_short_by: Value | None
+    notes: tuple[str, ...] = dataclasses.field(repr=False)
+    _told: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+
+    @property
+    def parameter(self) -> str:
+        """The name of the parameter; of two, of the first."""
+        return next(iter(self.values))
+
+    @property
+    def value(self) -> Value:
+        """The best value of that parameter."""
+        return self.values[self.parameter]
+
+    def to_dict(self) -> dict[str, Any]:
+        """As `edgeproof design --format json` has it."""
+        return copy.deepcopy(self._told)
+
+
+def design(file: str | os.PathLike[str] | None = None, *, text: str | None = None,
+           maximise: str | None = None, terms: int | None = None,
+           tolerance: Number | None = None, edge: str | None = None, gap: Number = "1e-6",
+           digits: int = 30, progress: Callable[[int, int], object] | None = None) -> Design:
+    """The parameter of a scene with ranges for which n terms reach farthest: a Design.
+
+    file       a scene (TOML) with one or two ranges, such as m = { from = "0", to = "2" }
+               (docs/design.md), or one that came with the program, by its name: "exponent"
+    text       the text of such a file in its stead; errors call it "(text)"
+    maximise   "first_exit", the first distance from the edge at which `terms` terms are off by the
+               tolerance; "measure", the length of all places at which they are not (an estimate);
+               "slip_load", the Q/(friction P) up to which they give a slip zone within it
+    terms      1 to 12
+    tolerance  relative: "1%", "1/100"
+    edge       "right", "left", or "both": the lesser reach counts
+    gap        > 0: that nothing else does better by more is proved; in the unit of the reach
+    digits     of the value and of the reach, 2 to 1000
+    progress   is called with (thousandths of the range done, 1000), from any thread
+
+    maximise, terms, tolerance and edge say it in place of [design]; None: as the scene has it. A
+    scene without [design] needs the tolerance and maximise.
+
+    The GIL is released, and Ctrl-C ends it with KeyboardInterrupt. Raises InputError, with file and
+    line, for a scene that is malformed and for a value of the range that makes none; InputError for
+    a question that makes no sense; BudgetError where no reach is found.
+    """
+    if (file is None) == (text is None):
+        raise TypeError("give the file of a scene, or its text: one of them")
+    name = "(text)" if file is None else file_or_shipped(file, "examples/design")
+    if text is None:
+        text = _edgeproof.read_text(name, "scene (TOML)")
+    found = _edgeproof.design(
+        text, name, exact_text(gap, "gap"), whole(digits, "digits"), maximise,
+        text_or_none(tolerance, "tolerance"), edge, None if terms is None else whole(terms, "terms"),
+        progress)
+    told = json.loads(found.pop("json"))
+    return Design(title=told["title"], tolerance=told["tolerance"], terms=int(told["terms"]),
+                  gap=told["rows"][0]["gap"], best=told["best"], notes=tuple(told["notes"]),
+                  _told=told, **found)

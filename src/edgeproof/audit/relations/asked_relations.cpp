@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/relations/asked_relations.hpp"
+
+#include "edgeproof/audit/ledger/claim.hpp"
+#include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/precision/error.hpp"
+
+namespace edgeproof::audit {
+namespace {
+
+Vocabulary names_of(const RelationQuestion& question) {
+    Vocabulary vocabulary;
+    for (const std::string& name : scene_symbols()) {
+        if (name != "u" && name != "x" && name != "M") {
+            vocabulary.symbols.add(name);
+        }
+    }
+    vocabulary.symbols.add("Q");
+    vocabulary.symbols.add("sig0");
+    for (const std::string& name : question.free) {
+        vocabulary.symbols.add(name);
+    }
+    return vocabulary;
+}
+
+formula::Expr formula_of(const std::string& of, const std::string& text,
+                         const Vocabulary& vocabulary) {
+    try {
+        return parse_formula(text, vocabulary);
+    } catch (const InputError& error) {
+        throw InputError(of + text + ": " + error.problem(), error.instead());
+    }
+}
+
+} // namespace
+
+AskedRelations asked_relations(const RelationQuestion& question) {
+    if (question.degree < 1 || question.degree > most_relation_degree) {
+        throw InputError("degree = " + std::to_string(question.degree) + " is out of range",
+                         "give a whole number from 1 to " + std::to_string(most_relation_degree));
+    }
+    const Vocabulary vocabulary = names_of(question);
+    SymbolicCase under;
+    under.symmetric = question.symmetric;
+    for (const auto& [name, formula] : question.given) {
+        const std::string as_given = "given " + name + "=";
+        if (!vocabulary.symbols.has(name)) {
+            throw InputError(as_given + formula + ": there is no '" + name + "'",
+                             "give P1, P2, ..., b, b1, ... as formulas in what is left free");
+        }
+        under.names.emplace(name, formula_of(as_given, formula, vocabulary));
+    }
+    AskedRelations asked;
+    for (const std::string& text : question.quantities) {
+        asked.quantities.push_back({text, formula_of("", text, vocabulary)});
+    }
+    asked.found = find_relations(asked.quantities, static_cast<unsigned>(question.degree), under);
+    return asked;
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/python/bindings.hpp"
+#include "edgeproof/python/value.hpp"
+#include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/report/tables/design_table.hpp"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace edgeproof::python {
+namespace {
+
+contact::DesignOptions search_of(const std::string& gap, long digits) {
+    contact::DesignOptions search;
+    if (digits < 2 || digits > static_cast<long>(scene::most_design_digits)) {
+        throw InputError("digits = " + std::to_string(digits) + " is out of range",
+                         "give a number from 2 to " + std::to_string(scene::most_design_digits));
+    }
+    search.digits = static_cast<unsigned>(digits);
+    search.gap = parse_decimal(gap);
+    if (search.gap <= 0) {
+        throw InputError("gap = " + gap + " is not positive", "give gap=\"1e-6\"");
+    }
+    return search;
+}
+
+/// By what its bounds come about.
+const char* route_of(const scene::DesignResult& result) {
+    return result.proved() ? "branch-and-bound" : "samples";
+}
+
+py::dict design(const std::string& text, const std::string& file, const std::string& gap,
+                long digits, std::optional<std::string> maximise,
+                std::optional<std::string> tolerance, std::optional<std::string> edge,
+                std::optional<long> terms, py::object callback) {
+    Progress progress(std::move(callback));
+    scene::DesignRunOptions options;
+    options.search = search_of(gap, digits);
+    options.search.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    const scene::DesignQuestion asked{std::move(maximise), std::move(tolerance), std::move(edge),
+                                      terms};
+    scene::DesignScene design;
+    scene::DesignResult result;
+    std::string json;
+    without_gil(
+        [&] {
+            design = scene::parse_design(text, file, asked);
+            result = run_design(design, options);
+            json = write_table(report::design_table(design, result, options.search),
+                               report::TableFormat::json);
+        },
+        &progress);
+    progress.rethrow();
+    const auto value = [&](const Ball& x, std::optional<Rational> exactly = {}) {
+        return py::cast(Value({x, result.proved(), route_of(result), std::move(exactly)},
+                              options.search.digits));
+    };
+    const auto optional_value = [&](const std::optional<Ball>& x) {
+        return x ? value(*x) : py::object(py::none());
+    };
+    const long bits = 4L * static_cast<long>(options.search.digits) + 64;
+    const auto given = [&](const Rational& q) {
+        return py::cast(Value({Ball(q, bits), true, "given", q}, options.search.digits));
+    };
+    const contact::BestReach& best = result.best;
+    py::dict values;
+    py::dict shown_at;
+    py::dict printed;
+    for (std::size_t i = 0; i < design.parameters.size(); ++i) {
+        const py::str name(design.parameters[i].name);
+        values[name] = value(best.value[i]);
+        if (result.proved()) {
+            shown_at[name] = given(best.shown_at[i]);
+        }
+        if (design.parameters[i].printed) {
+            printed[name] = given(*design.parameters[i].printed);
+        }
+    }
+    py::dict d;
+    d["json"] = json;
+    d["values"] = values;
+    d["reach"] = value(best.reach);
+    d["proved"] = result.proved();
+    d["missing"] = result.missing;
+    d["attained"] = best.attained;
+    d["touches_at"] = optional_value(best.touches_at);
+    d["reach_shown_at"] = shown_at;
+    d["printed"] = printed;
+    d["reach_at_printed"] = optional_value(result.printed_reach);
+    d["falls_short_by"] = optional_value(result.falls_short);
+    return d;
+}
+
+} // namespace
+
+void bind_design(py::module_& module) {
+    module.def("design", &design, py::arg("text"), py::arg("file"), py::arg("gap"),
+               py::arg("digits"), py::arg("maximise"), py::arg("tolerance"), py::arg("edge"),
+               py::arg("terms"), py::arg("progress"));
+}
+
+} // namespace edgeproof::python

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/report/tables/table.hpp"
+#include "edgeproof/scene/design/run_design.hpp"
+
+namespace edgeproof::report {
+
+/// The best values, a row a parameter: what kind of optimum, whether it is proved and by what gap,
+/// and how far printed values fall short.
+[[nodiscard]] Table design_table(const scene::DesignScene& design,
+                                 const scene::DesignResult& result,
+                                 const contact::DesignOptions& search);
+
+} // namespace edgeproof::report

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+import threading
+from fractions import Fraction
+
+import pytest
+
+import edgeproof
+
+POWER_LAW = """title = "own"
+[profile]
+kind = "power-law"
+m = { from = "1", to = "2" }
+C = "1"
+[load]
+a = "1"
+contact_modulus = "1"
+"""
+# By hand: of m = 1 ... 2, Hertz reaches farthest, where p_1/p = 1/sqrt(1 - u/2a); to 2 %.
+HERTZ_REACH = 1 - 1 / Fraction(102, 100)**2
+
+
+def test_the_best_exponent_is_where_an_extremum_touches(source):
+    """By mpmath: with a = 1, p of |x|^m is a multiple of I = int_x^1 s^m/sqrt(s^2 - x^2) ds, of which
+    the first term is sqrt(2u). At the best m a maximum of sqrt(2u)/I - 1 is the tolerance, and the
+    reach is where it then falls to minus that."""
+    mpmath = pytest.importorskip("mpmath")
+    digits = 24
+    found = edgeproof.design(source / "examples/design/exponent.toml", digits=digits)
+    with mpmath.workdps(digits + 6):
+        tolerance = mpmath.mpf(1) / 100
+
+        def integral(u, m):
+            x = 1 - u  # s = x cosh t
+            return x**m * mpmath.quad(lambda t: mpmath.cosh(t)**m, [0, mpmath.acosh(1 / x)])
+
+        def error(u, m):
+            return mpmath.sqrt(2 * u) / integral(u, m) - 1
+
+        def slope(u, m):  # of log(error + 1), times the integral
+            x = 1 - u
+            return integral(u, m) * (1 / (2 * u) + m / x) - 1 / (x * mpmath.sqrt(1 - x * x))
+
+        at, m = mpmath.findroot(lambda u, m: [error(u, m) - tolerance, slope(u, m)], (0.5, 0.65))
+        far = mpmath.findroot(lambda u: error(u, m) + tolerance, 0.9)
+        printed = mpmath.findroot(lambda u: error(u, mpmath.mpf(5) / 8) + tolerance, 0.5)
+        bound = mpmath.mpf(10)**-digits
+        assert abs(found.value.mpmath() - m) < bound
+        assert abs(found.touches_at.mpmath() - at / 2) < bound
+        assert abs(found.reach.mpmath() - far / 2) < bound
+        assert abs(found.reach_at_printed.mpmath() - printed / 2) < bound
+        assert abs(found.falls_short_by.mpmath() - (1 - printed / far)) < bound
+    assert found.proved and found.missing == "" and not found.attained and found.terms == 1
+    assert found.parameter == "m" and set(found.values) == {"m"} and "touches" in found.best
+    assert found.printed["m"].exact == Fraction(5, 8)
+    assert found.reach_shown_at["m"] < found.value and found.gap == "0.000001"
+
+
+def test_a_text_and_what_is_asked_of_it():
+    told = []
+    found = edgeproof.design(text=POWER_LAW, maximise="first_exit", tolerance="2%", edge="both",
+                             gap="1/1000", digits=20,
+                             progress=lambda done, of: told.append((done, of)))
+    low, high = found.reach.interval()
+    assert low <= HERTZ_REACH <= high and high - low < Fraction(1, 10**20)
+    assert found.value == 1 and found.proved and found.best == "an end of the range"
+    assert found.touches_at is None and found.printed == {} and found.reach_at_printed is None
+    assert told and told[-1][1] == 1000
+    as_json = json.loads(json.dumps(found.to_dict()))
+    assert Fraction(as_json["tolerance"]) == Fraction(found.tolerance) == Fraction(1, 50)
+    assert as_json["proof"] == "yes"
+    assert as_json["rows"] == [{"parameter": "m", "value": found.value.text,
+                                "value_bound": found.value.bound, "reach": found.reach.text,
+                                "reach_bound": found.reach.bound, "gap": "0.001"}]
+
+
+def test_an_estimate_is_called_one():
+    found = edgeproof.design(text=POWER_LAW, maximise="measure", tolerance="2%", digits=8)
+    assert not found.proved and not found.reach.proved and "(estimate)" in repr(found.reach)
+    assert found.gap is None and found.reach_shown_at == {} and "samples" in found.missing
+    # The relative error of Hertz grows all the way: what lies within is what lies before the exit.
+    assert abs(found.reach.fraction() - HERTZ_REACH) < 1e-6
+
+
+def test_what_is_given_goes_before_what_the_scene_says():
+    text = POWER_LAW + '[design]\nmaximise = "measure"\ntolerance = "50%"\nterms = 3\nedge = "left"\n'
+    found = edgeproof.design(text=text, maximise="first_exit", tolerance="2%", terms=1, digits=10)
+    assert found.terms == 1 and found.proved
+    assert abs(found.reach.fraction() - HERTZ_REACH) < Fraction(1, 10**10)
+
+
+def test_other_threads_run_meanwhile():
+    ran = threading.Event()
+
+    def wait(done, of):
+        # Holds the GIL only while it is called: the other thread gets its turn.
+        assert ran.wait(60)
+
+    threading.Timer(0.1, ran.set).start()
+    edgeproof.design(text=POWER_LAW, maximise="first_exit", tolerance="2%", digits=5, gap="0.1",
+                     progress=wait)
+    assert ran.is_set()
+
+
+@pytest.mark.parametrize("asked, problem", [
+    ({}, r"there is no \[design\]"),
+    ({"maximise": "first_exit"}, r"there is no \[design\]"),
+    ({"maximise": "firstexit", "tolerance": "1%"}, "firstexit"),
+    ({"maximise": "measure", "tolerance": "1%", "edge": "top"}, "no edge 'top'"),
+    ({"maximise": "measure", "tolerance": 1}, "below 1"),
+    ({"maximise": "measure", "tolerance": "1%", "terms": 13}, "terms = 13 is out of range"),
+    ({"maximise": "measure", "tolerance": "1%", "gap": 0}, "gap = 0 is not positive"),
+    ({"maximise": "measure", "tolerance": "1%", "digits": 1001}, "digits = 1001"),
+    ({"maximise": "slip_load", "tolerance": "1%"}, "nothing slips"),
+])
+def test_questions_that_make_no_sense(asked, problem):
+    with pytest.raises(edgeproof.InputError, match=problem) as raised:
+        edgeproof.design(text=POWER_LAW, **asked)
+    assert raised.value.advice and "\n" not in str(raised.value)
+
+
+def test_errors_have_a_place(tmp_path):
+    text = POWER_LAW + '[design]\nmaximise = "first_exit"\ntolerance = "1%"\nedge = "top"\n'
+    file = tmp_path / "own.toml"
+    file.write_text(text)
+    for asked, name in (({"file": file}, str(file)), ({"text": text}, "(text)")):
+        with pytest.raises(edgeproof.InputError, match="no edge 'top'") as raised:
+            edgeproof.design(**asked)
+        error = raised.value
+        assert (error.file, error.line) == (name, 12) and "right, left or both" in error.advice
+    with pytest.raises(edgeproof.InputError, match="nothing.toml"):
+        edgeproof.design(tmp_path / "nothing.toml")
+    for neither in ({}, {"file": file, "text": text}):
+        with pytest.raises(TypeError):
+            edgeproof.design(**neither)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+import re
+from fractions import Fraction
+
+import pytest
+
+import edgeproof
+
+
+def vanishes(relation, values):
+    """Whether the polynomial is zero, exactly, at values by name."""
+    left, right = relation.relation.split(" = ")
+    left = re.sub(r"[a-z][a-z0-9.]*", lambda name: f"values[{name[0]!r}]", left)
+    assert right == "0" and "/" not in left  # a quotient of whole numbers would become a float
+    return eval(left.replace("^", "**")) == 0
+
+
+def test_the_papers_own():
+    """L_{I,a} = b' L_{I,b}, Moore and Hills."""
+    found = edgeproof.relations(["right.c0", "left.c0", "b1"], 2)
+    assert len(found) == 1 and found.complete and found.degree == 2 and found[0].degree == 2
+    (relation,) = found
+    for b, left in ((Fraction(1, 3), Fraction(7, 5)), (Fraction(4, 5), Fraction(2, 3))):
+        assert vanishes(relation, {"b1": b, "left.c0": left, "right.c0": b * left})
+        assert not vanishes(relation, {"b1": b, "left.c0": left, "right.c0": left / b})
+    assert edgeproof.relations("b1").relations == ()
+
+
+def test_along_the_power_laws():
+    """By hand, c_k of p for m = 1, p ~ sqrt(1 - x^2), and m = 3, p ~ sqrt(1 - x^2) (1 + 2x^2), about
+    x = 1, relative to c_0. The m = 1 of another a checks how a comes in."""
+    found = edgeproof.relations(["right.c2", "right.c1", "right.c0", "a"], symmetric=True,
+                                given={"P2": "m*P1/a", "P3": "m*(m-1)*P1/a^2"}, free=["m"])
+    assert found.complete and len(found) == 1 and found.monomials == 70
+    hertz = {"right.c0": Fraction(1), "right.c1": Fraction(-1, 4), "right.c2": Fraction(-1, 32),
+             "a": Fraction(1)}
+    shorter = {"right.c0": Fraction(1), "right.c1": Fraction(-1, 2), "right.c2": Fraction(-1, 8),
+               "a": Fraction(1, 2)}
+    cubic = {"right.c0": Fraction(1), "right.c1": Fraction(-19, 12), "right.c2": Fraction(31, 32),
+             "a": Fraction(1)}
+    for values in (hertz, shorter, cubic):
+        assert vanishes(found[0], values)
+    assert not vanishes(found[0], {**cubic, "right.c2": Fraction(30, 32)})
+    told = json.loads(json.dumps(found.to_dict()))
+    assert told["contact"] == "symmetric" and told["complete"] == "yes"
+    assert told["given"] == "P2=m*P1/a, P3=m*(m-1)*P1/a^2"
+    assert told["rows"] == [{"degree": found[0].degree, "relation": found[0].relation}]
+
+
+@pytest.mark.parametrize("quantities, asked, problem", [
+    (["left.c0", "oops"], {}, "unknown name 'oops'"),
+    ([], {}, "no quantity"),
+    (["left.c0"], {"degree": 13}, "degree = 13"),
+    (["left.c0"], {"degree": -1}, "degree = -1"),
+    (["left.c0"], {"given": {"m": "a"}}, "there is no 'm'"),
+    (["left.c0"], {"given": {"P2": "a*"}}, "given P2=a*"),
+    (["sqrt(a)"], {}, "sqrt"),
+])
+def test_questions_that_make_no_sense(quantities, asked, problem):
+    with pytest.raises(edgeproof.InputError, match=problem) as raised:
+        edgeproof.relations(quantities, **asked)
+    assert raised.value.advice and "\n" not in str(raised.value)
+    with pytest.raises(TypeError):
+        edgeproof.relations(["left.c0"], degree=2.5)

@@ -114,7 +114,8 @@ constexpr const char* beyond_library =
     "edgeproof: a number grows beyond what the arithmetic libraries can hold; ask for fewer "
     "digits, or for smaller exponents";
 
-[[noreturn]] void on_flint_abort() { give_up(beyond_library); }
+// To clang, FLINT asks for a function of this type, of which [[noreturn]] is no part.
+__attribute__((noreturn)) void on_flint_abort() { give_up(beyond_library); }
 extern "C" void on_abort(int) {
     give_up(
         "edgeproof: stopped inside a library, as a rule by a number beyond what it can hold; ask "

@@ -77,6 +77,22 @@ TEST_CASE("a tension draws the zone of a tilted wedge to one side of its corner"
     }
 }
 
+// g' = 1/5 up to the corner at the edge, 2/5 beyond it: up to there a wedge, d = tau a.
+TEST_CASE("the edge of the contact on a corner") {
+    const formula::Symbols x{"x"};
+    const Profile profile = Profile::piecewise_symmetric(
+        {scenes::exact("3/4")}, {formula::parse("1/5", x), formula::parse("2/5", x)});
+    for (const char* tau : {"1e-9", "1/3", "99/100"}) {
+        CAPTURE(tau);
+        const Slipping s = slipping(profile, "1", "3/4", tau, "0");
+        const Ball t = formula::enclosed_constant(scenes::exact(tau), slip_bits);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            CHECK(overlaps(s.slip->size(edge), t * 3 / 4));
+            CHECK(s.slip->size(edge).relative_accuracy_bits() > 180);
+        }
+    }
+}
+
 TEST_CASE("the series of the slip zones: Hertz's in closed form, the first term by s_0 and c_0") {
     const Profile hertz = Profile::power_law(scenes::exact("1/70"), scenes::exact("1"));
     const Slipping s = slipping(hertz, "7/3", "0.02", "1/2", "0");

@@ -92,8 +92,13 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
         Ball da = middle_of((missing + turn) / v.right_rate);
         Ball db = middle_of((missing - turn) / v.left_rate);
         if (!da.is_finite() || !db.is_finite()) {
-            if (!last) {
+            if (!last && k > 0) {
                 break;
+            }
+            if (!last) { // a start with an edge on a corner
+                const Ball inwards = D * two_to_minus(10, bits());
+                at = {middle_of(at.a - inwards), middle_of(at.b - inwards)};
+                continue;
             }
             // The step went past what carries the zone, such as the one corner of a wedge.
             at = {middle_of((at.a + last->a) / 2), middle_of((at.b + last->b) / 2)};

@@ -47,7 +47,7 @@ std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& 
     }
     try {
         return route.value({Quantity::cycle_energy});
-    } catch (const BudgetError&) {
+    } catch (const Error&) { // what is wrong with the scene is told by its stick zone
         return {};
     }
 }

@@ -126,7 +126,7 @@ public:
 [[nodiscard]] bool tells_cycle_energy(const Scene& scene);
 
 /// That energy where it is told and found. The stick zone is an answer without it: a quadrature
-/// that does not converge leaves it out.
+/// that finds none leaves it out.
 [[nodiscard]] std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& scene,
                                                               const Plan& plan);
 

@@ -131,7 +131,7 @@ class StickZone(_Plain):
                         edges slip in the direction of Q; a scene beyond them is refused. None where
                         a bound was not found
     cycle_energy        energy per unit length that friction takes in a cycle from -Q to Q and back,
-                        P held; None with a bulk tension
+                        P held; None with a bulk tension, with curved slopes, where none was found
     in_proportion       Q and the bulk tension may grow in proportion; False: Q has to go first
     """
 

@@ -282,8 +282,9 @@ class Scene:
 
         Each is the binary64 nearest to the exact pressure at exactly that binary64 u: proved where
         the pressure has a closed form (power laws, piecewise linear g'); elsewhere as far as the
-        error that its quadrature estimates of itself, at 25 digits, is right. 0 at the edges and outside the contact (also for infinite u), inf on a
-        corner of the profile. Raises InputError, with the index, for NaN.
+        error that its quadrature estimates of itself, at 25 digits, is right. 0 at the edges and
+        outside the contact (also for infinite u), inf on a corner of the profile. Raises InputError,
+        with the index, for NaN.
         """
         import numpy
 

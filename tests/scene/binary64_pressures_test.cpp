@@ -81,6 +81,34 @@ TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
                     DomainError);
 }
 
+// Edges that are numbers, though nothing computes them as such: b = a/3 under sin(pi alpha/2 phi) =
+// 1/2, and a = 1 under P = pi/4 (E* = C = 1).
+TEST_CASE("zero on a far edge, infinite on a corner, where the edge is no known number") {
+    const double inf = std::numeric_limits<double>::infinity();
+    const Binary64Pressures wedge(
+        parsed(contact_of("kind = \"tilted-wedge\"\nphi = \"1\"\nalpha = \"1/3\"", "a = \"3\"")));
+    CHECK(wedge(Edge::left, 1) == inf);
+    CHECK(wedge(Edge::right, 3) == inf);
+    CHECK(wedge(Edge::left, 4) == 0);
+    CHECK(wedge(Edge::right, 4) == 0);
+    CHECK(wedge(Edge::left, std::nextafter(4.0, 0.0)) > 0);
+}
+
+// p = sqrt(u (2a - u))/2 at u = 2 in a contact of a = 1 + e: sqrt(e), far below what a solved edge
+// is looked at with.
+TEST_CASE("a place closer to the far edge than 55 digits tell") {
+    const auto hertz = [](const std::string& a) {
+        return Binary64Pressures(
+            parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\nP = \"pi/4*(" +
+                   a + ")^2\"\ncontact_modulus = \"1\"\n"));
+    };
+    CHECK(hertz("1 + 1e-40")(Edge::right, 2) == 1e-20);
+    CHECK(hertz("1 + 1e-60")(Edge::right, 2) == 1e-30);
+    CHECK(hertz("1 + 1e-300")(Edge::left, 2) == 1e-150);
+    CHECK(hertz("1 - 1e-300")(Edge::right, 2) == 0);
+    CHECK(hertz("1")(Edge::right, 2) == 0);
+}
+
 TEST_CASE("an array of places is the places one by one") {
     const Binary64Pressures half(
         parsed(contact_of("kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"")));

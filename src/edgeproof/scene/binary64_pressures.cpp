@@ -12,16 +12,20 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace edgeproof::scene {
 namespace {
 
 /// Two words: balls of so many bits keep their numbers without a heap.
 constexpr long first_bits = 128;
+constexpr long most_bits = 4096; ///< for places beside the far edge and corners
 constexpr unsigned batch_digits = 25;
 /// Of the edges: a place near the far edge, or beside a knot, is a difference with them.
 constexpr unsigned edge_digits = 70;
@@ -78,6 +82,7 @@ struct Binary64Pressures::Contact {
     }
     template <class... Contact> void make(const contact::Profile& of, const Contact&... rest) {
         balls.emplace(of, rest..., first_bits);
+        solved = [of, rest...](long bits) { return contact::BallContact(of, rest..., bits); };
         if (contact::DoubleWordPressure::has_form(of)) {
             words.emplace(
                 of, contact::BallContact(of, rest..., contact::DoubleWordPressure::contact_bits));
@@ -131,7 +136,42 @@ struct Binary64Pressures::Contact {
         } else if (const auto nearest = by_batch(edge, u)) {
             return *nearest;
         }
-        return on_corner(edge, u) ? std::numeric_limits<double>::infinity() : in_full(edge, u);
+        if (on_corner(edge, u)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        try {
+            return in_full(edge, u);
+        } catch (const InputError&) {
+            if (const auto limit = where_few_bits_tell(edge, u)) {
+                return *limit;
+            }
+            throw;
+        }
+    }
+
+    /// Of a place that run_scene refuses: beside the far edge or a corner closer than it looks, or
+    /// on one of them, as far as the most bits tell.
+    [[nodiscard]] std::optional<double> where_few_bits_tell(contact::Edge edge, double u) const {
+        bool on_corner = false;
+        for (long bits = 2 * first_bits; solved && bits <= most_bits; bits *= 2) {
+            const contact::BallContact closer = solved(bits);
+            const Ball from(real_of(u), bits);
+            if (!certainly_less(from, Ball(closer.a() + closer.b()))) {
+                continue;
+            }
+            const Ball p = closer.pressure(edge, from);
+            if (const auto nearest = p.is_finite() ? nearest_binary64(p) : std::nullopt) {
+                return nearest;
+            }
+            const std::vector<Ball> corners = closer.corners(edge);
+            on_corner = std::any_of(corners.begin(), corners.end(),
+                                    [&](const Ball& corner) { return overlaps(corner, from); });
+        }
+        if (on_corner) {
+            return std::numeric_limits<double>::infinity();
+        }
+        return certainly_less(Ball(real_of(u), length.bits()), length) ? std::nullopt
+                                                                       : std::optional(0.0);
     }
 
     [[nodiscard]] std::optional<double> by_batch(contact::Edge edge, double u) const {
@@ -170,6 +210,7 @@ struct Binary64Pressures::Contact {
     std::optional<Rational> exact_length;
     std::optional<contact::Profile> profile;
     std::optional<contact::BallContact> balls;
+    std::function<contact::BallContact(long)> solved; ///< the same at so many bits
     std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
     std::optional<contact::BatchPressure> batch;
 };

@@ -24,9 +24,10 @@ public:
     Binary64Pressures& operator=(Binary64Pressures&&) noexcept;
 
     /// p at the distance u (exactly that binary64) inwards from an edge, in units of the contact
-    /// modulus; 0 at the edges and outside the contact, infinite on a corner of the profile. Throws
-    /// DomainError for NaN, BudgetError where no budget decides the last bit. One object belongs to
-    /// one thread at a time.
+    /// modulus; 0 at the edges and outside the contact, infinite on a corner of the profile (also
+    /// where 4096 bits do not tell the place from an edge or a corner that is no known number).
+    /// Throws DomainError for NaN, BudgetError where no budget decides the last bit. One object
+    /// belongs to one thread at a time.
     [[nodiscard]] double operator()(contact::Edge edge, double u) const;
 
     /// The same of many, in their order; `u` and `p` of one size. Throws Interrupted as well.

@@ -55,6 +55,30 @@ TEST_CASE("the energy of a cycle by quadrature: a tilted punch, and closed forms
     }
 }
 
+TEST_CASE("the energy of a cycle by quadrature keeps its digits under little shear") {
+    const PrecisionScope scope(40);
+    for (const scenes::SizeCase& c : size_cases()) {
+        if (c.name != "tilted wedge") {
+            continue;
+        }
+        const char* tau = "1e-30";
+        const Slipping s = slipping(c.profile, c.modulus, c.a, tau, "0", 2 * cycle_bits);
+        const Ball closed = similar_cycle_energy(*s.slip, Ball(1, 2 * cycle_bits));
+        CHECK(
+            within(energy_in_real(s, c.profile, c.modulus, c.a, tau), closed.midpoint(), "1e-24"));
+    }
+}
+
+TEST_CASE("the energy of a cycle by quadrature where slip passes corners") {
+    const formula::Symbols x{"x"};
+    const Profile profile = Profile::piecewise_symmetric(
+        {scenes::exact("1/2")}, {formula::parse("x/10", x), formula::parse("x/10 + 1/5", x)});
+    const Slipping s = slipping(profile, "1", "3/5", "99/100", "0", cycle_bits);
+    REQUIRE(certainly_less(s.slip->stick().a, Ball(Rational(1, 2), cycle_bits)));
+    const Real in_balls = cycle_energy(*s.closed, *s.slip).midpoint();
+    CHECK(within(energy_in_real(s, profile, "1", "3/5", "99/100"), in_balls, "1e-24"));
+}
+
 TEST_CASE("the energy of a cycle in balls and by quadrature agree where slip passes a knot") {
     const formula::Symbols x{"x"};
     const Profile profile = Profile::piecewise_symmetric(

@@ -55,6 +55,44 @@ TEST_CASE("Hertz under Q alone, next to no load and next to full sliding") {
     }
 }
 
+// The zone of a wedge tilted by alpha under L: sqrt(a b) = L/(E* phi), b/a = (1 - s)/(1 + s),
+// s = sin(pi alpha/(2 phi)); the tension takes sigma_0/(2 f E*) off alpha. Newton's first steps
+// pass the corner.
+TEST_CASE("a tension draws the zone of a tilted wedge to one side of its corner") {
+    const Profile wedge = Profile::tilted_wedge(scenes::exact("1/100"), scenes::exact("39/10000"));
+    const Ball alpha(Rational(39, 10000), slip_bits);
+    const Ball phi(Rational(1, 100), slip_bits);
+    for (const char* tau : {"99/100", "1 - 1e-6", "1 - 1e-30"}) {
+        CAPTURE(tau);
+        const Slipping s = slipping(wedge, "1", "5/2", tau, "-3/4");
+        const Ball t = formula::enclosed_constant(scenes::exact(tau), slip_bits);
+        const Ball turned = alpha + t * s.force() * Ball(Rational(3, 8), slip_bits);
+        const Ball sine = sin(Ball(Ball::pi(slip_bits) * turned / (phi * 2)));
+        const Ball mean = s.force() * (1 - t) / phi;
+        const Ball ratio = sqrt(Ball((1 + sine) / (1 - sine)));
+        CHECK(overlaps(s.slip->stick().a, mean * ratio));
+        CHECK(overlaps(s.slip->stick().b, mean / ratio));
+        CHECK(s.slip->stick().a.relative_accuracy_bits() > 150);
+        CHECK(s.slip->stick().b.relative_accuracy_bits() > 150);
+    }
+}
+
+// g' = 1/5 up to the corner at the edge, 2/5 beyond it: up to there a wedge, d = tau a.
+TEST_CASE("the edge of the contact on a corner") {
+    const formula::Symbols x{"x"};
+    const Profile profile = Profile::piecewise_symmetric(
+        {scenes::exact("3/4")}, {formula::parse("1/5", x), formula::parse("2/5", x)});
+    for (const char* tau : {"1e-9", "1/3", "99/100"}) {
+        CAPTURE(tau);
+        const Slipping s = slipping(profile, "1", "3/4", tau, "0");
+        const Ball t = formula::enclosed_constant(scenes::exact(tau), slip_bits);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            CHECK(overlaps(s.slip->size(edge), t * 3 / 4));
+            CHECK(s.slip->size(edge).relative_accuracy_bits() > 180);
+        }
+    }
+}
+
 TEST_CASE("the series of the slip zones: Hertz's in closed form, the first term by s_0 and c_0") {
     const Profile hertz = Profile::power_law(scenes::exact("1/70"), scenes::exact("1"));
     const Slipping s = slipping(hertz, "7/3", "0.02", "1/2", "0");

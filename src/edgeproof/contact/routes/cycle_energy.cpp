@@ -38,15 +38,20 @@ std::vector<Real> knots_passed(const ContactLaw<Real>& law, const Profile& profi
 Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
                   const formula::Exact& friction) {
     constexpr unsigned guard = 10;
-    const PrecisionScope scope(contact.digits() + 2 * guard);
+    // P - L and L - L_s are some tau of P; and beside a knot that an edge passes, which that edge
+    // is known to by its place alone, rates go like a root of the distance, at a corner like its
+    // inverse.
+    const Real decades = -log10(slip.load_ratio());
+    const unsigned wanted =
+        2 * (contact.digits() + guard) + (decades > 0 ? static_cast<unsigned>(ceil(decades)) : 0);
+    const PrecisionScope scope(wanted + guard);
     const Real modulus = contact.contact_modulus().to<Real>();
-    const ContactLaw<Real> law(contact.profile(), modulus, contact.digits() + guard);
-    const Real P = contact.force();
+    const ContactLaw<Real> law(contact.profile(), modulus, wanted);
+    const Real a = contact.a();
+    const Real P = law.force(law.extent(a));
     const Real least = P * (1 - slip.load_ratio());
-    const Real mean = (P + least) / 2;
-    const Real D = contact.a() + contact.b();
-    const std::vector<Real> cuts = knots_passed(
-        law, contact.profile(), Real(contact.a() - slip.size(Edge::right)), contact.a());
+    const std::vector<Real> cuts =
+        knots_passed(law, contact.profile(), Real(a - slip.size(Edge::right)), a);
     std::vector<Real> lengths;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         lengths.push_back(Real(cuts[i + 1] - cuts[i]));
@@ -54,7 +59,9 @@ Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
     const auto f = [&](std::size_t i, const Real& lo, const Real& /*hi*/) {
         check_interruption();
         const Extent<Real> e = law.extent(Real(cuts[i] + lo));
-        return Real((law.force(e) - mean) * log(Real((e.a + e.b) / D)) * law.force_rate(e));
+        const Real L = law.force(e);
+        const Real growth = 1 + law.force_rate(e) / law.left_force_rate(e); // dD/da
+        return Real((P - L) * (L - least) * growth / e.length());
     };
     const auto sum = quadrature::integrate_pieces<Real>(
         f, lengths, Real(0), Real(0), {.target_digits = contact.digits() + guard / 2});
@@ -62,7 +69,7 @@ Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
         throw BudgetError("the quadrature for the energy of a cycle did not converge");
     }
     const Real f_s = friction.to<Real>();
-    return 16 * f_s * f_s / (pi<Real>() * modulus) * sum.value;
+    return 8 * f_s * f_s / (pi<Real>() * modulus) * sum.value;
 }
 
 } // namespace edgeproof::contact

@@ -84,10 +84,21 @@ Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& 
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         lengths.push_back(Real(cuts[i + 1] - cuts[i]));
     }
+    // Nodes crowd at a corner, where p is infinite like a logarithm: nearer than this it is as
+    // there.
+    const Real near = at.D * pow(Real(10), -static_cast<int>(at.target));
     const auto f = [&](std::size_t i, const Real& lo, const Real& hi) {
-        const Real u = cuts[i] + lo;
-        const Real rest = i + 2 == cuts.size() ? hi : Real(d - cuts[i + 1] + hi);
-        return Real(at.contact.pressure(edge, u).value * kernel(u, rest));
+        const Real least = std::min(near, Real(lengths[i] / 2));
+        const bool last = i + 2 == cuts.size();
+        Real u = cuts[i] + lo;
+        const Real rest = last ? hi : Real(d - cuts[i + 1] + hi);
+        const Real weight = kernel(u, rest);
+        if (i > 0 && lo < least) {
+            u = cuts[i] + least;
+        } else if (!last && hi < least) {
+            u = cuts[i + 1] - least;
+        }
+        return Real(at.contact.pressure(edge, u).value * weight);
     };
     const auto sum = quadrature::integrate_pieces<Real>(f, lengths, Real(0), Real(0),
                                                         {.target_digits = at.target});

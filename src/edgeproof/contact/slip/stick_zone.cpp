@@ -82,6 +82,7 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
     const Ball tiny = two_to_minus(bits() - bits_of_a_zone_step, bits());
     const Ball half_the_bits = two_to_minus(bits() / 2, bits());
     std::optional<Ball> before;
+    std::optional<BallZone> last; // where the values were finite
     int growing = 0;
     for (int k = 0; k < most_zone_steps; ++k) {
         const Ball D = at.length();
@@ -91,8 +92,19 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
         Ball da = middle_of((missing + turn) / v.right_rate);
         Ball db = middle_of((missing - turn) / v.left_rate);
         if (!da.is_finite() || !db.is_finite()) {
-            break;
+            if (!last && k > 0) {
+                break;
+            }
+            if (!last) { // a start with an edge on a corner
+                const Ball inwards = D * two_to_minus(10, bits());
+                at = {middle_of(at.a - inwards), middle_of(at.b - inwards)};
+                continue;
+            }
+            // The step went past what carries the zone, such as the one corner of a wedge.
+            at = {middle_of((at.a + last->a) / 2), middle_of((at.b + last->b) / 2)};
+            continue;
         }
+        last = at;
         // A step takes away less than all of the zone.
         const Ball limit = D * Ball(Rational(7, 16), bits());
         const Ball most = max(abs(da), abs(db));

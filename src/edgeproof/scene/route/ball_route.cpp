@@ -185,9 +185,7 @@ public:
             values.most_tension =
                 slips_.tension_limit(forwards ? contact::Edge::left : contact::Edge::right);
         }
-        if (plan_.slip && tells_cycle_energy(scene_)) {
-            values.cycle_energy = value({Quantity::cycle_energy});
-        }
+        values.cycle_energy = cycle_energy_beside(*this, scene_, plan_);
         return values;
     }
 

@@ -139,9 +139,7 @@ public:
             Real(level.contact().a() + level.contact().b()),
             contact::ShearLoad<Real>{scene_.shear->Q.to<Real>(),
                                      scene_.shear->bulk_tension.to<Real>()});
-        if (plan_.slip && tells_cycle_energy(scene_)) {
-            values.cycle_energy = value({Quantity::cycle_energy});
-        }
+        values.cycle_energy = cycle_energy_beside(*this, scene_, plan_);
         return values;
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/value_route.hpp"
 
+#include "edgeproof/precision/error.hpp"
+
 namespace edgeproof::scene {
 
 ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan) {
@@ -36,6 +38,18 @@ ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& 
         }
     }
     return values;
+}
+
+std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& scene,
+                                                const Plan& plan) {
+    if (!plan.slip || !tells_cycle_energy(scene)) {
+        return {};
+    }
+    try {
+        return route.value({Quantity::cycle_energy});
+    } catch (const Error&) { // what is wrong with the scene is told by its stick zone
+        return {};
+    }
 }
 
 } // namespace edgeproof::scene

@@ -78,8 +78,8 @@ struct StickValues {
     /// are: the least and the greatest that are allowed.
     std::optional<BoundedValue> least_tension;
     std::optional<BoundedValue> most_tension;
-    /// Where tells_cycle_energy(): what friction takes in a cycle from -Q to Q and back, P held;
-    /// energy per unit length.
+    /// cycle_energy_beside(): what friction takes in a cycle from -Q to Q and back, P held; energy
+    /// per unit length.
     std::optional<BoundedValue> cycle_energy;
     /// |sigma_0 (a + b)/Q| < 8/pi: the slip at both edges is in the direction of Q from the first
     /// load on, Q and sigma_0 growing in proportion.
@@ -124,6 +124,11 @@ public:
 /// Whether a stick zone is told with its cycle_energy: without a bulk tension; not where g' is
 /// curved, as a quadrature over contacts that are quadratures takes minutes.
 [[nodiscard]] bool tells_cycle_energy(const Scene& scene);
+
+/// That energy where it is told and found. The stick zone is an answer without it: a quadrature
+/// that finds none leaves it out.
+[[nodiscard]] std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& scene,
+                                                              const Plan& plan);
 
 /// What a plan has of the contact itself, one by one.
 [[nodiscard]] ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan);

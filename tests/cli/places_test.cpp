@@ -126,7 +126,8 @@ TEST_CASE("places that are none: one line") {
         {wedge + by_force + ask("u = \"50%\""),
          "s.toml:9: u = 50% from the right edge: the point is on a corner"},
     };
-    for (const auto& [scene, line] : all) {
+    for (const auto& [text, line] : all) {
+        const std::string scene = text; // a lambda of CAPTURE takes no structured binding in clang
         CAPTURE(scene);
         const std::string said = refused(scene);
         CAPTURE(said);

@@ -120,7 +120,8 @@ TEST_CASE("quantities that make no scene: one line") {
         {"pressure s.toml --quantity pessure",
          "edgeproof: --quantity pessure: unknown quantity 'pessure'; did you mean pressure?"},
     };
-    for (const auto& [arguments, line] : all) {
+    for (const auto& [command, line] : all) {
+        const std::string arguments = command; // CAPTURE takes no structured binding in clang
         CAPTURE(arguments);
         const Folder folder;
         folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"

@@ -25,7 +25,8 @@ TEST_CASE("plot: every kind of file, and letters") {
     CHECK(lines(text.out).size() > 20);
     const std::pair<const char*, const char*> files[] = {
         {"p.svg", "<svg"}, {"p.png", "PNG"}, {"p.pdf", "%PDF"}, {"p.html", "<!DOCTYPE html>"}};
-    for (const auto& [file, begin] : files) {
+    for (const auto& [name, begin] : files) {
+        const char* const file = name; // a lambda of CAPTURE takes no structured binding in clang
         CAPTURE(file);
         const Outcome o = run(folder, "plot s.toml --out " + std::string(file));
         CAPTURE(o.err);

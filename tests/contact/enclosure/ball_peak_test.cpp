@@ -63,7 +63,9 @@ TEST_CASE("the greatest pressure of Hertz: E* a/(2R) = 2P/(pi a)") {
 
 TEST_CASE("the greatest pressure of flat-and-rounded punches, upright and tilted") {
     const PrecisionScope scope(70);
-    for (const auto& [c, value] : peaks_by_quadrature()) {
+    for (const PeakByQuadrature& each : peaks_by_quadrature()) {
+        const Contact& c = each.contact;
+        const char* const value = each.peak;
         CAPTURE(c.name);
         const bool symmetric = c.profile.symmetric();
         Real last = 1;

@@ -36,7 +36,8 @@ TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
         {"Hertz", "0.00150632623324495620139399268"},
         {"flat and rounded", "0.00058844869970052064993547324"},
     };
-    for (const auto& [name, value] : cases) {
+    for (const auto& [which, value] : cases) {
+        const char* const name = which; // CAPTURE takes no structured binding in clang
         CAPTURE(name);
         const Slipping s = upright(name);
         const Ball W = cycle_energy(*s.closed, *s.slip);
@@ -47,7 +48,8 @@ TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
 
 TEST_CASE("panels hold the closed form where contacts are similar") {
     const std::pair<const char*, long> cases[] = {{"Hertz", 2}, {"wedge", 1}};
-    for (const auto& [name, power] : cases) {
+    for (const auto& [which, power] : cases) {
+        const char* const name = which;
         for (const char* tau : {"1e-9", "3/10", "999/1000"}) {
             CAPTURE(name);
             CAPTURE(tau);

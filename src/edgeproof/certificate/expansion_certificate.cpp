@@ -257,7 +257,7 @@ bool state(const audit::Claim& claim, const audit::Outcome& outcome, bool refute
     const std::string name = coq_name(claim.id);
     const std::string polynomial = words(claim.formula("says"));
     const Claimed printed{e, polynomial, words.integral()};
-    const auto add = [&](const std::string& theorem, std::string text, std::string states) {
+    const auto add = [&](const std::string& theorem, const std::string& text, std::string states) {
         certificate.text += text;
         certificate.theorems.push_back({theorem, std::move(states)});
     };

@@ -73,8 +73,9 @@ StatedContact symmetric_contact(const contact::Profile& profile, const Exact& a)
         const auto t = part.from.to<double>();
         const auto d = part.corner.to<double>();
         const auto k = part.curvature.to<double>();
-        list = fmt::format("cons (Part {} {} {}) {}", in_coq(part.from), in_coq(part.corner),
-                           in_coq(part.curvature), list == "nil" ? list : "(" + list + ")");
+        list =
+            fmt::format("cons (Part {} {} {}) {}", in_coq(part.from), in_coq(part.corner),
+                        in_coq(part.curvature), list == "nil" ? list : fmt::format("({})", list));
         edge.innermost = std::max(edge.innermost, t);
         const double w2 = edge.distance * edge.distance - t * t;
         edge.steepness = std::max(edge.steepness, 2 * edge.distance / w2);

@@ -107,7 +107,7 @@ void ask_quantities(scene::Scene& scene, const std::string& list) {
             }
         }
         if (std::find(names.begin(), names.end(), name) == names.end()) {
-            throw InputError("--quantity " + list + ": unknown quantity '" + name + "'",
+            throw InputError(fmt::format("--quantity {}: unknown quantity '{}'", list, name),
                              one_of(name, names));
         }
     }

@@ -3,6 +3,8 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -117,7 +119,7 @@ scene::SceneEntries StatedScene::entries() const {
     std::string kind;
     for (const auto& [name, asked] : profiles_) {
         if (asked && !kind.empty()) {
-            throw InputError("both --" + kind + " and --" + name + " are given",
+            throw InputError(fmt::format("both --{} and --{} are given", kind, name),
                              "give one profile");
         }
         kind = asked ? name : kind;

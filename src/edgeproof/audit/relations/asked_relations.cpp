@@ -5,6 +5,8 @@
 #include "edgeproof/audit/ledger/scene_names.hpp"
 #include "edgeproof/precision/error.hpp"
 
+#include <fmt/format.h>
+
 namespace edgeproof::audit {
 namespace {
 
@@ -45,7 +47,7 @@ AskedRelations asked_relations(const RelationQuestion& question) {
     for (const auto& [name, formula] : question.given) {
         const std::string as_given = "given " + name + "=";
         if (!vocabulary.symbols.has(name)) {
-            throw InputError(as_given + formula + ": there is no '" + name + "'",
+            throw InputError(fmt::format("{}{}: there is no '{}'", as_given, formula, name),
                              "give P1, P2, ..., b, b1, ... as formulas in what is left free");
         }
         under.names.emplace(name, formula_of(as_given, formula, vocabulary));

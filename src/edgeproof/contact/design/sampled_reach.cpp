@@ -122,6 +122,7 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
                            bool whole) {
     check_interruption();
     std::vector<Ball> at;
+    at.reserve(parameters.size());
     for (const double x : parameters) {
         at.emplace_back(Real(x), sample_bits);
     }

@@ -50,7 +50,7 @@ private:
     };
     [[nodiscard]] Asked asked(const NormalContact& contact) const;
     [[nodiscard]] static Balance off(const Asked& at, const Zones& d);
-    [[nodiscard]] static Zones solve(const Asked& at, Zones start);
+    [[nodiscard]] static Zones solve(const Asked& at, Zones d);
     template <class F>
     [[nodiscard]] static Real over_zone(const Asked& at, Edge edge, const Real& d, const F& kernel);
 

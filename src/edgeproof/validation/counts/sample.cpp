@@ -19,14 +19,16 @@ std::string entry(const char* key, const std::string& value) {
 constexpr std::size_t curved_every = 2000;
 constexpr std::size_t first_curved = 7;
 
+// A draw a statement: what is drawn of a seed is the same for every compiler.
 std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) {
     const auto fraction = [&] { return std::to_string(dice.between(1, 98)) + "/99"; };
     switch (profile) {
     case 0: {
         static constexpr std::array<const char*, 9> exponents{"0",   "1",   "2",  "3",     "1/2",
                                                               "5/8", "7/3", "10", "1/1000"};
+        const std::string C = dice.decimal(4, dice.between(-3, 1));
         return "kind = \"power-law\"\n" + entry("m", exponents.at(dice.below(9))) + "\n" +
-               entry("C", dice.decimal(4, dice.between(-3, 1)));
+               entry("C", C);
     }
     case 1: {
         static constexpr std::array<const char*, 4> odd{"1/1000000", "999999/1000000", "0", "1/2"};
@@ -41,21 +43,28 @@ std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) 
         return "kind = \"tilted-wedge\"\n" + entry("phi", phi) + "\n" +
                entry("alpha", side + fraction() + "*" + phi);
     }
-    case 3:
+    case 3: {
+        const std::string R = dice.decimal(3, 0);
+        const std::string t = fraction();
         return "kind = \"tilted-flat-and-rounded\"\n" + entry("alpha", fraction() + "/20") + "\n" +
-               entry("t", fraction() + "*" + a) + "\n" + entry("R", dice.decimal(3, 0) + "*" + a);
-    case 4:
+               entry("t", t + "*" + a) + "\n" + entry("R", R + "*" + a);
+    }
+    case 4: {
         // Convex for any steepness: each piece goes on from where the one before ends.
+        const auto outer = std::to_string(dice.between(1, 50));
+        const auto right = std::to_string(dice.between(6, 30));
+        const auto left = std::to_string(dice.between(6, 30));
+        const auto last_knot = std::to_string(dice.between(2, 9));
         return "kind = \"piecewise\"\nknots = [\"-" + a + "/" + std::to_string(dice.between(2, 9)) +
-               "\", \"0\", \"" + a + "/" + std::to_string(dice.between(2, 9)) +
-               "\"]\nslopes = [\"-1/5\", \"-1/" + std::to_string(dice.between(6, 30)) + "\", \"1/" +
-               std::to_string(dice.between(6, 30)) + "\", \"1/5 + x/(" +
-               std::to_string(dice.between(1, 50)) + "*" + a + ")\"]";
-    default:
+               "\", \"0\", \"" + a + "/" + last_knot + "\"]\nslopes = [\"-1/5\", \"-1/" + left +
+               "\", \"1/" + right + "\", \"1/5 + x/(" + outer + "*" + a + ")\"]";
+    }
+    default: {
+        const auto slope = std::to_string(dice.between(2, 30));
         return "kind = \"piecewise\"\nsymmetric = true\nknots = [\"" + a + "/" +
-               std::to_string(dice.between(2, 5)) + "\"]\nslopes = [\"x/(" +
-               std::to_string(dice.between(2, 30)) + "*" + a + ")\", \"x/(2*" + a + ") + (x/" + a +
-               ")^3\"]";
+               std::to_string(dice.between(2, 5)) + "\"]\nslopes = [\"x/(" + slope + "*" + a +
+               ")\", \"x/(2*" + a + ") + (x/" + a + ")^3\"]";
+    }
     }
 }
 
@@ -66,8 +75,9 @@ std::string scene_text(Dice& dice, std::size_t profile, bool by_force) {
     static constexpr std::array<const char*, 3> moduli{"1", "7/3", "2.1e11"};
     text += "\n" + entry("contact_modulus", moduli.at(by_force ? 0 : dice.below(3))) + "\n";
     const char* const side = dice.below(2) == 0 ? "" : "-";
+    const std::string tension = dice.decimal(3, dice.between(-3, 1));
     text += "[shear]\n" + entry("Q", side + dice.decimal(3, dice.between(-3, 1))) + "\n" +
-            entry("bulk_tension", dice.decimal(3, dice.between(-3, 1))) + "\n";
+            entry("bulk_tension", tension) + "\n";
     return text;
 }
 

@@ -67,7 +67,9 @@ std::vector<ClaimResult> judged(const std::vector<std::string>& formulas) {
     }
     AuditOptions options;
     options.digits = 30;
-    return run_audit(parse_ledger(text, "awkward.toml"), options).claims;
+    std::vector<ClaimResult> claims = run_audit(parse_ledger(text, "awkward.toml"), options).claims;
+    REQUIRE(claims.size() == formulas.size());
+    return claims;
 }
 
 const std::string hertz = "Es*C/2*sqrt(a^2-x^2)";

@@ -49,8 +49,8 @@ struct DoubleWordMark {
     return FLT_EVAL_METHOD == 0 && u.high > 0x1p-300 && u.high < 0x1p100 &&
            std::fegetround() == FE_TONEAREST;
 }
-/// Whether a number of a contact leaves room for the products that it goes into: `most` is 2^100,
-/// of one that values are proportional to 2^200.
+/// Whether no product that a number of a contact goes into overflows or underflows: `most` is
+/// 2^100, of one that values are proportional to 2^200.
 [[nodiscard]] inline bool in_double_words_as_constant(const DoubleWord& w, double most = 0x1p100) {
     const double size = std::fabs(w.high);
     return w.radius <= size && (w.high == 0 || (size > 1 / most && size < most));

@@ -153,9 +153,10 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
                                     "the edges, as what a mesh does to them",
                                     symbol, percent_text(d.unexplained)));
     } else if (d.factor) {
-        lines.push_back(fmt::format("{} is {:.6g} +- {:.2g} times the exact {} at all nodes, which "
-                                    "no cause that is known explains",
-                                    symbol, d.factor->value, d.factor->error, symbol));
+        lines.push_back(
+            fmt::format("away from the edges {} is {:.6g} +- {:.2g} times the exact {}, "
+                        "by a fit: no cause that is known explains that",
+                        symbol, d.factor->value, d.factor->error, symbol));
     } else {
         lines.push_back(fmt::format("no cause that is known explains {}: {} are left, where the "
                                     "nodes scatter by {}",

@@ -87,7 +87,7 @@ void check_call(std::string_view name, std::size_t given, std::size_t least, std
 
 } // namespace
 
-Expr Expr::make(Kind kind, std::string name, std::vector<Expr> args) {
+Expr Expr::make(Kind kind, std::string name, std::vector<Expr> args, const Rational* value) {
     auto node = std::make_shared<Node>();
     node->kind = kind;
     node->name = std::move(name);
@@ -105,7 +105,7 @@ Expr Expr::make(Kind kind, std::string name, std::vector<Expr> args) {
     if (node->height > max_height) {
         throw Error("an expression is more than " + std::to_string(max_height) + " levels high");
     }
-    node->value = fold(kind, node->builtin, node->args);
+    node->value = value != nullptr ? *value : fold(kind, node->builtin, node->args);
     return Expr(std::move(node));
 }
 
@@ -119,7 +119,8 @@ Expr Expr::number(const Rational& q) {
         return -number(-q);
     }
     if (!terminates(q)) {
-        return number(Rational(numerator(q))) / number(Rational(denominator(q)));
+        return make(Kind::div, {},
+                    {number(Rational(numerator(q))), number(Rational(denominator(q)))}, &q);
     }
     auto node = std::make_shared<Node>();
     node->value = q;

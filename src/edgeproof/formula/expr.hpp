@@ -90,7 +90,9 @@ public:
 private:
     struct Node;
     explicit Expr(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-    static Expr make(Kind kind, std::string name, std::vector<Expr> args);
+    /// `value`: what it comes to, where that is known.
+    static Expr make(Kind kind, std::string name, std::vector<Expr> args,
+                     const Rational* value = nullptr);
     std::shared_ptr<const Node> node_;
 };
 

@@ -37,8 +37,10 @@ struct Decimal {
 Decimal decimal_of(const Rational& q) {
     std::string digits;
     long exponent = 0;
+    const auto* const whole = mpq_numref(q.backend().data());
     if (Integer d(denominator(q)); d == 1) {
-        digits = Integer(numerator(q)).str();
+        digits = mpz_fits_ulong_p(whole) != 0 ? std::to_string(mpz_get_ui(whole))
+                                              : Integer(numerator(q)).str();
     } else {
         const Integer five(5);
         Integer rest;

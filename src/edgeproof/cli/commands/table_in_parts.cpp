@@ -41,16 +41,23 @@ parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
                             const std::function<void()>& one) {
     return [&recipe, one, rows = report::ReferenceRows(recipe)](std::size_t p) {
         const conformance::RecipeGrid::Piece piece = recipe.piece(p);
-        const auto values = references_in_turn(piece.questions, recipe.digits(), one);
+        std::vector<std::string> lines(piece.rows.size());
+        std::vector<bool> estimates(piece.rows.size());
+        references_in_turn(piece.questions, recipe.digits(),
+                           [&](std::size_t k, const conformance::Reference& reference) {
+                               rows.add_line(lines[k], piece.questions, k, reference);
+                               estimates[k] = !reference.value.proved;
+                               one();
+                           });
         std::vector<io::CheckpointFile::Entry> entries;
-        for (std::size_t k = 0; k < values.size(); ++k) {
+        for (std::size_t k = 0; k < lines.size(); ++k) {
             if (k == 0 || piece.rows[k] != piece.rows[k - 1] + 1) {
                 entries.push_back({piece.rows[k], 0, 0, {}});
             }
             io::CheckpointFile::Entry& entry = entries.back();
             ++entry.items;
-            entry.marked += values[k].value.proved ? 0 : 1;
-            entry.text += report::csv_line(rows.row(piece.questions, k, values[k]));
+            entry.marked += estimates[k] ? 1 : 0;
+            entry.text += lines[k];
         }
         return io::CheckpointFile::body(entries);
     };

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -48,6 +49,12 @@ public:
 
     [[nodiscard]] Reference answer(std::size_t i) {
         const Question& q = questions_.list[i];
+        if (q.at_point() && at_points_.size() == 1) {
+            return at_point_of(q, [&] {
+                scene::BoundedValue x = values_.x(q);
+                return Reference{values_.value(q), std::move(x)};
+            });
+        }
         if (q.at_point()) {
             const Point& point = at_point(q);
             return {point.values.at(q.quantity), point.x};
@@ -70,23 +77,31 @@ private:
     };
     const Point& at_point(const Question& q) {
         const std::pair key{q.edge, q.u->text()};
-        auto found = points_.find(key);
-        if (found == points_.end()) {
-            try {
-                Point point{values_.x(q), {}};
-                for (scene::AskedValue value = q; const scene::Quantity quantity : at_points_) {
-                    value.quantity = quantity;
-                    point.values.emplace(quantity, values_.value(value));
-                }
-                found = points_.emplace(key, std::move(point)).first;
-            } catch (const DomainError& error) {
-                throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
-                                     " edge: " + error.what(),
-                                 "give distances from the edge, 0 < u < a + b, off every corner")
-                    .at(questions_.file, q.line);
-            }
+        const auto known = points_.find(key);
+        if (known != points_.end()) {
+            return known->second;
         }
-        return found->second;
+        const auto all = [&] {
+            Point point{values_.x(q), {}};
+            for (scene::AskedValue value = q; const scene::Quantity quantity : at_points_) {
+                value.quantity = quantity;
+                point.values.emplace(quantity, values_.value(value));
+            }
+            return point;
+        };
+        return points_.emplace(key, at_point_of(q, all)).first->second;
+    }
+    /// f() at the point of a question.
+    template <class F>
+    [[nodiscard]] std::invoke_result_t<F> at_point_of(const Question& q, const F& f) const {
+        try {
+            return f();
+        } catch (const DomainError& error) {
+            throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
+                                 " edge: " + error.what(),
+                             "give distances from the edge, 0 < u < a + b, off every corner")
+                .at(questions_.file, q.line);
+        }
     }
 
     const Questions& questions_;
@@ -152,19 +167,16 @@ std::vector<Piece> pieces_of(const AskedList& asked) {
     return cut(asked.size(), [&](std::size_t i) -> const Question& { return asked.pattern(i); });
 }
 
-std::vector<Reference> references_in_turn(const Questions& questions, const scene::Digits& digits,
-                                          const std::function<void()>& one) {
-    std::vector<Reference> results(questions.list.size());
+void references_in_turn(const Questions& questions, const scene::Digits& digits,
+                        const std::function<void(std::size_t, const Reference&)>& take) {
     for (const Piece& piece : pieces_of(questions)) {
         check_interruption();
         std::optional<Answering> answering;
         for (const std::size_t i : piece) {
             check_interruption();
-            results[i] = placed_answer(answering, questions, piece, digits, i);
-            one();
+            take(i, placed_answer(answering, questions, piece, digits, i));
         }
     }
-    return results;
 }
 
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {

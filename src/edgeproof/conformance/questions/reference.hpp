@@ -45,15 +45,15 @@ struct ReferenceOrWhy {
 [[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                                             const ReferenceOptions& options);
 
-/// The same one after another in this thread. `one` is called after each.
-[[nodiscard]] std::vector<Reference> references_in_turn(const Questions& questions,
-                                                        const scene::Digits& digits,
-                                                        const std::function<void()>& one);
+/// The answers piece by piece in this thread: `take` is given each, with its number, when it is
+/// found. Throws as references() does.
+void references_in_turn(const Questions& questions, const scene::Digits& digits,
+                        const std::function<void(std::size_t, const Reference&)>& take);
 
 /// Questions (by index) that are answered together, of one contact. They are cut alike however many
 /// threads there are, and an answer depends on nothing outside its piece.
 using Piece = std::vector<std::size_t>;
-inline constexpr std::size_t most_in_a_piece = 48;
+inline constexpr std::size_t most_in_a_piece = 128;
 [[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
 [[nodiscard]] std::vector<Piece> pieces_of(const AskedList& asked);
 

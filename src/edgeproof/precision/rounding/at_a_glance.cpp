@@ -62,7 +62,7 @@ struct WholeUnits {
 };
 
 /// `digits` digits of x. False where that is not seen.
-bool whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) {
+bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) {
     long first = 0;
     if (mode == Rounding::enclosure || digits == 0 || !leading_place(x, first)) {
         return false;
@@ -104,6 +104,28 @@ bool whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) 
     return alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
 }
 
+/// The same. The last one is kept: a value is looked at when it is found, and when it is printed.
+const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
+    struct Kept {
+        ArbValue x;
+        long bits = 0; ///< none is kept
+        unsigned digits = 0;
+        Rounding mode = Rounding::nearest;
+        WholeUnits units;
+        bool seen = false;
+    };
+    static thread_local Kept kept;
+    if (kept.bits != x.bits() || kept.digits != digits || kept.mode != mode ||
+        arb_equal(kept.x, x.data()) == 0) {
+        kept.seen = find_whole_units(x, digits, mode, kept.units);
+        arb_set(kept.x, x.data());
+        kept.bits = x.bits();
+        kept.digits = digits;
+        kept.mode = mode;
+    }
+    return kept.seen ? &kept.units : nullptr;
+}
+
 /// Beyond these a binary64 is subnormal, or none, or close to it.
 constexpr double least_binary64 = 1e-300;
 constexpr double most_binary64 = 1e300;
@@ -112,26 +134,26 @@ constexpr long more_than_binary64 = 80; // bits
 } // namespace
 
 bool rounds_alike(const Ball& x, unsigned digits, Rounding mode) {
-    WholeUnits units;
-    return whole_units(x, digits, mode, units);
+    return whole_units(x, digits, mode) != nullptr;
 }
 
 std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits, Rounding mode) {
-    WholeUnits units;
-    if (!whole_units(x, digits, mode, units) || fmpz_is_zero(units.whole) != 0) {
+    const WholeUnits* units = whole_units(x, digits, mode);
+    if (units == nullptr || fmpz_is_zero(units->whole) != 0) {
         return {};
     }
     SeenAtAGlance seen;
     Decimal& d = seen.value;
-    d.negative = fmpz_sgn(units.whole) < 0;
-    fmpz_abs(units.whole, units.whole);
-    d.digits.resize(fmpz_sizeinbase(units.whole, 10) + 1); // with the end that C puts there
-    fmpz_get_str(d.digits.data(), 10, units.whole);
+    d.negative = fmpz_sgn(units->whole) < 0;
+    FmpzValue size;
+    fmpz_abs(size, units->whole);
+    d.digits.resize(fmpz_sizeinbase(size, 10) + 1); // with the end that C puts there
+    fmpz_get_str(d.digits.data(), 10, size);
     d.digits.resize(std::strlen(d.digits.c_str()));
-    d.exponent = static_cast<long>(d.digits.size()) + units.place;
+    d.exponent = static_cast<long>(d.digits.size()) + units->place;
     d.digits.resize(digits, '0'); // 999 -> 1000
-    if (units.told) {
-        seen.bound = bound_at_a_glance(units.off, units.place);
+    if (units->told) {
+        seen.bound = bound_at_a_glance(units->off, units->place);
     }
     return seen;
 }

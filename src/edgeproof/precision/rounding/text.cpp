@@ -241,7 +241,7 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     if (q == 0) {
         return single({}, digits, true);
     }
-    const bool negative = q < 0;
+    const bool negative = q.sign() < 0;
     const Integer size = abs(boost::multiprecision::numerator(q));
     const Integer denominator = boost::multiprecision::denominator(q);
     // |q| 10^shift has `digits` digits before its point.

@@ -54,7 +54,7 @@ std::string exact_place(const conformance::AskedContact& contact, const conforma
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string text;
     for (const std::string& cell : cells) {
-        text += csv_cell(cell);
+        add_csv_cell(text, cell);
         text += ',';
     }
     if (text.empty()) {
@@ -74,29 +74,45 @@ ReferenceRows::ReferenceRows(const conformance::RecipeGrid& recipe)
       digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()),
       quantities_(recipe.quantities()) {}
 
+template <class Take>
+void ReferenceRows::each_cell(const conformance::Questions& questions, std::size_t i,
+                              const conformance::Reference& reference, const Take& take) const {
+    const conformance::Question& q = questions.list[i];
+    take(q.id);
+    for (const std::string& key : keys_) {
+        take(parameter_text(questions.contacts[q.contact], key));
+    }
+    take(q.at_edge() ? scene::edge_name(q.edge) : "");
+    if (tolerances_) {
+        take(q.tolerance ? q.tolerance->text() : "");
+    }
+    take(q.u ? q.u->text() : "");
+    take(reference.x ? printed_text(*reference.x, digits_) : "");
+    take(symbol_of(q));
+    const scene::PrintedValue value = printed(reference.value, digits_);
+    take(value.text);
+    take(value.bound);
+    take(value.binary64     ? fmt::format("{:.17g}", *value.binary64)
+         : digits_.binary64 ? fmt::format("[{:.17g}, {:.17g}]", value.binary64_between[0],
+                                          value.binary64_between[1])
+                            : "");
+    take(how(reference.value, value));
+}
+
 std::vector<std::string> ReferenceRows::row(const conformance::Questions& questions, std::size_t i,
                                             const conformance::Reference& reference) const {
-    const conformance::Question& q = questions.list[i];
-    std::vector<std::string> row{q.id};
-    for (const std::string& key : keys_) {
-        row.push_back(parameter_text(questions.contacts[q.contact], key));
-    }
-    row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
-    if (tolerances_) {
-        row.push_back(q.tolerance ? q.tolerance->text() : "");
-    }
-    row.push_back(q.u ? q.u->text() : "");
-    row.push_back(reference.x ? printed_text(*reference.x, digits_) : "");
-    row.push_back(symbol_of(q));
-    const scene::PrintedValue value = printed(reference.value, digits_);
-    row.push_back(value.text);
-    row.push_back(value.bound);
-    row.push_back(value.binary64     ? fmt::format("{:.17g}", *value.binary64)
-                  : digits_.binary64 ? fmt::format("[{:.17g}, {:.17g}]", value.binary64_between[0],
-                                                   value.binary64_between[1])
-                                     : "");
-    row.push_back(how(reference.value, value));
+    std::vector<std::string> row;
+    each_cell(questions, i, reference, [&](std::string_view cell) { row.emplace_back(cell); });
     return row;
+}
+
+void ReferenceRows::add_line(std::string& text, const conformance::Questions& questions,
+                             std::size_t i, const conformance::Reference& reference) const {
+    each_cell(questions, i, reference, [&](std::string_view cell) {
+        add_csv_cell(text, cell);
+        text += ',';
+    });
+    text.back() = '\n';
 }
 
 std::vector<Column> ReferenceRows::columns() const {

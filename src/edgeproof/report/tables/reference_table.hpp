@@ -23,6 +23,9 @@ public:
     [[nodiscard]] std::vector<std::string> row(const conformance::Questions& questions,
                                                std::size_t i,
                                                const conformance::Reference& reference) const;
+    /// The row as a line of CSV, behind what stands in `text`.
+    void add_line(std::string& text, const conformance::Questions& questions, std::size_t i,
+                  const conformance::Reference& reference) const;
     /// The checksum of the header, to be gone on with line by line (io::fnv1a).
     [[nodiscard]] std::uint64_t header_checksum() const;
     /// The table without its rows: head and columns. `checksum`: of the header and the lines.
@@ -31,6 +34,9 @@ public:
 
 private:
     [[nodiscard]] std::vector<Column> columns() const;
+    template <class Take>
+    void each_cell(const conformance::Questions& questions, std::size_t i,
+                   const conformance::Reference& reference, const Take& take) const;
 
     std::string recipe_; ///< the file's name
     std::string title_;

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace edgeproof::report {
 namespace {
@@ -15,7 +16,16 @@ bool is_number(std::string_view text) {
 }
 
 /// Of the cells of a table all but a few are made of these, and stay as they are.
-bool is_plain(char c) { return c >= ' ' && c <= '~' && c != ',' && c != '"'; }
+bool is_plain(char c) {
+    static constexpr auto plain = [] {
+        std::array<bool, 256> known{};
+        for (unsigned i = ' '; i <= '~'; ++i) {
+            known.at(i) = i != ',' && i != '"';
+        }
+        return known;
+    }();
+    return plain[static_cast<unsigned char>(c)];
+}
 
 std::string in_quotes(std::string_view text) {
     std::string out = "\"";
@@ -30,13 +40,20 @@ std::string in_quotes(std::string_view text) {
 
 } // namespace
 
-std::string csv_cell(std::string_view text) {
+void add_csv_cell(std::string& line, std::string_view text) {
     if (std::all_of(text.begin(), text.end(), is_plain)) {
-        return std::string(text);
+        line += text;
+        return;
     }
     const bool quoted = text.find_first_of(",\"\r\n") != std::string_view::npos;
-    const std::string line = printable(text);
-    return quoted ? in_quotes(line) : line;
+    const std::string in_a_line = printable(text);
+    line += quoted ? in_quotes(in_a_line) : in_a_line;
+}
+
+std::string csv_cell(std::string_view text) {
+    std::string cell;
+    add_csv_cell(cell, text);
+    return cell;
 }
 
 std::string csv_text_cell(std::string_view text) {

@@ -11,6 +11,8 @@ namespace edgeproof::report {
 
 /// A cell of a CSV row, quoted where it has to be.
 [[nodiscard]] std::string csv_cell(std::string_view text);
+/// The same, behind what stands in `line`.
+void add_csv_cell(std::string& line, std::string_view text);
 /// The same for a column of text: a cell that begins with =, +, - or @ and is no number gets an
 /// apostrophe in front, or a spreadsheet would take it for a formula and run it.
 [[nodiscard]] std::string csv_text_cell(std::string_view text);

@@ -8,6 +8,11 @@
 #include <utility>
 
 namespace edgeproof::scene {
+namespace {
+
+constexpr long least_bits_of_a_place = 128;
+
+} // namespace
 
 BallPlaces::BallPlaces(BallRefinement& balls, const Scene& scene, const Plan& plan)
     : balls_(balls), scene_(scene), plan_(plan) {
@@ -30,6 +35,9 @@ BallPlaces::BallPlaces(BallRefinement& balls, const Scene& scene, const Plan& pl
     if (length_) {
         know(contact::Edge::left);
     }
+    if (known_.size() == 2) {
+        known_length_ = known_.at(contact::Edge::right) + known_.at(contact::Edge::left);
+    }
 }
 
 std::optional<Rational> BallPlaces::known(contact::Edge edge) const {
@@ -37,18 +45,24 @@ std::optional<Rational> BallPlaces::known(contact::Edge edge) const {
     return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Ball BallPlaces::enclosed(contact::Edge edge, const Distance& u) {
-    if (!u.number() && length_) {
-        return enclosed_by_edges(edge, u);
+void BallPlaces::refuse_outside(contact::Edge edge, const Distance& u) {
+    if (!u.number()) {
+        if (length_) {
+            refuse_outside_by_edges(edge, u);
+        }
+        return;
     }
-    Ball from = u.enclosure({}, {}, length_ ? length_->bits() : plan_.bits);
-    if (length_ && !certainly_less(from, *length_)) {
+    const Rational* distance = u.number()->expr().rational();
+    const bool inside =
+        known_length_ && distance != nullptr
+            ? *distance < *known_length_
+            : !length_ || certainly_less(u.enclosure({}, {}, length_->bits()), *length_);
+    if (!inside) {
         throw DomainError("the point lies outside the contact");
     }
-    return from;
 }
 
-Ball BallPlaces::enclosed_by_edges(contact::Edge edge, const Distance& u) {
+void BallPlaces::refuse_outside_by_edges(contact::Edge edge, const Distance& u) {
     refuse_corner_at(u);
     bool outside = false;
     for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
@@ -56,7 +70,7 @@ Ball BallPlaces::enclosed_by_edges(contact::Edge edge, const Distance& u) {
         if (level == nullptr) {
             continue;
         }
-        Ball from = level->distance(u);
+        const Ball from = level->distance(u);
         if (certainly_negative(from) || certainly_less(level->length(), from)) {
             throw DomainError("the point lies outside the contact");
         }
@@ -64,7 +78,7 @@ Ball BallPlaces::enclosed_by_edges(contact::Edge edge, const Distance& u) {
         const auto corners = level->proved_pressure().corners(edge);
         if (!outside && std::ranges::none_of(
                             corners, [&](const Ball& corner) { return overlaps(corner, from); })) {
-            return from;
+            return;
         }
     }
     throw DomainError(outside ? "the point is on an edge, or cannot be told from it"
@@ -84,18 +98,17 @@ void BallPlaces::refuse_corner_at(const Distance& u) const {
     }
 }
 
-std::optional<BallRefinement::Found> BallPlaces::x(contact::Edge edge, const Distance& u,
-                                                   const Ball& from) {
+std::optional<BallRefinement::Found> BallPlaces::x(contact::Edge edge, const Distance& u) {
     const auto exactly = known(edge);
     const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
     const bool right = edge == contact::Edge::right;
+    // The text of what is known exactly is made of that: a ball of any width will do.
+    const long bits = std::max(length_ ? length_->bits() : plan_.bits, least_bits_of_a_place);
     if (const auto given = u.x() ? rational_of(*u.x()) : std::nullopt) {
-        return BallRefinement::Found{Ball(*given, std::max(from.bits(), 128L)), *given};
+        return BallRefinement::Found{Ball(*given, bits), *given};
     }
     if (exactly && distance != nullptr) {
         const Rational x = right ? Rational(*exactly - *distance) : Rational(*distance - *exactly);
-        // The text of what is known exactly is made of that: a ball of any width will do.
-        const long bits = plan_.digits.binary64 ? std::max(from.bits(), 128L) : from.bits();
         return BallRefinement::Found{Ball(x, bits), x};
     }
     return balls_.refine(

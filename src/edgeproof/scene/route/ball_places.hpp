@@ -17,15 +17,14 @@ public:
     [[nodiscard]] const Ball* length() const { return length_ ? &*length_ : nullptr; }
     /// The distance of an edge from the origin, if that is known to be a rational number.
     [[nodiscard]] std::optional<Rational> known(contact::Edge edge) const;
-    /// u in a ball. Throws DomainError beyond the contact, and for a place by the edges that is on
-    /// a corner, as far as many bits tell.
-    [[nodiscard]] Ball enclosed(contact::Edge edge, const Distance& u);
-    /// x of the point u, which is `from` in a ball. Nothing where no number of bits encloses it.
-    [[nodiscard]] std::optional<BallRefinement::Found> x(contact::Edge edge, const Distance& u,
-                                                         const Ball& from);
+    /// Throws DomainError for a point beyond the contact, and for a place by the edges that is on a
+    /// corner, as far as many bits tell.
+    void refuse_outside(contact::Edge edge, const Distance& u);
+    /// x of the point u, which is not outside. Nothing where no number of bits encloses it.
+    [[nodiscard]] std::optional<BallRefinement::Found> x(contact::Edge edge, const Distance& u);
 
 private:
-    [[nodiscard]] Ball enclosed_by_edges(contact::Edge edge, const Distance& u);
+    void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
     /// Where x is a number, exact algebra tells.
     void refuse_corner_at(const Distance& u) const;
     /// Keeps where an edge is, if that is a rational number, and known.
@@ -35,6 +34,7 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     std::optional<Ball> length_;
+    std::optional<Rational> known_length_;
     std::map<contact::Edge, Rational> known_;
 };
 

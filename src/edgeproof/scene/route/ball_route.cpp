@@ -74,7 +74,8 @@ public:
     }
 
     BoundedValue place(contact::Edge edge, const Distance& u) override {
-        return place_of(edge, u, places_.enclosed(edge, u));
+        places_.refuse_outside(edge, u);
+        return place_of(edge, u);
     }
 
     ContactValues contact() override {
@@ -83,14 +84,14 @@ public:
     }
 
     PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
-        const Ball from = places_.enclosed(edge, u);
+        places_.refuse_outside(edge, u);
         const bool together = q && scene_.shear->path == contact::LoadingPath::together;
         (balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures) +=
             p || together ? 1 : 0;
         work_.counts.shear_points += q ? 1 : 0;
         count_ratio(together);
         PointValues values;
-        values.x = place_of(edge, u, from);
+        values.x = place_of(edge, u);
         AskedValue asked{.edge = edge, .u = u.number()};
         if (!u.number()) {
             asked.place = u;
@@ -221,9 +222,9 @@ private:
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }
-    /// x of the point u, which is `from` in a ball.
-    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u, const Ball& from) {
-        return bounded(places_.x(edge, u, from), "given",
+    /// x of the point u, which is not outside.
+    [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u) {
+        return bounded(places_.x(edge, u), "given",
                        [&](ValueRoute& other) { return other.place(edge, u); });
     }
     template <class Instead>

@@ -144,3 +144,32 @@ TEST_CASE("FILE.part: neither a link nor a file of the user's is taken") {
     CHECK(run(folder, "table recipe.toml --out t.csv").code == 0);
     CHECK_FALSE(fs::exists(folder.path() / "t.csv.part"));
 }
+
+TEST_CASE("bad input makes no folder for what would have been written; good input makes it") {
+    const Folder folder;
+    folder.write("bad.toml", "[profile]\nkind = \"none\"\n");
+    folder.write("bad.csv", "id,value\nx,\n");
+    folder.write("good.toml", output_scene);
+    folder.write("recipe.toml", output_recipe);
+    const std::size_t before = folder.files();
+    for (const char* command :
+         {"pressure bad.toml --out new/x.csv", "expand bad.toml --out new/x.csv",
+          "extent bad.toml --out new/x.csv", "extent bad.toml --figure new/x.svg",
+          "slip bad.toml --out new/x.csv", "plot bad.toml --out new/x.svg",
+          "design bad.toml --out new/x.csv", "design bad.toml --figure new/x.svg",
+          "table bad.toml --out new/x.csv", "points bad.toml --out new/x.csv",
+          "compare good.toml bad.csv --html new/x.html",
+          "compare good.toml bad.csv --junit new/x.xml",
+          "check recipe.toml bad.csv --junit new/x.xml",
+          "check recipe.toml bad.csv --figure new/x.svg", "verify bad.toml --out new/x",
+          "mutate bad.toml --out new/x.csv", "certify bad.toml --out new/x"}) {
+        CAPTURE(command);
+        CHECK(run(folder, command).code == 2);
+        CHECK(folder.files() == before);
+    }
+    CHECK(run(folder, "pressure good.toml --out new/x.csv").code == 0);
+    CHECK(run(folder, "table recipe.toml --out newer/deep/x.csv").code == 0);
+    CHECK(fs::exists(folder.path() / "new" / "x.csv"));
+    CHECK(fs::exists(folder.path() / "newer" / "deep" / "x.csv"));
+    CHECK(folder.files() == before + 2);
+}

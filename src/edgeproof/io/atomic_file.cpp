@@ -154,6 +154,8 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
         }
         return;
     }
+    std::error_code told_below;
+    std::filesystem::create_directories(folder_of(target_.path), told_below);
     remove_left_over(target_.path);
     fd_ = open_unnamed(folder_of(target_.path));
     if (fd_ < 0) {

@@ -29,7 +29,8 @@ struct OutputTarget {
     [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
 };
 
-/// A file written in parts, seen by others only when it is whole: until then it has no name, or,
+/// A file written in parts, in a folder that is made where there is none, and seen by others only
+/// when it is whole: until then it has no name, or,
 /// where the file system knows no such files, one by the process ("t.csv.4711.tmp"). Throws
 /// InputError where it cannot be written, Interrupted where that was asked for; what was written is
 /// removed then, and where it is not committed. What runs that were killed left beside it under

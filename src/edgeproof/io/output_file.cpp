@@ -48,7 +48,7 @@ void check_output(const std::filesystem::path& file) {
     const OutputTarget target = OutputTarget::of(file);
     if (!target.special) {
         const auto folder = target.path.parent_path();
-        make_folder(folder.empty() ? std::filesystem::path(".") : folder);
+        check_folder(folder.empty() ? std::filesystem::path(".") : folder);
     } else if (target.descriptor < 0 && ::access(target.path.c_str(), W_OK) != 0) {
         cannot("write", file, errno);
     }

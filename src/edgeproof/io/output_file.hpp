@@ -5,7 +5,7 @@
 
 namespace edgeproof::io {
 
-/// Writes the text beside `file` and renames it: a reader sees the old file or the whole new one,
+/// Writes the text beside `file` and renames it (its folder is made where there is none): a reader sees the old file or the whole new one,
 /// whatever happens in between. Throws InputError where it cannot be written (the part written is
 /// removed), Interrupted where that was asked for.
 void write_whole(const std::filesystem::path& file, const std::string& text);
@@ -16,9 +16,9 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& text
 /// To the file, or for "-" to standard output.
 void write_output(const std::filesystem::path& file, const std::string& text);
 
-/// Makes the folder of a file that is to be written, where there is none. Throws InputError where
-/// the file could not be written: to be called before the work that it waits for. "-" is standard
-/// output, and an empty name none.
+/// Throws InputError where the file could not be written, as far as can be told beforehand: to be
+/// called before the work that it waits for. Makes nothing. "-" is standard output, and an empty
+/// name none.
 void check_output(const std::filesystem::path& file);
 
 /// Makes a folder (and those above it). Throws InputError where that cannot be done, or where

@@ -143,6 +143,9 @@ void TableInParts::help(unsigned threads, parallel::Processes& processes) const 
 }
 
 void TableInParts::open() {
+    if (file_.has_parent_path()) {
+        io::make_folder(file_.parent_path());
+    }
     part_.emplace(file_.string() + ".part", io::fnv1a(program_mark(), recipe_.fingerprint()),
                   recipe_.pieces());
 }

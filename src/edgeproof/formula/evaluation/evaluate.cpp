@@ -7,7 +7,8 @@ std::string inside(const std::string& what, const Expr& part) {
     constexpr std::size_t longest = 60;
     std::string text = to_text(part);
     if (text.size() > longest) {
-        text = text.substr(0, longest) + "...";
+        text.resize(longest);
+        text += "...";
     }
     return what + " in " + text;
 }

@@ -56,7 +56,29 @@ struct Drawn {
 
 constexpr int drawn = 20'000;
 
+/// x x - the binary64 nearest to it: 0 as it is written, not where the compiler joins the product
+/// with the difference in one instruction.
+#if defined(__x86_64__) && defined(__GNUC__)
+[[gnu::target("fma")]]
+#endif
+double
+rest_of_square(double x, double rounded) {
+    return x * x - rounded;
+}
+
 } // namespace
+
+TEST_CASE("products are not joined with sums, on a processor that could") {
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("fma") == 0) {
+        return;
+    }
+#endif
+    // Its square has 61 bits. (Volatile: not worked out by the compiler.)
+    const volatile double x = 1 + 0x1p-30;
+    CHECK(rest_of_square(x, 1 + 0x1p-29) == 0);
+    CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
+}
 
 TEST_CASE("sums, products, quotients and roots of double words hold those of all their numbers") {
     Drawn draw;

@@ -18,7 +18,7 @@ namespace edgeproof {
 ///
 /// Holds where nothing underflows or overflows (callers keep numbers, if they are not 0, between
 /// 2^-900 and 2^900), numbers are rounded to nearest, and the compiler joins no product with a sum:
-/// a source that uses them is compiled with -ffp-contract=off.
+/// edgeproof::precision has every source that links it compiled with -ffp-contract=off.
 struct DoubleWord {
     double high = 0;
     double low = 0;

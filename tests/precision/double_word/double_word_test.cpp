@@ -80,6 +80,19 @@ TEST_CASE("products are not joined with sums, on a processor that could") {
     CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
 }
 
+TEST_CASE("the root of a double word that is not told from zero holds those of its numbers") {
+    Drawn draw;
+    for (int i = 0; i < 1000; ++i) {
+        DoubleWord x = draw.word(60);
+        x.radius = std::fabs(x.high) * (1 + static_cast<double>(draw.dice.below(9)));
+        const DoubleWord root = sqrt_from_zero(x);
+        CHECK(holds(root, Ball(0, word_bits)));
+        CHECK(holds(root, sqrt(inside(x, 1))));
+        CHECK(root.radius < 2 * std::sqrt(10 * std::fabs(x.high)));
+    }
+    CHECK(sqrt_from_zero({4, 0, 0}).high == 2);
+}
+
 TEST_CASE("sums, products, quotients and roots of double words hold those of all their numbers") {
     Drawn draw;
     for (int i = 0; i < drawn; ++i) {

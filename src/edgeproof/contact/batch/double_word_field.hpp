@@ -37,6 +37,7 @@ struct DoubleWordMark {
 struct DoubleWordPlace {
     DoubleWord right;
     DoubleWord left;
+    bool moved = false;
 
     DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
         : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
@@ -51,12 +52,17 @@ struct DoubleWordPlace {
     }
     /// For a place that may be on an edge or beyond it: on it, or inside.
     void move_inside() {
+        moved = true;
         for (DoubleWord* distance : {&right, &left}) {
             if (!double_word::well_known(*distance)) {
                 const double most = double_word::most(*distance);
                 *distance = {most, 0, most};
             }
         }
+    }
+    /// The root of a number that is 0 on the edges alone.
+    [[nodiscard]] DoubleWord root(const DoubleWord& y) const {
+        return moved ? sqrt_from_zero(y) : sqrt(y);
     }
 };
 

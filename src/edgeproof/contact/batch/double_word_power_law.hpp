@@ -28,7 +28,7 @@ public:
             return double_word::unknown();
         }
         const DoubleWord y = x.right * x.left * inverse_ * inverse_;
-        const DoubleWord root = sqrt_from_zero(y);
+        const DoubleWord root = x.root(y);
         const DoubleWord q = abs(apex_.offset(edge, u)) * inverse_;
         const DoubleWord square = q * q;
         DoubleWord I = lowest(y, root, q, square);

@@ -47,8 +47,7 @@ public:
 
     /// `at` without its checks.
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
-        const DoubleWordPlace x(length_, edge, u);
-        return x.known() ? formula(x, edge, u) : double_word::unknown();
+        return formula({length_, edge, u}, edge, u);
     }
     /// At a place of the contact.
     [[nodiscard]] DoubleWord formula(const DoubleWordPlace& x, Edge edge,

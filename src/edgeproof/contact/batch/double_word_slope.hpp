@@ -44,9 +44,10 @@ struct DoubleWordSlope {
     [[nodiscard]] const DoubleWord& rate_drop(std::size_t i) const { return knots[i].drop; }
 
     [[nodiscard]] DoubleWord logarithm(const DoubleWord& y) const {
-        return double_word::well_known(y) && y.high > smallest_excess
-                   ? log1p(y, *table)
-                   : double_word::about_zero(y); // ln(1 + y) <= y
+        if (!double_word::well_known(y) || !(y.high > smallest_excess)) [[unlikely]] {
+            return double_word::about_zero(y); // ln(1 + y) <= y
+        }
+        return log1p(y, *table);
     }
     /// `offset`: v - x, well known.
     [[nodiscard]] Green green(const Knot& knot, const DoubleWord& offset, const DoubleWordPlace& x,
@@ -64,7 +65,7 @@ struct DoubleWordSlope {
         if (!x.inside()) {
             return double_word::unknown();
         }
-        const DoubleWord w_x = sqrt_from_zero(x.right * x.left);
+        const DoubleWord w_x = x.root(x.right * x.left);
         bool on_corner = false;
         const DoubleWord sum = logarithmic_sum(
             *this, knots.size(), arc * w_x, [](std::size_t) { return true; },

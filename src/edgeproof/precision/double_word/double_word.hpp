@@ -117,8 +117,10 @@ struct ExactSum {
 }
 /// Of a number that is not negative, which x may not tell from zero.
 [[nodiscard]] inline DoubleWord sqrt_from_zero(const DoubleWord& x) {
-    return double_word::well_known(x) ? sqrt(x)
-                                      : DoubleWord{0, 0, 1.01 * std::sqrt(double_word::most(x))};
+    if (!double_word::well_known(x)) [[unlikely]] {
+        return {0, 0, 1.01 * std::sqrt(double_word::most(x))};
+    }
+    return sqrt(x);
 }
 [[nodiscard]] inline DoubleWord abs(const DoubleWord& x) { return x.high < 0 ? -x : x; }
 /// x 2^k, for a `power` that is 2^k.

@@ -250,9 +250,9 @@ Place drawn_place(SplitMix64& dice, const Contact& contact) {
     }
     const double inset = contact.insets[dice.below(contact.insets.size())];
     // Into the contact, to the far side of the knot or to the near one.
-    // Inside, where the inset is all of the length but for less than its last bit.
-    const double at =
-        std::min(edge == Edge::right ? inset : length - inset, std::nextafter(length, 0.0));
+    // Inside, where the knot is closer to an edge than the last bit of the length.
+    const double at = std::clamp(edge == Edge::right ? inset : length - inset, 0x1p-100 * length,
+                                 std::nextafter(length, 0.0));
     const bool far = dice.below(2) == 0;
     const double step = (far ? length - at : at) * std::pow(10.0, -18 * uniform(dice));
     return {edge, far ? at + step : at - step, where};

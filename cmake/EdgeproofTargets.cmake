@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What every target of this build shares, and no installed target passes on.
+# What every target of this build shares, and no installed target passes on (but -ffp-contract=off,
+# which edgeproof_precision does).
 function(edgeproof_own_flags target)
     target_compile_features(${target} PRIVATE cxx_std_20)
     # GNU extensions: Boost offers __float128 only with them.
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
+    # Double words rest on each product and sum being rounded by itself. In every source: of an
+    # inline function the linker keeps anyone's copy.
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
     # GCC 12 warns of copies in std::string, inlined, that cannot overlap or overrun (its bugs
     # 105651, 105329 and the like). The alarm comes and goes with inlining; the sanitizers watch
     # instead.

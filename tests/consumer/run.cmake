@@ -22,7 +22,11 @@ file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
 run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
     -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
-    -D CMAKE_PREFIX_PATH=${WORK}/installed)
+    -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+file(READ ${WORK}/build/compile_commands.json commands)
+if(NOT commands MATCHES " -ffp-contract=off ")
+    message(FATAL_ERROR "what double words rest on is not passed on: ${commands}")
+endif()
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 
 execute_process(COMMAND ${WORK}/build/consumer OUTPUT_VARIABLE printed RESULT_VARIABLE status)

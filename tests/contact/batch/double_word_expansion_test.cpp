@@ -50,6 +50,16 @@ TEST_CASE("sums of terms and their relative errors in double words: Hertz's, by 
     }
 }
 
+TEST_CASE("on a corner, where p is infinite, the relative error in double words is 1") {
+    const Profile wedge = Profile::power_law(expansion_number("1"), expansion_number("0"));
+    const BallContact contact(wedge, expansion_number("1"), Load::right_edge(expansion_number("1")),
+                              DoubleWordPressure::contact_bits);
+    const DoubleWordRelativeError error(wedge, contact, Edge::right, 2);
+    CHECK(error.nearest(1.0) == 1.0);
+    CHECK(error.nearest(std::nextafter(1.0, 0.0)) < 0.99);
+    CHECK_FALSE(error.nearest(2.0));
+}
+
 TEST_CASE("the relative error in double words on both sides of where its series ends") {
     const Profile profile =
         Profile::flat_and_rounded(expansion_number("1/2"), expansion_number("30"));

@@ -65,6 +65,72 @@ TEST_CASE("q in partial slip in double words: that of the route in Real, stuck a
     }
 }
 
+TEST_CASE("q of a wedge in partial slip in double words: at its apex and at the stick zone's edge, "
+          "by hand") {
+    // p = (1/pi) arcosh(1/|x|), P = 1. With Q = f P/2 the stick zone ends at 1/2, p* is the
+    // pressure of x/(1/2), and p - p* at the apex is (ln 2)/pi.
+    const Profile wedge = Profile::power_law(traction_number("1"), traction_number("0"));
+    const BallContact contact(wedge, traction_number("1"), Load::right_edge(traction_number("1")),
+                              word_bits);
+    const auto zones = closed_form_zones(contact);
+    const Ball friction(Rational(1, 3), word_bits);
+    const BallSlip balls(contact, *zones, contact.force(),
+                         {Ball(Rational(1, 6), word_bits), Ball(0, word_bits)}, friction);
+    const DoubleWordShear words =
+        DoubleWordShear::partial_slip(wedge, contact, balls.stick(), friction);
+    const PrecisionScope scope(160);
+    const auto by_hand = [](double u) {
+        const Real x = abs(Real(1 - Real(u)));
+        const auto arcosh = [](const Real& y) {
+            return y > 1 ? Real(log(Real(y + sqrt(Real(y * y - 1))))) : Real(0);
+        };
+        const Real q = x == 0 ? log(Real(2)) : Real(arcosh(1 / x) - arcosh(1 / (2 * x)));
+        return Real(q / (3 * pi<Real>())).convert_to<double>();
+    };
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        for (const double u :
+             {1e-50, 0.2, std::nextafter(0.5, 0.0), 0.5, std::nextafter(0.5, 1.0), 0.500001, 0.7,
+              std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0), 1.5, 1.75}) {
+            CAPTURE(u);
+            CHECK(words.nearest(edge, u) == by_hand(u));
+        }
+    }
+}
+
+TEST_CASE("q in partial slip in double words keeps its digits where the stick zone is all but the "
+          "contact") {
+    struct Case {
+        const char* name;
+        Profile profile;
+    };
+    for (const auto& [name, profile] :
+         {Case{"Hertz", Profile::power_law(traction_number("1"), traction_number("1"))},
+          Case{"flat and rounded",
+               Profile::flat_and_rounded(traction_number("1/2"), traction_number("3"))},
+          Case{"tilted wedge",
+               Profile::tilted_wedge(traction_number("1/5"), traction_number("1/20"))}}) {
+        CAPTURE(name);
+        const Load load = Load::right_edge(traction_number("1"));
+        const BallContact contact(profile, traction_number("1"), load, word_bits);
+        const NormalContact normal(profile, traction_number("1"), load, 60);
+        const ShearSpec spec{traction_number("1e-13"), traction_number("0"),
+                             LoadingPath::normal_first, traction_number("1/2")};
+        const PartialSlip slip(normal, spec);
+        const auto zones = closed_form_zones(contact);
+        const BallSlip balls(contact, *zones, contact.force(),
+                             {Ball(Rational(1, 10'000'000'000'000), word_bits), Ball(0, word_bits)},
+                             Ball(Rational(1, 2), word_bits));
+        const DoubleWordShear words = DoubleWordShear::partial_slip(
+            profile, contact, balls.stick(), Ball(Rational(1, 2), word_bits));
+        for (const double u : {1e-20, 1e-13, 1e-12, 1e-9, 0.01, 0.3, 0.5, 0.50001, 0.9, 0.999}) {
+            CAPTURE(u);
+            const PrecisionScope scope(60);
+            CHECK(words.nearest(Edge::right, u) ==
+                  slip.traction(Edge::right, Exact::of(Rational(u))).convert_to<double>());
+        }
+    }
+}
+
 TEST_CASE("q similar to p in double words is Q/P times p") {
     const Profile profile = Profile::power_law(traction_number("2"), traction_number("1"));
     const BallContact contact(profile, traction_number("1"), Load::right_edge(traction_number("1")),

@@ -56,7 +56,42 @@ struct Drawn {
 
 constexpr int drawn = 20'000;
 
+/// x x - the binary64 nearest to it: 0 as it is written, not where the compiler joins the product
+/// with the difference in one instruction.
+#if defined(__x86_64__) && defined(__GNUC__)
+[[gnu::target("fma")]]
+#endif
+double
+rest_of_square(double x, double rounded) {
+    return x * x - rounded;
+}
+
 } // namespace
+
+TEST_CASE("products are not joined with sums, on a processor that could") {
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("fma") == 0) {
+        return;
+    }
+#endif
+    // Its square has 61 bits. (Volatile: not worked out by the compiler.)
+    const volatile double x = 1 + 0x1p-30;
+    CHECK(rest_of_square(x, 1 + 0x1p-29) == 0);
+    CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
+}
+
+TEST_CASE("the root of a double word that is not told from zero holds those of its numbers") {
+    Drawn draw;
+    for (int i = 0; i < 1000; ++i) {
+        DoubleWord x = draw.word(60);
+        x.radius = std::fabs(x.high) * (1 + static_cast<double>(draw.dice.below(9)));
+        const DoubleWord root = sqrt_from_zero(x);
+        CHECK(holds(root, Ball(0, word_bits)));
+        CHECK(holds(root, sqrt(inside(x, 1))));
+        CHECK(root.radius < 2 * std::sqrt(10 * std::fabs(x.high)));
+    }
+    CHECK(sqrt_from_zero({4, 0, 0}).high == 2);
+}
 
 TEST_CASE("sums, products, quotients and roots of double words hold those of all their numbers") {
     Drawn draw;

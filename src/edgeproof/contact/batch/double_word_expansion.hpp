@@ -27,9 +27,8 @@ public:
     /// `at` without its checks.
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
         const DoubleWordPlace x(length_, edge, u);
-        return x.inside() && double_word::well_known(x.right) && double_word::well_known(x.left)
-                   ? sqrt(u) * polynomial(c_, scaled(u, per_unit_))
-                   : double_word::unknown();
+        return x.inside() && x.known() ? sqrt(u) * polynomial(c_, scaled(u, per_unit_))
+                                       : double_word::unknown();
     }
     [[nodiscard]] static DoubleWord polynomial(const std::vector<DoubleWord>& c,
                                                const DoubleWord& z) {
@@ -51,8 +50,9 @@ private:
     DoubleWordKernel<DoubleWordSum>::Function kernel_;
 };
 
-/// |1 - p_n/p|, in the same way. Near the edge, where p - p_n cancels, it is the sum of the terms
-/// that follow, and the rest of them is bounded by the expansion's majorant.
+/// |1 - p_n/p|, in the same way; 1 on a corner, where p is infinite. Near the edge, where p - p_n
+/// cancels, it is the sum of the terms that follow, and the rest of them is bounded by the
+/// expansion's majorant.
 class DoubleWordRelativeError {
 public:
     /// Of a contact that DoubleWordPressure takes.
@@ -68,6 +68,9 @@ public:
     }
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
         const DoubleWord p = pressure_.formula(edge, u);
+        if (std::isinf(p.high)) { // exactly on a corner
+            return {1, 0, 0};
+        }
         if (!double_word::well_known(p)) {
             return double_word::unknown();
         }

@@ -24,22 +24,45 @@ template <> struct Field<DoubleWord> {
     }
 };
 
-/// A place by its distances from both edges.
-struct DoubleWordPlace {
-    DoubleWord right;
-    DoubleWord left;
-
-    DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
-        : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
-    [[nodiscard]] bool inside() const { return right.high > 0 && left.high > 0; }
-};
-
 /// v - x of a point v, by its distances from the edges.
 struct DoubleWordMark {
     PreciseWord inset;  ///< a - v
     PreciseWord outset; ///< v + b
     [[nodiscard]] DoubleWord offset(Edge edge, const DoubleWord& u) const {
         return edge == Edge::right ? u - inset : outset - u;
+    }
+};
+
+/// A place by its distances from both edges.
+struct DoubleWordPlace {
+    DoubleWord right;
+    DoubleWord left;
+    bool moved = false;
+
+    DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
+        : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
+    /// Between two points of the contact, the right one first.
+    DoubleWordPlace(const DoubleWordMark& a, const DoubleWordMark& b, Edge edge,
+                    const DoubleWord& u)
+        : right(a.offset(edge, u)), left(-b.offset(edge, u)) {}
+    [[nodiscard]] bool inside() const { return right.high > 0 && left.high > 0; }
+    /// Told from both edges.
+    [[nodiscard]] bool known() const {
+        return double_word::well_known(right) && double_word::well_known(left);
+    }
+    /// For a place that may be on an edge or beyond it: on it, or inside.
+    void move_inside() {
+        moved = true;
+        for (DoubleWord* distance : {&right, &left}) {
+            if (!double_word::well_known(*distance)) {
+                const double most = double_word::most(*distance);
+                *distance = {most, 0, most};
+            }
+        }
+    }
+    /// The root of a number that is 0 on the edges alone.
+    [[nodiscard]] DoubleWord root(const DoubleWord& y) const {
+        return moved ? sqrt_from_zero(y) : sqrt(y);
     }
 };
 

@@ -28,7 +28,7 @@ public:
             return double_word::unknown();
         }
         const DoubleWord y = x.right * x.left * inverse_ * inverse_;
-        const DoubleWord root = sqrt(y);
+        const DoubleWord root = x.root(y);
         const DoubleWord q = abs(apex_.offset(edge, u)) * inverse_;
         const DoubleWord square = q * q;
         DoubleWord I = lowest(y, root, q, square);
@@ -74,7 +74,7 @@ private:
             return double_word::well_known(excess) && excess.high < farthest &&
                            excess.high > 1 / farthest
                        ? log1p(excess, *table_)
-                       : double_word::unknown();
+                       : double_word::about_zero(excess); // ln(1 + y) <= y
         }
         if (y.high <= 0.5) {
             return root * series_->edge(y);

@@ -37,6 +37,7 @@ DoubleWordSlope slope_of(const Profile& profile, const BallContact& contact,
         }
         const Mark<Ball>& mark = contact.knot_marks()[i];
         DoubleWordSlope::Knot knot{
+            i,
             {to_precise_word(distance_of_knot(profile, whole, Edge::right, i)),
              to_precise_word(distance_of_knot(profile, whole, Edge::left, i))},
             {to_double_word(mark.right), to_double_word(mark.left), {}, to_double_word(mark.w), {}},

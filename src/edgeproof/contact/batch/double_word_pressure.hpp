@@ -49,11 +49,15 @@ public:
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
         return formula({length_, edge, u}, edge, u);
     }
+    /// At a place of the contact.
     [[nodiscard]] DoubleWord formula(const DoubleWordPlace& x, Edge edge,
                                      const DoubleWord& u) const {
-        const auto* slope = std::get_if<DoubleWordSlope>(&form_);
-        return slope != nullptr ? slope->pressure(x, edge, u)
-                                : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
+        return slope() != nullptr ? slope()->pressure(x, edge, u)
+                                  : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
+    }
+    /// Nothing of a power law.
+    [[nodiscard]] const DoubleWordSlope* slope() const {
+        return std::get_if<DoubleWordSlope>(&form_);
     }
     /// a + b.
     [[nodiscard]] const PreciseWord& length() const { return length_; }

@@ -27,15 +27,26 @@ DoubleWordShear DoubleWordShear::similar(DoubleWordPressure pressure, const Ball
 
 DoubleWordShear DoubleWordShear::partial_slip(const Profile& profile, const BallContact& contact,
                                               const BallZone& stick, const Ball& traction) {
+    const BallContact zone = contact.between(stick.a, stick.b);
+    const Ball right = contact.a() - stick.a;
+    const Ball left = contact.b() - stick.b;
     Slip form{{profile, contact},
-              {profile, contact.between(stick.a, stick.b), contact},
+              {profile, zone, contact},
               to_double_word(traction),
-              to_precise_word(contact.a() - stick.a),
-              to_precise_word(contact.b() - stick.b)};
-    const bool in_range = form.pressure.in_range() && form.stick.in_range() &&
-                          in_double_words_as_constant(form.friction) &&
-                          in_double_words_as_constant(form.right.first) &&
-                          in_double_words_as_constant(form.left.first);
+              {to_precise_word(right), to_precise_word(contact.b() + stick.a)},
+              {to_precise_word(contact.a() + stick.b), to_precise_word(left)},
+              {to_double_word(right), to_double_word(left), {}}};
+    if (contact.piecewise_linear()) {
+        form.zones.arc = to_double_word(contact.arc() - zone.arc());
+    }
+    // The arcs of a parabola are the same: their difference is known as little more than 0.
+    bool in_range = form.pressure.in_range() && form.stick.in_range() &&
+                    in_double_words_as_constant(form.friction) &&
+                    double_word::most(form.zones.arc) < 0x1p100;
+    for (const DoubleWordMark& mark : {form.right, form.left}) {
+        in_range = in_range && in_double_words_as_constant(mark.inset.first) &&
+                   in_double_words_as_constant(mark.outset.first);
+    }
     return {std::move(form), in_range};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/batch/double_word_pressure.hpp"
+#include "edgeproof/contact/batch/double_word_slip.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 
@@ -12,8 +13,8 @@ namespace edgeproof::contact {
 
 /// q, correctly rounded to binary64, in double words as the pressure is: under full stick
 /// (law/shear.hpp), similar to p (Q and P grow together), or in partial slip, f (p - p*)
-/// (enclosure/ball_slip.hpp). Undecided where the ball has to decide, as beside an edge of the
-/// stick zone. Immutable: many threads may use one object.
+/// (slip/ball_slip.hpp); on a corner of the stick zone, where p and p* are infinite, its limit.
+/// Undecided where the ball has to decide. Immutable: many threads may use one object.
 class DoubleWordShear {
 public:
     [[nodiscard]] static DoubleWordShear full_stick(const BallContact& contact,
@@ -66,18 +67,26 @@ private:
         DoubleWordPressure pressure;
         DoubleWordPressure stick; ///< p*
         DoubleWord friction;
-        PreciseWord right; ///< of the slip zones
-        PreciseWord left;
+        DoubleWordMark right; ///< of the stick zone's edges
+        DoubleWordMark left;
+        DoubleWordSlip zones;
 
         [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
-            const DoubleWord p = pressure.formula(edge, u);
-            const DoubleWord depth = u - (edge == Edge::right ? right : left);
-            const DoubleWordPlace x(stick.length(), edge, depth);
-            if (!double_word::well_known(x.right) || !double_word::well_known(x.left)) {
-                return double_word::unknown();
+            DoubleWordPlace x(right, left, edge, u);
+            if (!x.known()) { // on the stick zone's edge, or that close to it on either side
+                x.move_inside();
+                const DoubleWord inner =
+                    x.inside() ? double_word::about_zero(stick.formula(x, edge, u)) : DoubleWord{};
+                return friction * (pressure.formula(edge, u) - inner);
             }
-            // By a corner both are large: v - x is the same in them.
-            return x.inside() ? friction * (p - stick.formula(x, edge, u)) : times(friction, p);
+            if (!x.inside()) {
+                return times(friction, pressure.formula(edge, u));
+            }
+            if (pressure.slope() == nullptr) {
+                return friction * (pressure.formula(edge, u) - stick.formula(x, edge, u));
+            }
+            return friction * zones.difference(*pressure.slope(), *stick.slope(),
+                                               {pressure.length(), edge, u}, x, edge, u);
         }
     };
     using Form = std::variant<FullStick, Similar, Slip>;

@@ -12,6 +12,7 @@ namespace edgeproof::contact {
 /// p of a piecewise linear slope: the formula of law/logarithmic_pressure.hpp.
 struct DoubleWordSlope {
     struct Knot {
+        std::size_t index; ///< in the profile
         DoubleWordMark at;
         Mark<DoubleWord> mark;
         bool corner;
@@ -42,6 +43,21 @@ struct DoubleWordSlope {
     [[nodiscard]] const DoubleWord& jump(std::size_t i) const { return knots[i].jump; }
     [[nodiscard]] const DoubleWord& rate_drop(std::size_t i) const { return knots[i].drop; }
 
+    [[nodiscard]] DoubleWord logarithm(const DoubleWord& y) const {
+        if (!double_word::well_known(y) || !(y.high > smallest_excess)) [[unlikely]] {
+            return double_word::about_zero(y); // ln(1 + y) <= y
+        }
+        return log1p(y, *table);
+    }
+    /// `offset`: v - x, well known.
+    [[nodiscard]] Green green(const Knot& knot, const DoubleWord& offset, const DoubleWordPlace& x,
+                              const DoubleWord& w_x) const {
+        const DoubleWord excess =
+            green_excess(knot.mark, x.right, x.left, w_x, offset.high > 0 ? 1 : -1);
+        const DoubleWord G = logarithm(excess / (width * abs(offset)));
+        return {G, offset * G};
+    }
+
     /// At a place of the contact, which is u from the edge that the knots are counted from.
     /// Infinite exactly on a corner.
     [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
@@ -49,7 +65,7 @@ struct DoubleWordSlope {
         if (!x.inside()) {
             return double_word::unknown();
         }
-        const DoubleWord w_x = sqrt(x.right * x.left);
+        const DoubleWord w_x = x.root(x.right * x.left);
         bool on_corner = false;
         const DoubleWord sum = logarithmic_sum(
             *this, knots.size(), arc * w_x, [](std::size_t) { return true; },
@@ -61,14 +77,7 @@ struct DoubleWordSlope {
                         on_corner || (knot.corner && offset.high == 0 && offset.radius == 0);
                     return Green{double_word::unknown(), moment_beside(offset)};
                 }
-                const DoubleWord excess =
-                    green_excess(knot.mark, x.right, x.left, w_x, offset.high > 0 ? 1 : -1);
-                const DoubleWord y = excess / (width * abs(offset));
-                if (!double_word::well_known(y) || !(y.high > smallest_excess)) {
-                    return Green{double_word::unknown(), double_word::unknown()};
-                }
-                const DoubleWord G = log1p(y, *table);
-                return Green{G, offset * G};
+                return green(knot, offset, x, w_x);
             });
         if (on_corner) {
             return {std::numeric_limits<double>::infinity(), 0, 0};

@@ -18,7 +18,7 @@ namespace edgeproof {
 ///
 /// Holds where nothing underflows or overflows (callers keep numbers, if they are not 0, between
 /// 2^-900 and 2^900), numbers are rounded to nearest, and the compiler joins no product with a sum:
-/// a source that uses them is compiled with -ffp-contract=off.
+/// edgeproof::precision has every source that links it compiled with -ffp-contract=off.
 struct DoubleWord {
     double high = 0;
     double low = 0;
@@ -53,6 +53,12 @@ struct ExactSum {
 [[nodiscard]] inline DoubleWord unknown() {
     return {1, 0, std::numeric_limits<double>::infinity()};
 }
+/// At least the size of all numbers of x.
+[[nodiscard]] inline double most(const DoubleWord& x) {
+    return 1.01 * (std::fabs(x.high) + x.radius);
+}
+/// 0, as far as is known: all numbers between 0 and those of x, on either side.
+[[nodiscard]] inline DoubleWord about_zero(const DoubleWord& x) { return {0, 0, most(x)}; }
 
 } // namespace double_word
 
@@ -108,6 +114,13 @@ struct ExactSum {
     DoubleWord z = double_word::ordered_sum(high, rest / (2 * high), 0);
     z.radius = 0.502 * (x.radius / high) + 5 * double_word::unit * high;
     return z;
+}
+/// Of a number that is not negative, which x may not tell from zero.
+[[nodiscard]] inline DoubleWord sqrt_from_zero(const DoubleWord& x) {
+    if (!double_word::well_known(x)) [[unlikely]] {
+        return {0, 0, 1.01 * std::sqrt(double_word::most(x))};
+    }
+    return sqrt(x);
 }
 [[nodiscard]] inline DoubleWord abs(const DoubleWord& x) { return x.high < 0 ? -x : x; }
 /// x 2^k, for a `power` that is 2^k.

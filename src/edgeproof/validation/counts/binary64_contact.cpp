@@ -65,6 +65,15 @@ contact::ShearLoad<Ball> slip_load(const BallContact& contact, const Rational& r
     return {contact.force() * Ball(ratio, bits) / friction_denominator, Ball(0, bits)};
 }
 
+/// |Q|/(f P), from 9/10 to 1e-10: near 0 the stick zone is all but the contact.
+Rational drawn_ratio(SplitMix64& dice) {
+    Rational ratio(1 + static_cast<long>(dice.below(9)), 10);
+    for (std::size_t zeros = dice.below(10); zeros > 0; --zeros) {
+        ratio /= 10;
+    }
+    return ratio;
+}
+
 /// The slip of a contact, with what it refers to.
 struct Slipping {
     std::unique_ptr<BallContact> contact;
@@ -84,8 +93,8 @@ public:
     Contact(const Drawn& drawn, SplitMix64& dice)
         : drawn_(drawn), words_(drawn.at(contact::DoubleWordPressure::contact_bits)),
           balls_(drawn.at(reference_bits)), fine_(drawn.at(error_bits)),
-          ratio_(1 + static_cast<long>(dice.below(9)), 10),
-          load_{Rational(1 + static_cast<long>(dice.below(99)), 7), Rational(3, 7)},
+          ratio_(drawn_ratio(dice)), load_{Rational(1 + static_cast<long>(dice.below(99)), 7),
+                                           Rational(3, 7)},
           pressure_(drawn.profile, words_), length(number_of(words_.a() + words_.b())) {
         for (std::size_t i = 0; i < words_.slope().knots.size(); ++i) {
             if (!words_.piecewise_linear() || words_.bends_inside(i)) {
@@ -135,8 +144,8 @@ public:
         }
     }
 
-    [[nodiscard]] Ball ball(DrawnForm form, std::size_t n, Edge edge, double at) const {
-        const Ball u(Rational(at), reference_bits);
+    [[nodiscard]] Ball ball(DrawnForm form, std::size_t n, Edge edge, const Rational& at) const {
+        const Ball u(at, reference_bits);
         switch (form) {
         case DrawnForm::p:
             return balls_.pressure(edge, u);
@@ -152,10 +161,30 @@ public:
         case DrawnForm::relative_error:
             break;
         }
-        const Ball fine_u(Rational(at), error_bits);
+        const Ball fine_u(at, error_bits);
         return abs(1 - sum(fine_c_[index_of(edge)], n, fine_u) / fine_.pressure(edge, fine_u));
     }
 
+    /// Whether `value` is the limit on a corner, where no ball of p is finite: of q in a stick zone
+    /// what it is on both sides, 2^-128 away.
+    [[nodiscard]] bool is_limit(DrawnForm form, Edge edge, double u, double value) const {
+        if (!on_corner(edge, u)) {
+            return false;
+        }
+        if (form == DrawnForm::relative_error) {
+            return value == 1;
+        }
+        if (form != DrawnForm::partial_slip ||
+            slip_->slip->state(edge, Ball(Rational(u), reference_bits)) ==
+                contact::SlipState::slip) {
+            return std::isinf(value);
+        }
+        const Rational step = Rational(u) * Rational(0x1p-128);
+        return nearest_binary64(ball(form, 0, edge, Rational(u) - step)) == value &&
+               nearest_binary64(ball(form, 0, edge, Rational(u) + step)) == value;
+    }
+
+private:
     /// By exact algebra.
     [[nodiscard]] bool on_corner(Edge edge, double u) const {
         const auto& end = balls_.known(edge);
@@ -170,8 +199,6 @@ public:
         }
         return false;
     }
-
-private:
     [[nodiscard]] contact::ShearLoad<Ball> load(long bits) const {
         return {Ball(load_.Q, bits), Ball(load_.bulk_tension, bits)};
     }
@@ -223,7 +250,9 @@ Place drawn_place(SplitMix64& dice, const Contact& contact) {
     }
     const double inset = contact.insets[dice.below(contact.insets.size())];
     // Into the contact, to the far side of the knot or to the near one.
-    const double at = edge == Edge::right ? inset : length - inset;
+    // Inside, where the knot is closer to an edge than the last bit of the length.
+    const double at = std::clamp(edge == Edge::right ? inset : length - inset, 0x1p-100 * length,
+                                 std::nextafter(length, 0.0));
     const bool far = dice.below(2) == 0;
     const double step = (far ? length - at : at) * std::pow(10.0, -18 * uniform(dice));
     return {edge, far ? at + step : at - step, where};
@@ -261,8 +290,8 @@ Binary64Contact count_binary64_contact(const Binary64Options& options, std::size
             ++cell.undecided;
             continue;
         }
-        const auto right = nearest_binary64(contact.ball(form, n, at.edge, at.u));
-        if (right != value && !(std::isinf(*value) && contact.on_corner(at.edge, at.u))) {
+        const auto right = nearest_binary64(contact.ball(form, n, at.edge, Rational(at.u)));
+        if (right != value && !contact.is_limit(form, at.edge, at.u, *value)) {
             ++cell.wrong;
             found.findings.push_back(fmt::format(
                 "{}\n{} (n = {}) at u = {:a} from the {} edge: {:a}, where a ball has {}",

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D SOURCE=<tree> -D WORK=<scratch> -D CXX=<compiler> -P warnings.cmake
+# cmake -D SOURCE=<tree> -D WORK=<scratch> -D CXX=<compiler> -P flags.cmake
 # A compiler newer than ours has warnings that we have not seen: they must not break what a user
 # builds. So -Werror stands in the commands of the preset `ci`, and in none of `release` nor of a
-# configuration without a preset; and each developer preset asks for it.
+# configuration without a preset; and each developer preset asks for it. -ffp-contract=off, which double
+# words rest on, stands in every command of all of them.
 function(compiled_with_werror result)
     file(REMOVE_RECURSE ${WORK}/build)
     execute_process(COMMAND ${CMAKE_COMMAND} ${ARGN} -G Ninja -B ${WORK}/build
@@ -14,6 +15,11 @@ function(compiled_with_werror result)
     endif()
     file(STRINGS ${WORK}/build/compile_commands.json commands REGEX "\"command\":")
     list(LENGTH commands all)
+    set(contracting ${commands})
+    list(FILTER contracting EXCLUDE REGEX " -ffp-contract=off ")
+    if(contracting)
+        message(FATAL_ERROR "cmake ${ARGN}: without -ffp-contract=off:\n${contracting}")
+    endif()
     list(FILTER commands INCLUDE REGEX " -Werror")
     list(LENGTH commands strict)
     if(all EQUAL 0)

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/batch/double_word_slope.hpp"
+
+#include <cstddef>
+
+namespace edgeproof::contact {
+
+/// p - p* of a piecewise linear slope in its stick zone, with no difference of the two in it: the
+/// sum over the knots with G - G* for G, which is ln(1 + t) of a t that has none
+/// (docs/double-words.md). So it keeps its digits where the stick zone is all but the contact, and
+/// on a corner, where p and p* are infinite, it is the limit.
+struct DoubleWordSlip {
+    DoubleWord right; ///< a - a*
+    DoubleWord left;  ///< b - b*
+    DoubleWord arc;   ///< what that of the contact is more than that of the stick zone
+
+    /// `X`: the place in the contact, `x` in the stick zone, inside and told from the edges of
+    /// both.
+    [[nodiscard]] DoubleWord difference(const DoubleWordSlope& whole, const DoubleWordSlope& stick,
+                                        const DoubleWordPlace& X, const DoubleWordPlace& x,
+                                        Edge edge, const DoubleWord& u) const {
+        const DoubleWord w_X = sqrt(X.right * X.left);
+        const DoubleWord w_x = sqrt(x.right * x.left);
+        const DoubleWord both = right * left;
+        const DoubleWord roots = (right * x.left + left * x.right + both) / (w_X + w_x);
+        const DoubleWord common = both * stick.width;
+        const DoubleWord widths = whole.width * stick.width;
+        std::size_t next = 0;
+        const DoubleWord sum = logarithmic_sum(
+            whole, whole.knots.size(), stick.arc * roots + arc * w_X,
+            [](std::size_t) { return true; },
+            [&](std::size_t i) {
+                const DoubleWordSlope::Knot& knot = whole.knots[i];
+                const DoubleWord offset = knot.at.offset(edge, u);
+                if (next == stick.knots.size() || stick.knots[next].index != knot.index) {
+                    return whole.green(knot, offset, X, w_X);
+                }
+                const Mark<DoubleWord>& V = knot.mark;
+                const Mark<DoubleWord>& v = stick.knots[next++].mark;
+                // What r_v l_x/D, and r_x l_v/D too, are more in the contact.
+                const DoubleWord gain =
+                    (right * x.left * v.left + left * x.right * v.right + common) / widths;
+                const DoubleWord mean =
+                    V.right * X.left / whole.width + x.right * v.left / stick.width;
+                const DoubleWord root = V.w * w_X / whole.width + v.w * w_x / stick.width;
+                DoubleWord inner =
+                    green_excess(v, x.right, x.left, w_x, offset.high > 0 ? 1 : -1) / stick.width;
+                if (!double_word::well_known(offset)) {
+                    inner.radius += 2 * double_word::most(offset); // the side is open
+                }
+                const DoubleWord t = scaled(gain + gain * mean / root, 2) / (abs(offset) + inner);
+                const DoubleWord K = whole.logarithm(t);
+                return DoubleWordSlope::Green{K, offset * K};
+            });
+        return sum * whole.factor;
+    }
+};
+
+} // namespace edgeproof::contact

@@ -72,8 +72,8 @@ TEST_CASE("a count in double words goes on from its state") {
                     InputError);
     wanted.seed = 7;
     CHECK_THROWS_AS((void)parse_binary64_state(kept, "state", wanted), InputError);
-    CHECK_THROWS_AS(
-        (void)parse_binary64_state("edgeproof bounds binary64, seed 7, values 20000\n0 1:2\nend\n",
-                                   "state", wanted),
-        InputError);
+    CHECK_THROWS_AS((void)parse_binary64_state(
+                        "edgeproof bounds binary64, draw 2, seed 7, values 20000\n0 1:2\nend\n",
+                        "state", wanted),
+                    InputError);
 }

@@ -9,7 +9,8 @@ namespace edgeproof::validation {
 namespace {
 
 std::string head(const Binary64State& s) {
-    return "edgeproof bounds binary64, seed " + std::to_string(s.seed) + ", values " +
+    // Another number where the same seed draws other values than before.
+    return "edgeproof bounds binary64, draw 2, seed " + std::to_string(s.seed) + ", values " +
            std::to_string(s.values);
 }
 

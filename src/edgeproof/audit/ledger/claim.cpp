@@ -34,17 +34,15 @@ std::string undotted(std::string_view text) {
     return plain;
 }
 
-formula::Expr with_parts(const formula::Expr& e, std::vector<formula::Expr> parts) {
-    return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
-}
-
 /// One round: every defined name replaced by its body.
 formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, bool& changed) {
     std::vector<formula::Expr> parts;
     parts.reserve(e.args().size());
+    bool inside = false;
     for (const formula::Expr& part : e.args()) {
-        parts.push_back(expand_once(part, vocabulary, changed));
+        parts.push_back(expand_once(part, vocabulary, inside));
     }
+    changed = changed || inside;
     if (e.kind() == formula::Expr::Kind::symbol || e.kind() == formula::Expr::Kind::call) {
         for (const auto& d : vocabulary.definitions) {
             if (d.name == e.name() &&
@@ -54,7 +52,7 @@ formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, 
             }
         }
     }
-    return with_parts(e, std::move(parts));
+    return inside ? formula::Expr::with_args(e, std::move(parts)) : e;
 }
 
 struct Operator {

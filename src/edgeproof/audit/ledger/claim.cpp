@@ -36,11 +36,16 @@ std::string undotted(std::string_view text) {
 
 /// One round: every defined name replaced by its body.
 formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, bool& changed) {
-    std::vector<formula::Expr> parts;
-    parts.reserve(e.args().size());
     bool inside = false;
-    for (const formula::Expr& part : e.args()) {
-        parts.push_back(expand_once(part, vocabulary, inside));
+    std::vector<formula::Expr> parts;
+    for (std::size_t i = 0; i < e.args().size(); ++i) {
+        formula::Expr part = expand_once(e.args()[i], vocabulary, inside);
+        if (inside && parts.empty()) {
+            parts.assign(e.args().begin(), e.args().end());
+        }
+        if (inside) {
+            parts[i] = std::move(part);
+        }
     }
     changed = changed || inside;
     if (e.kind() == formula::Expr::Kind::symbol || e.kind() == formula::Expr::Kind::call) {
@@ -48,7 +53,8 @@ formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, 
             if (d.name == e.name() &&
                 d.argument.has_value() == (e.kind() == formula::Expr::Kind::call)) {
                 changed = true;
-                return d.argument ? substitute(d.body, *d.argument, parts.at(0)) : d.body;
+                return d.argument ? substitute(d.body, *d.argument, inside ? parts.at(0) : e.arg(0))
+                                  : d.body;
             }
         }
     }

@@ -201,16 +201,18 @@ bool near_far_end(const Ball& y) {
 /// 15.6.1): every derivative by b is positive, so that values at both ends of b enclose those
 /// between.
 std::vector<Ball> edge_series(const Ball& y, const Ball& b, std::size_t count) {
+    thread_local EdgeSum sum;
     const auto at = [&](const Ball& end) {
+        if (const auto value = count == 1 ? sum(end, y) : std::nullopt) {
+            return std::vector<Ball>{*value};
+        }
         if (near_far_end(y)) {
             std::vector<Ball> f = series_by_far_end(end, y, count);
             if (f.back().is_finite()) {
                 return f;
             }
         }
-        thread_local EdgeSum sum;
-        const auto value = count == 1 ? sum(end, y) : std::nullopt;
-        return value ? std::vector<Ball>{*value} : series_by_b(end, y, 0, count);
+        return series_by_b(end, y, 0, count);
     };
     if (!y.is_finite() || !certainly_less(y, Ball(1, y.bits()))) {
         return std::vector<Ball>(count, unknown_ball(b.bits()));

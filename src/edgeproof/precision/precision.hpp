@@ -12,7 +12,7 @@
 ///   interval.hpp    Interval: from one end to another, where a sign at an end has to be kept
 ///   digits_right.hpp  how many digits of a number an enclosure shows to be right
 ///   arb_values.hpp  values of Arb's types that clear themselves
-///   elementary.hpp  the arc tangent and e^x - 1 of Real, by Arb
+///   elementary.hpp  the arc tangent, sinh x and e^x - 1 of Real, by Arb
 ///   bounded_cache.hpp  tables that are kept, and do not grow
 ///   instantiate.hpp  what is compiled for every arithmetic
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough

@@ -2,6 +2,7 @@
 #include "edgeproof/quadrature/root_ends.hpp"
 
 #include "edgeproof/precision/bounded_cache.hpp"
+#include "edgeproof/precision/elementary/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
@@ -119,11 +120,12 @@ Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_
     for (const MappedNode& node : *nodes) {
         const Real w = w_end * node.sine;
         const Real to_go = w_end * node.rest;
-        const Real s = sinh(w);
+        const Real s = hyperbolic_sine(w);
         const Real s_2 = s * s;
         const Real r = beyond * s_2;
         const Real rest =
-            to_go < w ? Real(beyond * sinh(to_go) * sinh(Real(w_end + w))) : Real(length - r);
+            to_go < w ? Real(beyond * hyperbolic_sine(to_go) * hyperbolic_sine(Real(w_end + w)))
+                      : Real(length - r);
         const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w
         sum.add(node.weight * both * f(r, rest));
     }

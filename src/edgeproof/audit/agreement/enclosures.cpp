@@ -27,6 +27,12 @@ struct Formulas {
     [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
 };
 
+/// One of the samples.
+struct Sampled {
+    const EvaluatedSamples& samples;
+    std::size_t index;
+};
+
 struct Pair {
     std::optional<Ball> printed;
     std::optional<Ball> exact;
@@ -47,10 +53,9 @@ std::optional<double> proved_digits(const Pair& pair) {
 
 /// Both formulas, and the scale, from one enclosed sample; false where there is no use in more
 /// bits.
-bool enclose(const EvaluatedSample& sample_at, const Formulas& formulas, long bits, unsigned aim,
-             Pair& pair) {
+bool enclose(const Sampled& at, const Formulas& formulas, long bits, unsigned aim, Pair& pair) {
     try {
-        const EnclosedSample sample(sample_at.sample, bits, aim);
+        const EnclosedSample& sample = at.samples.enclosed(at.index, bits, aim);
         Ball x = sample.evaluate(formulas.printed);
         Ball y = sample.evaluate(formulas.exact);
         std::optional<Ball> size;
@@ -75,12 +80,12 @@ bool enclose(const EvaluatedSample& sample_at, const Formulas& formulas, long bi
 }
 
 /// At more and more bits.
-Pair pair_at(const EvaluatedSample& sample_at, const Formulas& formulas, unsigned digits) {
+Pair pair_at(const Sampled& at, const Formulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
     const auto good = [&](const Ball& x) { return x.relative_accuracy_bits() >= needed; };
     for (long bits = 2 * needed; bits <= 8 * needed; bits *= 2) {
-        if (!enclose(sample_at, formulas, bits, digits, pair) ||
+        if (!enclose(at, formulas, bits, digits, pair) ||
             (pair.printed && good(*pair.printed) && good(*pair.exact))) {
             break;
         }
@@ -90,13 +95,12 @@ Pair pair_at(const EvaluatedSample& sample_at, const Formulas& formulas, unsigne
 
 /// Integrals come out as wide as they are told to: twice the bits for what is not enclosed, and
 /// once more digits where too many cancel.
-Pair pair_of_integrals(const EvaluatedSample& sample_at, const Formulas& formulas,
-                       unsigned digits) {
+Pair pair_of_integrals(const Sampled& at, const Formulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
     const unsigned aim = digits + spare_digits;
     for (long bits = 2 * needed; bits <= 4 * needed && !pair.printed; bits *= 2) {
-        if (!enclose(sample_at, formulas, bits, aim, pair)) {
+        if (!enclose(at, formulas, bits, aim, pair)) {
             return pair;
         }
     }
@@ -106,14 +110,14 @@ Pair pair_of_integrals(const EvaluatedSample& sample_at, const Formulas& formula
     const auto proved = proved_digits(pair);
     if (proved && *proved < std::min(enough_digits, digits - digits / 4)) {
         const auto missing = static_cast<unsigned>(std::clamp(aim - *proved, 0., 1. * digits));
-        enclose(sample_at, formulas, 4 * needed, aim + missing, pair);
+        enclose(at, formulas, 4 * needed, aim + missing, pair);
     }
     return pair;
 }
 
-Pair pair_for(const EvaluatedSample& sample_at, const Formulas& formulas, unsigned digits) {
-    return formulas.have_integrals() ? pair_of_integrals(sample_at, formulas, digits)
-                                     : pair_at(sample_at, formulas, digits);
+Pair pair_for(const Sampled& at, const Formulas& formulas, unsigned digits) {
+    return formulas.have_integrals() ? pair_of_integrals(at, formulas, digits)
+                                     : pair_at(at, formulas, digits);
 }
 
 Evidence both(const Pair& pair, const std::string& at, unsigned digits) {
@@ -148,7 +152,7 @@ void add_refutation(const Agreement& agreement, const EvaluatedSamples& samples_
         if (tried++ == (integrals ? tries_of_integrals : tries)) {
             break;
         }
-        const Pair pair = pair_for(samples_at.all()[i], formulas, digits);
+        const Pair pair = pair_for({samples_at, i}, formulas, digits);
         if (!pair.printed || !pair.exact) {
             problem = pair.problem;
             continue;
@@ -203,7 +207,7 @@ void add_confirmation(const Agreement& agreement, const EvaluatedSamples& sample
     std::optional<Evidence> worst;
     std::string problem = "the exact value is zero";
     for (const std::size_t i : chosen(agreement, formulas)) {
-        const Pair pair = pair_for(samples_at.all()[i], formulas, digits);
+        const Pair pair = pair_for({samples_at, i}, formulas, digits);
         if (!pair.printed || !pair.exact) {
             problem = pair.problem;
             if (count == 0) {

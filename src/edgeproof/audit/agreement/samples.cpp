@@ -208,6 +208,17 @@ FormulaValue EvaluatedSamples::known(const formula::Expr& e, std::size_t sample_
     return value;
 }
 
+const EnclosedSample& EvaluatedSamples::enclosed(std::size_t sample_at, long bits,
+                                                 unsigned integral_digits) const {
+    const std::tuple key(sample_at, bits, integral_digits);
+    const auto it = enclosed_.find(key);
+    return it != enclosed_.end() ? it->second
+                                 : enclosed_
+                                       .emplace(key, EnclosedSample(samples_at_[sample_at].sample,
+                                                                    bits, integral_digits))
+                                       .first->second;
+}
+
 SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr& printed,
                                              const formula::Expr& exact,
                                              const std::optional<formula::Expr>& scale) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/outcome.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -99,6 +102,9 @@ public:
                                     const std::optional<formula::Expr>& scale = std::nullopt);
     /// The value of a formula that many others are compared with, at a sample.
     [[nodiscard]] FormulaValue known(const formula::Expr& e, std::size_t sample_at);
+    /// A sample in balls.
+    [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample_at, long bits,
+                                                 unsigned integral_digits) const;
     /// The value of a formula at a sample.
     [[nodiscard]] FormulaValue value(const formula::Expr& e, std::size_t sample_at) {
         return samples_at_[sample_at].evaluate(e, &caches_[sample_at]);
@@ -111,6 +117,7 @@ private:
     std::vector<std::unique_ptr<EvaluatedScene>> scene_values_;
     std::vector<EvaluatedSample> samples_at_;
     std::vector<IntegralCache> caches_;
+    mutable std::map<std::tuple<std::size_t, long, unsigned>, EnclosedSample> enclosed_;
     std::size_t left_out_ = 0;
     unsigned digits_;
     const AuditContext& context_;

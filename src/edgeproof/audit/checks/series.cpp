@@ -43,13 +43,13 @@ FitInScene fit_scene(const SceneSpec& scene, contact::Edge edge,
     // The printed coefficients, to as many digits as the fit computes the pressure to.
     const auto enough = digits + static_cast<unsigned>(orders.size() * (options.points / 3 + 6));
     const EvaluatedScene scene_values(scene, enough);
+    // Of what is left no coefficient is claimed, only its order. First, as the terms ask for fewer.
+    const std::vector<Real> exact = scene_values.expansion(edge, orders.size());
     std::vector<Real> c;
     c.reserve(terms.size());
     for (const formula::Expr& term : terms) {
         c.push_back(scene_values.evaluate(term).value);
     }
-    // Of what is left no coefficient is claimed, only its order.
-    const std::vector<Real> exact = scene_values.expansion(edge, orders.size());
     c.insert(c.end(), exact.begin() + static_cast<std::ptrdiff_t>(c.size()), exact.end());
     const std::vector<OrderFit> fits =
         fit_residuals(scene.make_profile(), scene.parameter("Es"),

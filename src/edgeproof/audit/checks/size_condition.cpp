@@ -27,9 +27,8 @@ public:
             const std::string_view prefix = edge == contact::Edge::right ? "right_c" : "left_c";
             if (name.starts_with(prefix) && name.size() == prefix.size() + 1) {
                 const auto k = static_cast<std::size_t>(name.back() - '0');
-                const auto& c = contact_.coefficients(edge);
-                if (k < c.size()) {
-                    return c[k];
+                if (k < ContactsBySize::most_terms) {
+                    return contact_.coefficients(edge, k + 1)[k];
                 }
             }
         }

@@ -34,27 +34,36 @@ std::string undotted(std::string_view text) {
     return plain;
 }
 
-formula::Expr with_parts(const formula::Expr& e, std::vector<formula::Expr> parts) {
-    return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
+/// What a name stands for; nullptr where it stands for itself.
+const Vocabulary::Definition* definition_of(const formula::Expr& e, const Vocabulary& vocabulary) {
+    const bool call = e.kind() == formula::Expr::Kind::call;
+    if (!call && e.kind() != formula::Expr::Kind::symbol) {
+        return nullptr;
+    }
+    const auto it = std::find_if(
+        vocabulary.definitions.begin(), vocabulary.definitions.end(),
+        [&](const auto& d) { return d.argument.has_value() == call && d.name == e.name(); });
+    return it == vocabulary.definitions.end() ? nullptr : &*it;
+}
+
+bool holds_defined_name(const formula::Expr& e, const Vocabulary& vocabulary) {
+    return definition_of(e, vocabulary) != nullptr ||
+           std::any_of(e.args().begin(), e.args().end(), [&](const formula::Expr& part) {
+               return holds_defined_name(part, vocabulary);
+           });
 }
 
 /// One round: every defined name replaced by its body.
-formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary, bool& changed) {
+formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary) {
     std::vector<formula::Expr> parts;
     parts.reserve(e.args().size());
     for (const formula::Expr& part : e.args()) {
-        parts.push_back(expand_once(part, vocabulary, changed));
+        parts.push_back(expand_once(part, vocabulary));
     }
-    if (e.kind() == formula::Expr::Kind::symbol || e.kind() == formula::Expr::Kind::call) {
-        for (const auto& d : vocabulary.definitions) {
-            if (d.name == e.name() &&
-                d.argument.has_value() == (e.kind() == formula::Expr::Kind::call)) {
-                changed = true;
-                return d.argument ? substitute(d.body, *d.argument, parts.at(0)) : d.body;
-            }
-        }
+    if (const auto* d = definition_of(e, vocabulary)) {
+        return d->argument ? substitute(d->body, *d->argument, parts.at(0)) : d->body;
     }
-    return with_parts(e, std::move(parts));
+    return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
 }
 
 struct Operator {
@@ -112,11 +121,10 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
 formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocabulary) {
     formula::Expr result = e;
     for (int round = 0; round < 20; ++round) {
-        bool changed = false;
-        result = expand_once(result, vocabulary, changed);
-        if (!changed) {
+        if (!holds_defined_name(result, vocabulary)) {
             return result;
         }
+        result = expand_once(result, vocabulary);
     }
     throw InputError("the definitions refer to each other in a circle",
                      "define each name by names that do not need it");

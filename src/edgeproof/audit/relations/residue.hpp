@@ -45,7 +45,9 @@ public:
         __extension__ using Wide = unsigned __int128;
         const Wide product = static_cast<Wide>(value_) * o.value_;
         value_ = static_cast<std::uint64_t>(product & prime);
-        return *this += of(static_cast<std::uint64_t>(product >> 61U));
+        Residue high; // less than the prime, as both factors are
+        high.value_ = static_cast<std::uint64_t>(product >> 61U);
+        return *this += high;
     }
     /// Throws DomainError for o = 0.
     Residue& operator/=(Residue o) {

@@ -18,6 +18,7 @@ constexpr unsigned quadrature_guard = 20;
 constexpr unsigned screening_guard = 6;
 constexpr int screening_level = 6;
 constexpr long most_local_terms = 1000;
+constexpr std::size_t most_pressures = 4096; ///< that a scene keeps, for an edge
 
 /// The number behind a name such as P2 or right_c1.
 std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {
@@ -151,6 +152,21 @@ Place EvaluatedSceneState::place_of_x(const Real& x) const {
                         : Place{contact::Edge::left, left, x, {}};
 }
 
+Real EvaluatedSceneState::pressure_at_node(const Place& at) {
+    const PrecisionScope scope(contact.digits() + contact_guard);
+    const contact::Edge edge = profile.symmetric() ? contact::Edge::right : at.edge;
+    auto& known = pressures[index_of(edge)];
+    const Real u = at_working_precision(at.u);
+    if (const auto it = known.find(u); it != known.end()) {
+        return it->second;
+    }
+    Real p = contact.pressure(edge, u).value;
+    if (known.size() < most_pressures) {
+        known.emplace(u, p);
+    }
+    return p;
+}
+
 Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> args,
                                const Place* place) {
     const Real& s = args[0];
@@ -181,8 +197,10 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
         return level.right_edge_of(s);
     }
     if (name == "p") {
-        const Place at = at_place(s) ? *place : place_of_x(s);
-        return contact.pressure(at.edge, at.u).value;
+        if (at_place(s)) {
+            return contact.pressure(place->edge, place->u).value;
+        }
+        return pressure_at_node(place_of_x(s));
     }
     if (name == "q") {
         const Place at = at_place(s) ? *place : place_of_x(s);

@@ -42,6 +42,8 @@ struct EvaluatedSceneState {
     std::map<std::string, Real, std::less<>> derived; ///< P, P1, ... as they are asked for
     std::array<std::vector<Real>, 2> expansions;      ///< right, left
     std::map<unsigned, EvaluatedSceneLevel> levels;   ///< by digits
+    /// By the distance from the right edge and the left: integrals of p share their nodes.
+    std::array<std::map<Real, Real>, 2> pressures;
 
     /// At the working precision: far from their ends integrands need few digits, and everything
     /// that they are made of has to have as few, for that to be cheap.
@@ -53,6 +55,8 @@ struct EvaluatedSceneState {
     const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
     /// A name that is no parameter, place or variable; nullopt if unknown.
     std::optional<Real> derived_symbol(std::string_view name);
+    /// p at a node of an integral.
+    Real pressure_at_node(const Place& at);
     Real call(const std::string& name, std::span<const Real> args, const Place* place);
     /// Values of the argument of a function at which it is not analytic.
     std::vector<Real> critical_arguments(const std::string& function);

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/sample/formal_values.hpp"
 
 #include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::audit {
@@ -29,13 +30,19 @@ Rational drawn(const std::string& name, std::size_t draw) {
     return Rational(1, 10) + r * Rational(2, 5);
 }
 
-formula::Values<Real> as_environment(const Variables& values) {
-    formula::Values<Real> environment;
-    for (const auto& [name, value] : values) {
-        environment.set(name, value);
+/// The formula environment of names alone.
+struct Names {
+    const Variables& values;
+    [[nodiscard]] Real number(const Rational& q) const { return formula::number_of<Real>(q); }
+    [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
+    [[nodiscard]] const Real& symbol(std::string_view name) const {
+        const auto it = values.find(name);
+        if (it == values.end()) {
+            throw Error("'" + std::string(name) + "' has no value here");
+        }
+        return it->second;
     }
-    return environment;
-}
+};
 
 } // namespace
 
@@ -59,15 +66,15 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
     for (const auto& [name, q] : drawn_) {
         values_.emplace(name, from_rational<Real>(q));
     }
-    const formula::Values<Real> environment = as_environment(values_);
+    const Variables drawn_values = values_;
     for (const auto& [name, meaning] : meanings_) {
-        values_.insert_or_assign(name, formula::evaluate<Real>(meaning, environment));
+        values_.insert_or_assign(name, formula::evaluate<Real>(meaning, Names{drawn_values}));
     }
 }
 
 Real FormalValues::evaluate(const formula::Expr& e) const {
     const PrecisionScope scope(working_digits_);
-    return formula::evaluate<Real>(e, as_environment(values_));
+    return formula::evaluate<Real>(e, Names{values_});
 }
 
 Ball FormalValues::enclose(const formula::Expr& e, long bits) const {

@@ -4,6 +4,7 @@
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/series/laurent.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,13 +57,13 @@ public:
             return taylor(s - constant("a"), [&](unsigned k) { return b_coefficient(k); });
         }
         if (name == "binv") {
+            const L y = s - constant("b");
             std::vector<T> b;
-            for (unsigned k = 0; k < terms; ++k) {
+            for (unsigned k = 0; k < terms_in(y); ++k) {
                 b.push_back(k == 0 ? T(0) : b_coefficient(k));
             }
             const series::Series<T> inverse = revert(series::Series<T>(std::move(b)));
-            return taylor(s - constant("b"),
-                          [&](unsigned k) { return k == 0 ? field_.symbol("a") : inverse[k]; });
+            return taylor(y, [&](unsigned k) { return k == 0 ? field_.symbol("a") : inverse[k]; });
         }
         if (name == "p") {
             return pressure(s);
@@ -134,11 +135,18 @@ private:
         if (y.lowest() < 1) {
             throw DomainError("a function is expanded about another point than the edge");
         }
-        L sum(c(terms - 1), order_);
-        for (unsigned k = terms - 1; k-- > 0;) {
+        const unsigned count = terms_in(y);
+        L sum(c(count - 1), order_);
+        for (unsigned k = count - 1; k-- > 0;) {
             sum = sum * y + L(c(k), order_);
         }
-        return sum + unknown_from(static_cast<long>(terms) * y.lowest());
+        return sum + unknown_from(static_cast<long>(count) * y.lowest());
+    }
+    /// How many terms in powers of y show in the powers of w that are carried along.
+    [[nodiscard]] unsigned terms_in(const L& y) const {
+        const auto lowest = static_cast<std::size_t>(std::max(y.lowest(), 1L));
+        return static_cast<unsigned>(
+            std::clamp<std::size_t>((order_ + lowest - 1) / lowest, 2, terms));
     }
 
     [[nodiscard]] L pressure(const L& x) const {

@@ -51,6 +51,12 @@ Real arc_tangent(const Real& x) {
     return nearest(x, arb_atan, mpfr_atan, [](mpfr_srcptr, mpfr_prec_t) { return false; });
 }
 
+Real hyperbolic_sine(const Real& x) {
+    return nearest(x, arb_sinh, mpfr_sinh, [](mpfr_srcptr from, mpfr_prec_t) {
+        return mpfr_get_exp(from) > largest_exponent;
+    });
+}
+
 Real exp_less_one(const Real& x) {
     // Below -bits the result is -1 but for less than Arb's two precisions show.
     return nearest(x, arb_expm1, mpfr_expm1, [](mpfr_srcptr from, mpfr_prec_t bits) {

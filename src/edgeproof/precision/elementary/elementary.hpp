@@ -11,6 +11,8 @@ namespace edgeproof {
 
 /// atan x.
 [[nodiscard]] Real arc_tangent(const Real& x);
+/// sinh x.
+[[nodiscard]] Real hyperbolic_sine(const Real& x);
 /// e^x - 1.
 [[nodiscard]] Real exp_less_one(const Real& x);
 

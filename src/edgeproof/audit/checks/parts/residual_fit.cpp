@@ -56,7 +56,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
     const contact::NormalContact contact(profile, contact_modulus, load, digits);
     const PrecisionScope scope(digits + 10);
 
-    const std::vector<Real> exact = contact.expansion(edge, options.orders + 1);
+    const std::vector<Real> exact = contact.expansion(edge, coefficients ? 1 : options.orders + 1);
     std::vector<Real> c = coefficients.value_or(exact);
     if (c.size() < options.orders) {
         throw DomainError("a residual fit of " + std::to_string(options.orders) +

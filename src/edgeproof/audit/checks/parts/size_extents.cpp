@@ -79,14 +79,15 @@ const contact::Extent<Float128>& ContactsBySize::At::extent() {
 const std::vector<long double>& ContactsBySize::At::rough_coefficients(contact::Edge edge) {
     auto& c = rough_.c.at(index_of(edge));
     if (c.empty()) {
-        c = edge_expansion(contacts_.rough_, rough_extent(), edge, terms);
+        c = edge_expansion(contacts_.rough_, rough_extent(), edge, most_terms);
     }
     return c;
 }
-const std::vector<Float128>& ContactsBySize::At::coefficients(contact::Edge edge) {
+const std::vector<Float128>& ContactsBySize::At::coefficients(contact::Edge edge,
+                                                              std::size_t count) {
     auto& c = fine_.c.at(index_of(edge));
-    if (c.empty()) {
-        c = edge_expansion(contacts_.law_, extent(), edge, terms);
+    if (c.size() < count) {
+        c = edge_expansion(contacts_.law_, extent(), edge, count);
     }
     return c;
 }
@@ -162,7 +163,7 @@ Float128 ContactsBySize::At::error(const ExtentOf& of, const Float128& u) {
         fine_.marks.emplace(e, contacts_.law_.slope().knots());
     }
     const auto p = logarithmic_closed_form(contacts_.law_, *fine_.marks, point_at(e, of.edge, u));
-    return approximation(coefficients(of.edge), of.terms, u) / p.value - 1;
+    return approximation(coefficients(of.edge, of.terms), of.terms, u) / p.value - 1;
 }
 
 Float128 ContactsBySize::At::crossing(const ExtentOf& of, const Node& l, const Node& r, int which,
@@ -242,7 +243,7 @@ std::vector<ContactsBySize::At::Node> ContactsBySize::At::errors(const ExtentOf&
 }
 
 ContactsBySize::Fractions ContactsBySize::At::found(const ExtentOf& of, bool refine) {
-    if (of.terms == 0 || of.terms > terms) {
+    if (of.terms == 0 || of.terms > most_terms) {
         throw DomainError("an extent is asked for more terms than are carried");
     }
     const std::vector<Node> nodes = errors(of);

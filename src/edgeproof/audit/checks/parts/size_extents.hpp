@@ -38,6 +38,7 @@ struct ExtentOf {
 /// terms.
 class ContactsBySize {
 public:
+    static constexpr std::size_t most_terms = 4;
     /// Throws DomainError for a profile that is not piecewise linear: its pressures have no closed
     /// form.
     explicit ContactsBySize(const contact::Profile& profile);
@@ -56,8 +57,9 @@ public:
         /// To about 12, several times faster.
         [[nodiscard]] Fractions rough_fractions(const ExtentOf& of);
         [[nodiscard]] const contact::Extent<Float128>& extent();
-        /// c_0 ... c_3, to about 28 digits.
-        [[nodiscard]] const std::vector<Float128>& coefficients(contact::Edge edge);
+        /// c_0 ... c_{count-1} at least, to about 28 digits.
+        [[nodiscard]] const std::vector<Float128>& coefficients(contact::Edge edge,
+                                                                std::size_t count);
 
     private:
         /// p at places from an edge to the other, and p_local/p - 1 there.
@@ -92,7 +94,6 @@ public:
     [[nodiscard]] At at(const Float128& a) const { return {*this, a}; }
 
 private:
-    static constexpr std::size_t terms = 4;
     contact::ContactLaw<Float128> law_;
     contact::ContactLaw<long double> rough_;
 };

@@ -95,6 +95,8 @@ public:
             arb_mul(next, c_[static_cast<std::size_t>(k)], ((b + k) * 2).data(), bits);
             arb_div_si(next, next, 2 * k + 3, bits);
         }
+        static_assert(sizeof(ArbValue) ==
+                      sizeof(arb_struct)); // an array of the one is of the other
         Ball sum(0, bits);
         _arb_poly_evaluate_rectangular(sum.data(), c_[0], n, y.data(), bits);
         // From term n on, each is less than y times the one before.

@@ -244,8 +244,9 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     const bool negative = q.sign() < 0;
     const Integer size = abs(boost::multiprecision::numerator(q));
     const Integer denominator = boost::multiprecision::denominator(q);
-    // |q| 10^shift has `digits` digits before its point.
-    const Integer most = ten_to(static_cast<long>(digits));
+    // |q| 10^shift has `digits` digits before its point: whole is between these two.
+    const Integer least = ten_to(static_cast<long>(digits) - 1);
+    const Integer most = 10 * least;
     long shift = static_cast<long>(digits) - 1 - decades(size, denominator);
     Integer whole;
     Integer rest; // in units of 1/below
@@ -256,7 +257,7 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
         divide_qr(above, below, whole, rest);
         if (whole >= most) {
             --shift;
-        } else if (10 * whole < most) {
+        } else if (whole < least) {
             ++shift;
         } else {
             break;

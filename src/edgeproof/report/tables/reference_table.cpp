@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -26,6 +28,14 @@ std::string checksum(const std::vector<std::string>& columns,
         hash = io::fnv1a(csv_line(*row), hash);
     }
     return checksum_text(hash);
+}
+
+/// As printf's %.17g has it: read back, it is x.
+std::string seventeen_digits(double x) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 17);
+    return {text.data(), end.ptr};
 }
 
 std::vector<std::string> names_of(const std::vector<Column>& columns) {
@@ -92,9 +102,9 @@ void ReferenceRows::each_cell(const conformance::Questions& questions, std::size
     const scene::PrintedValue value = printed(reference.value, digits_);
     take(value.text);
     take(value.bound);
-    take(value.binary64     ? fmt::format("{:.17g}", *value.binary64)
-         : digits_.binary64 ? fmt::format("[{:.17g}, {:.17g}]", value.binary64_between[0],
-                                          value.binary64_between[1])
+    take(value.binary64     ? seventeen_digits(*value.binary64)
+         : digits_.binary64 ? "[" + seventeen_digits(value.binary64_between[0]) + ", " +
+                                  seventeen_digits(value.binary64_between[1]) + "]"
                             : "");
     take(how(reference.value, value));
 }

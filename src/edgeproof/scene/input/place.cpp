@@ -46,27 +46,26 @@ std::optional<Distance::Linear> Distance::linear(const formula::Expr& e) {
     return Linear{in_a->rate, in_b->rate, in_b->at_origin};
 }
 
-Distance::Distance(formula::Expr u, formula::Expr x)
-    : formula_(std::move(u)), x_formula_(std::move(x)) {
-    if (constant(formula_)) {
-        number_ = number_of(formula_);
-        return;
+Distance::Distance(formula::Expr u, formula::Expr x) {
+    if (constant(u)) {
+        number_ = number_of(u);
     }
-    linear_ = linear(formula_);
-    const auto place = linear(x_formula_);
-    if (place && contact::certainly_zero(place->of_a) && contact::certainly_zero(place->of_b)) {
-        x_ = number_of(place->rest);
-    }
+    const auto place = linear(x);
+    const bool known =
+        place && contact::certainly_zero(place->of_a) && contact::certainly_zero(place->of_b);
+    formulas_ = std::make_shared<Formulas>(
+        Formulas{u, x, number_ ? std::nullopt : linear(u),
+                 known && !number_ ? std::optional(number_of(place->rest)) : std::nullopt});
 }
 
 Ball Distance::enclosure(const Ball& a, const Ball& b, long bits) const {
     return number_ ? formula::ball_of(*number_, bits)
-                   : formula::evaluate<Ball>(formula_, EdgesInBalls{a, b, {bits}});
+                   : formula::evaluate<Ball>(formulas_->u, EdgesInBalls{a, b, {bits}});
 }
 
 Ball Distance::x_enclosure(const Ball& a, const Ball& b, long bits) const {
-    return x_ ? formula::ball_of(*x_, bits)
-              : formula::evaluate<Ball>(x_formula_, EdgesInBalls{a, b, {bits}});
+    return x() ? formula::ball_of(*x(), bits)
+               : formula::evaluate<Ball>(formulas_->x, EdgesInBalls{a, b, {bits}});
 }
 
 formula::ExactNumber Distance::exactly(const formula::ExactNumber& a,
@@ -74,15 +73,15 @@ formula::ExactNumber Distance::exactly(const formula::ExactNumber& a,
     if (number_) {
         return formula::ExactNumber::of(number_->expr());
     }
-    if (!linear_) {
+    if (!formulas_->linear) {
         return formula::ExactNumber::unknown();
     }
     const auto part = [](const formula::Expr& factor, const formula::ExactNumber& edge) {
         const formula::ExactNumber k = formula::ExactNumber::of(factor);
         return k.is_zero() ? k : k * edge;
     };
-    return part(linear_->of_a, a) + part(linear_->of_b, b) +
-           formula::ExactNumber::of(linear_->rest);
+    const Linear& u = *formulas_->linear;
+    return part(u.of_a, a) + part(u.of_b, b) + formula::ExactNumber::of(u.rest);
 }
 
 Place::Place(std::string text, From from, formula::Expr value, const Names& names)

@@ -6,6 +6,7 @@
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,7 +24,10 @@ public:
     /// The distance itself, where it is a number.
     [[nodiscard]] const std::optional<formula::Exact>& number() const { return number_; }
     /// x, where that is a number although the distance is none.
-    [[nodiscard]] const std::optional<formula::Exact>& x() const { return x_; }
+    [[nodiscard]] const std::optional<formula::Exact>& x() const {
+        static const std::optional<formula::Exact> none;
+        return formulas_ ? formulas_->known_x : none;
+    }
 
     /// The distance, and x, with a and b in these balls.
     [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
@@ -34,7 +38,9 @@ public:
 
     /// As they are written.
     friend bool operator==(const Distance& s, const Distance& t) {
-        return s.number_ == t.number_ && s.formula_ == t.formula_;
+        return s.number_ == t.number_ &&
+               (s.formulas_ == t.formulas_ ||
+                (s.formulas_ && t.formulas_ && s.formulas_->u == t.formulas_->u));
     }
 
 private:
@@ -46,11 +52,15 @@ private:
     };
     [[nodiscard]] static std::optional<Linear> linear(const formula::Expr& e);
 
+    /// In a and b.
+    struct Formulas {
+        formula::Expr u;
+        formula::Expr x;
+        std::optional<Linear> linear;
+        std::optional<formula::Exact> known_x;
+    };
     std::optional<formula::Exact> number_;
-    formula::Expr formula_;
-    formula::Expr x_formula_;
-    std::optional<Linear> linear_;
-    std::optional<formula::Exact> x_;
+    std::shared_ptr<const Formulas> formulas_; ///< null: it is a number
 };
 
 /// A point as it is asked for with the names of a scene: "a/2", "50%" (of a + b) from an edge, or a

@@ -5,9 +5,9 @@
 
 namespace edgeproof::io {
 
-/// Writes the text beside `file` and renames it (its folder is made where there is none): a reader sees the old file or the whole new one,
-/// whatever happens in between. Throws InputError where it cannot be written (the part written is
-/// removed), Interrupted where that was asked for.
+/// Writes the text beside `file` and renames it (its folder is made where there is none): a reader
+/// sees the old file or the whole new one, whatever happens in between. Throws InputError where it
+/// cannot be written (the part written is removed), Interrupted where that was asked for.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// The same for the state that work goes on from: written in an interrupted process as well.

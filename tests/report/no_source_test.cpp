@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html.hpp"
-#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 #include "tests/audit/small_ledger.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -19,12 +19,13 @@
 ///   routes/extent.hpp                 how far from an edge n terms stay within a tolerance
 ///   tilt/tilt_solver.hpp              the tilt that carries a given force and moment
 ///   batch/batch_pressure.hpp          many pressures of one contact, at the least cost
+///   double_word/double_word_pressure.hpp  the same to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the same contact in balls, proved
 ///   enclosure/exact_edges.hpp         edges on a knot, decided by exact algebra
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
-///   enclosure/ball_slip.hpp           BallSlip: partial slip, proved
-///   enclosure/stick_zone.hpp          ZoneSolver: its stick zone, under any force and tilt
-///   enclosure/slip_reach.hpp          the load up to which n terms of a zone's size are good
+///   slip/ball_slip.hpp                BallSlip: partial slip, proved
+///   slip/stick_zone.hpp               ZoneSolver: its stick zone, under any force and tilt
+///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are good
 ///   curved/integrated_contact.hpp     IntegratedContact: curved g', by rigorous integration
 ///   curved/slope_monotonicity.hpp     whether g' is proved not to decrease, for that
 ///   curved/pressure_disk.hpp          its Taylor series, the remainder bounded by Cauchy

@@ -5,8 +5,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/without_gil.hpp"
-#include "edgeproof/report/tables/golden.hpp"
-#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/verdicts/golden.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <pybind11/stl.h>
 

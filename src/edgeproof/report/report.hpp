@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// What people look at.
-///   verdict_writers.hpp  an audit as a terminal table, JSON, CSV, Markdown, LaTeX
-///   table.hpp            any table as CSV, JSON, Markdown, LaTeX
-///   reference_table.hpp  a recipe's answers, or its questions, as a table; tables compared
-///   agreement_report.hpp other programs' answers compared with the reference, for people and as
-///   JUnit mutation_report.hpp  what became of formulas broken on purpose golden.hpp           an
-///   audit held against the verdicts recorded before html_report.hpp      an audit as a page, with
-///   the paper's figures made anew figures.hpp          a figure as data, drawn by gnuplot
-///   program_line.hpp     version, commit and libraries, named in every file
-///   html_markup.hpp      text in HTML
+///   verdict_writers.hpp   an audit as a terminal table, JSON, CSV, Markdown, LaTeX
+///   table.hpp             any table as CSV, JSON, Markdown, LaTeX
+///   reference_table.hpp   a recipe's answers, or its questions, as a table; tables compared
+///   agreement_report.hpp  other programs' answers and the reference, for people and as JUnit
+///   mutation_report.hpp   what became of formulas broken on purpose
+///   golden.hpp            an audit held against the verdicts recorded before
+///   html_report.hpp       an audit as a page, with the paper's figures made anew
+///   figures.hpp           a figure as data, drawn by gnuplot
+///   program_line.hpp      version, commit and libraries, named in every file
+///   html_markup.hpp       text in HTML
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html_report.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
-#include "edgeproof/report/tables/golden.hpp"
 #include "edgeproof/report/tables/mutation_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/tables/table.hpp"
-#include "edgeproof/report/tables/verdict_writers.hpp"
 #include "edgeproof/report/text/program_line.hpp"
+#include "edgeproof/report/verdicts/golden.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"

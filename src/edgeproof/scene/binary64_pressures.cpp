@@ -2,7 +2,7 @@
 #include "edgeproof/scene/binary64_pressures.hpp"
 
 #include "edgeproof/contact/batch/batch_pressure.hpp"
-#include "edgeproof/contact/batch/double_word_pressure.hpp"
+#include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/batch/double_word_expansion.hpp"
-#include "edgeproof/contact/batch/double_word_shear.hpp"
+#include "edgeproof/contact/double_word/double_word_expansion.hpp"
+#include "edgeproof/contact/double_word/double_word_shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"

@@ -59,13 +59,13 @@ struct Binary64Count {
 
 inline constexpr std::size_t places_a_contact = 10'000;
 
-/// Values in double words (contact/batch/double_word_*.hpp), held against balls of 320 bits (of a
-/// relative error 1,024). Draws contacts that double words have a form for (sample.hpp; of power
-/// laws those of whole and half exponents), and places in each: u from 1e-60 of the length to all
-/// of it, evenly, and by knots and the edges of stick zones to the last bits; q at |Q|/(f P) from
-/// 9/10 to 1e-10. The same for the same seed and number of values, whatever the number of threads.
-/// Contacts that `state` has are not done again, unless something was found in them. Throws
-/// Interrupted.
+/// Values in double words (contact/double_word/double_word_*.hpp), held against balls of 320 bits
+/// (of a relative error 1,024). Draws contacts that double words have a form for (sample.hpp; of
+/// power laws those of whole and half exponents), and places in each: u from 1e-60 of the length to
+/// all of it, evenly, and by knots and the edges of stick zones to the last bits; q at |Q|/(f P)
+/// from 9/10 to 1e-10. The same for the same seed and number of values, whatever the number of
+/// threads. Contacts that `state` has are not done again, unless something was found in them.
+/// Throws Interrupted.
 [[nodiscard]] Binary64Count count_binary64(const Binary64Options& options, Binary64State& state);
 
 /// What one contact has of it: `values` values.

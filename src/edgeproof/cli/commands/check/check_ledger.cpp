@@ -4,7 +4,7 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <algorithm>
 #include <cstdio>

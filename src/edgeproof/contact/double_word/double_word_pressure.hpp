@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/batch/double_word_power_law.hpp"
-#include "edgeproof/contact/batch/double_word_slope.hpp"
+#include "edgeproof/contact/double_word/double_word_power_law.hpp"
+#include "edgeproof/contact/double_word/double_word_slope.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
 #include <optional>

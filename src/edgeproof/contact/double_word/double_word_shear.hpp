@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/batch/double_word_pressure.hpp"
-#include "edgeproof/contact/batch/double_word_slip.hpp"
+#include "edgeproof/contact/double_word/double_word_pressure.hpp"
+#include "edgeproof/contact/double_word/double_word_slip.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/batch/double_word_shear.hpp"
+#include "edgeproof/contact/double_word/double_word_shear.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <fmt/format.h>
 

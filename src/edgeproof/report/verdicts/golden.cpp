@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/tables/golden.hpp"
+#include "edgeproof/report/verdicts/golden.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/escape.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/batch/double_word_pressure.hpp"
+#include "edgeproof/contact/double_word/double_word_pressure.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/tables/verdict_writers.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/precision/message.hpp"

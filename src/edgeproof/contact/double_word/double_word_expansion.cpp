@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/batch/double_word_expansion.hpp"
+#include "edgeproof/contact/double_word/double_word_expansion.hpp"
 
 #include "edgeproof/precision/double_word/double_word_ball.hpp"
 

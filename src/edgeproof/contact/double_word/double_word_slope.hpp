@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/batch/double_word_field.hpp"
+#include "edgeproof/contact/double_word/double_word_field.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/precision/double_word/logarithm.hpp"
 

@@ -5,6 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace edgeproof;
 
 namespace {
@@ -37,6 +40,19 @@ TEST_CASE(
             CHECK(cell.values > 500);
         }
     }
+}
+
+TEST_CASE("q in a stick zone on a corner that no algebra tells is held against both sides of it") {
+    // A tilted wedge with b = 5 enclosed only; five of its places are u = 5, the apex.
+    const Binary64Contact found = count_binary64_contact(options(11, 10'000), 7969, 10'000);
+    CHECK(found.findings.empty());
+    Binary64Options wrong = options(11, 10'000);
+    wrong.changed = [](DoubleWord& word) { word.high = std::nextafter(word.high, 1e300); };
+    const std::vector<std::string> told = count_binary64_contact(wrong, 7969, 10'000).findings;
+    CHECK(std::ranges::any_of(told, [](const std::string& finding) {
+        return finding.find("q, partial slip") != std::string::npos &&
+               finding.find("at u = 0x1.4p+2 from the left edge") != std::string::npos;
+    }));
 }
 
 TEST_CASE("the same values for the same seed, others for another") {

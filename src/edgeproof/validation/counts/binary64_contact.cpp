@@ -165,23 +165,19 @@ public:
         return abs(1 - sum(fine_c_[index_of(edge)], n, fine_u) / fine_.pressure(edge, fine_u));
     }
 
-    /// Whether `value` is the limit on a corner, where no ball of p is finite: of q in a stick zone
-    /// what it is on both sides, 2^-128 away.
+    /// Whether `value` is the limit where no ball is finite or narrow enough, on a corner: of q in
+    /// a stick zone what it is on both sides, 2^-128 away, also where the edges are enclosed only,
+    /// so that no algebra tells the corner.
     [[nodiscard]] bool is_limit(DrawnForm form, Edge edge, double u, double value) const {
-        if (!on_corner(edge, u)) {
-            return false;
-        }
-        if (form == DrawnForm::relative_error) {
-            return value == 1;
-        }
-        if (form != DrawnForm::partial_slip ||
-            slip_->slip->state(edge, Ball(Rational(u), reference_bits)) ==
+        if (form == DrawnForm::partial_slip &&
+            slip_->slip->state(edge, Ball(Rational(u), reference_bits)) !=
                 contact::SlipState::slip) {
-            return std::isinf(value);
+            const Rational step = Rational(u) * Rational(0x1p-128);
+            return nearest_binary64(ball(form, 0, edge, Rational(u) - step)) == value &&
+                   nearest_binary64(ball(form, 0, edge, Rational(u) + step)) == value;
         }
-        const Rational step = Rational(u) * Rational(0x1p-128);
-        return nearest_binary64(ball(form, 0, edge, Rational(u) - step)) == value &&
-               nearest_binary64(ball(form, 0, edge, Rational(u) + step)) == value;
+        return on_corner(edge, u) &&
+               (form == DrawnForm::relative_error ? value == 1 : std::isinf(value));
     }
 
 private:
@@ -291,7 +287,7 @@ Binary64Contact count_binary64_contact(const Binary64Options& options, std::size
             continue;
         }
         const auto right = nearest_binary64(contact.ball(form, n, at.edge, Rational(at.u)));
-        if (right != value && !contact.is_limit(form, at.edge, at.u, *value)) {
+        if (right ? *right != *value : !contact.is_limit(form, at.edge, at.u, *value)) {
             ++cell.wrong;
             found.findings.push_back(fmt::format(
                 "{}\n{} (n = {}) at u = {:a} from the {} edge: {:a}, where a ball has {}",

@@ -103,13 +103,14 @@ TEST_CASE("q in partial slip in double words keeps its digits where the stick zo
         const char* name;
         Profile profile;
     };
-    for (const auto& [name, profile] :
+    for (const Case& drawn :
          {Case{"Hertz", Profile::power_law(traction_number("1"), traction_number("1"))},
           Case{"flat and rounded",
                Profile::flat_and_rounded(traction_number("1/2"), traction_number("3"))},
           Case{"tilted wedge",
                Profile::tilted_wedge(traction_number("1/5"), traction_number("1/20"))}}) {
-        CAPTURE(name);
+        CAPTURE(drawn.name);
+        const Profile& profile = drawn.profile;
         const Load load = Load::right_edge(traction_number("1"));
         const BallContact contact(profile, traction_number("1"), load, word_bits);
         const NormalContact normal(profile, traction_number("1"), load, 60);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -22,7 +23,7 @@ std::vector<certificate::Certificate> certified(const std::string& profile, cons
 }
 
 const certificate::Certificate& named(const std::vector<certificate::Certificate>& all,
-                                      const std::string& id) {
+                                      std::string_view id) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.id == id; });
     REQUIRE(found != all.end());

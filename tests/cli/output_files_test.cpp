@@ -162,7 +162,8 @@ TEST_CASE("bad input makes no folder for what would have been written; good inpu
           "compare good.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --figure new/x.svg", "verify bad.toml --out new/x",
-          "mutate bad.toml --out new/x.csv", "certify bad.toml --out new/x"}) {
+          "mutate bad.toml --out new/x.csv", "certify bad.toml --out new/x",
+          "pack new/x --threads none"}) {
         CAPTURE(command);
         CHECK(run(folder, command).code == 2);
         CHECK(folder.files() == before);

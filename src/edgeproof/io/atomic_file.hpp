@@ -30,12 +30,12 @@ struct OutputTarget {
 };
 
 /// A file written in parts, in a folder that is made where there is none, and seen by others only
-/// when it is whole: until then it has no name, or,
-/// where the file system knows no such files, one by the process ("t.csv.4711.tmp"). Throws
-/// InputError where it cannot be written, Interrupted where that was asked for; what was written is
-/// removed then, and where it is not committed. What runs that were killed left beside it under
-/// such names is removed first. A link stays, and the file that it leads to is written; a file that
-/// is there keeps its permissions; a device, a FIFO or an open descriptor is written to as it is.
+/// when it is whole: until then it has no name, or, where the file system knows no such files, one
+/// by the process ("t.csv.4711.tmp"). Throws InputError where it cannot be written, Interrupted
+/// where that was asked for; what was written is removed then, and where it is not committed. What
+/// runs that were killed left beside it under such names is removed first. A link stays, and the
+/// file that it leads to is written; a file that is there keeps its permissions; a device, a FIFO
+/// or an open descriptor is written to as it is.
 class AtomicFile {
 public:
     /// What a checkpoint holds is right in an interrupted process as well; a result is not written

@@ -17,6 +17,33 @@ constexpr long word_bits = DoubleWordPressure::contact_bits;
 
 Exact traction_number(const char* text) { return Exact::parse(text); }
 
+/// q of a contact with a = 1 and E* = 1 under a shear force and f = 1/2, in double words and by the
+/// route in Real.
+struct SlippingTwice {
+    NormalContact normal;
+    ShearSpec shear;
+    PartialSlip slip; ///< refers to both
+    DoubleWordShear words;
+
+    SlippingTwice(const Profile& profile, const char* Q, unsigned digits)
+        : normal(profile, traction_number("1"), load(), digits), shear{traction_number(Q),
+                                                                       traction_number("0"),
+                                                                       LoadingPath::normal_first,
+                                                                       traction_number("1/2")},
+          slip(normal, shear), words(in_words(profile, traction_number(Q).rational())) {}
+
+private:
+    static Load load() { return Load::right_edge(traction_number("1")); }
+    static DoubleWordShear in_words(const Profile& profile, const Rational& Q) {
+        const BallContact contact(profile, traction_number("1"), load(), word_bits);
+        const Ball friction(Rational(1, 2), word_bits);
+        const auto zones = closed_form_zones(contact);
+        const BallSlip balls(contact, *zones, contact.force(),
+                             {Ball(Q, word_bits), Ball(0, word_bits)}, friction);
+        return DoubleWordShear::partial_slip(profile, contact, balls.stick(), friction);
+    }
+};
+
 } // namespace
 
 TEST_CASE("q under full stick in double words: by the formula in Real, Q and sigma_0 against each "
@@ -42,24 +69,13 @@ TEST_CASE("q in partial slip in double words: that of the route in Real, stuck a
     for (const char* m : {"1", "1/2", "2"}) {
         CAPTURE(m);
         const Profile profile = Profile::power_law(traction_number("1"), traction_number(m));
-        const Load load = Load::right_edge(traction_number("1"));
-        const BallContact contact(profile, traction_number("1"), load, word_bits);
-        const NormalContact normal(profile, traction_number("1"), load, 30);
-        const ShearSpec spec{traction_number("1/10"), traction_number("0"),
-                             LoadingPath::normal_first, traction_number("1/2")};
-        const PartialSlip slip(normal, spec);
-        const auto zones = closed_form_zones(contact);
-        const BallSlip balls(contact, *zones, contact.force(),
-                             {Ball(Rational(1, 10), word_bits), Ball(0, word_bits)},
-                             Ball(Rational(1, 2), word_bits));
-        const DoubleWordShear words = DoubleWordShear::partial_slip(
-            profile, contact, balls.stick(), Ball(Rational(1, 2), word_bits));
+        const SlippingTwice q_of(profile, "1/10", 30);
         for (const double u : {1e-20, 0.01, 0.05, 0.3, 0.77, 1.3, 1.98}) {
             CAPTURE(u);
-            const auto q = words.nearest(Edge::left, u);
+            const auto q = q_of.words.nearest(Edge::left, u);
             REQUIRE(q);
             const double second =
-                slip.traction(Edge::left, Exact::of(Rational(u))).convert_to<double>();
+                q_of.slip.traction(Edge::left, Exact::of(Rational(u))).convert_to<double>();
             CHECK(std::abs(*q - second) <= 2e-16 * std::abs(second));
         }
     }
@@ -111,23 +127,12 @@ TEST_CASE("q in partial slip in double words keeps its digits where the stick zo
                Profile::tilted_wedge(traction_number("1/5"), traction_number("1/20"))}}) {
         CAPTURE(drawn.name);
         const Profile& profile = drawn.profile;
-        const Load load = Load::right_edge(traction_number("1"));
-        const BallContact contact(profile, traction_number("1"), load, word_bits);
-        const NormalContact normal(profile, traction_number("1"), load, 60);
-        const ShearSpec spec{traction_number("1e-13"), traction_number("0"),
-                             LoadingPath::normal_first, traction_number("1/2")};
-        const PartialSlip slip(normal, spec);
-        const auto zones = closed_form_zones(contact);
-        const BallSlip balls(contact, *zones, contact.force(),
-                             {Ball(Rational(1, 10'000'000'000'000), word_bits), Ball(0, word_bits)},
-                             Ball(Rational(1, 2), word_bits));
-        const DoubleWordShear words = DoubleWordShear::partial_slip(
-            profile, contact, balls.stick(), Ball(Rational(1, 2), word_bits));
+        const SlippingTwice q_of(profile, "1e-13", 60);
         for (const double u : {1e-20, 1e-13, 1e-12, 1e-9, 0.01, 0.3, 0.5, 0.50001, 0.9, 0.999}) {
             CAPTURE(u);
             const PrecisionScope scope(60);
-            CHECK(words.nearest(Edge::right, u) ==
-                  slip.traction(Edge::right, Exact::of(Rational(u))).convert_to<double>());
+            CHECK(q_of.words.nearest(Edge::right, u) ==
+                  q_of.slip.traction(Edge::right, Exact::of(Rational(u))).convert_to<double>());
         }
     }
 }

@@ -55,7 +55,7 @@ struct EvaluatedSceneState {
     const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
     /// A name that is no parameter, place or variable; nullopt if unknown.
     std::optional<Real> derived_symbol(std::string_view name);
-    /// p at a node of an integral.
+    /// p at another place than the sample's: at the nodes of integrals.
     Real pressure_at_node(const Place& at);
     Real call(const std::string& name, std::span<const Real> args, const Place* place);
     /// Values of the argument of a function at which it is not analytic.

@@ -82,14 +82,14 @@ int check_pack(const std::filesystem::path& folder, const std::vector<pack::Pack
 int make(const PackCommandOptions& o, const std::string& version) {
     check_word("--commit", o.commit);
     check_word("--date", o.date);
+    pack::PackOptions options;
+    options.threads = threads_of(o.threads);
     if (!o.check) {
         io::make_folder(o.folder);
     } else if (!std::filesystem::is_directory(o.folder)) {
         throw InputError(o.folder + " is no folder",
                          "give the folder of a pack, or leave out --check");
     }
-    pack::PackOptions options;
-    options.threads = threads_of(o.threads);
     std::vector<pack::PackFile> files;
     {
         Progress progress("answers");

@@ -33,11 +33,6 @@ void draw_slip_figures(const std::string& folder) {
         throw InputError("there is no gnuplot to draw figures", "install gnuplot-nox, or leave "
                                                                 "--figures out");
     }
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) {
-        throw InputError("--figures " + folder + " is no folder that can be made", "name a folder");
-    }
     const PrecisionScope scope(report::figure_digits + 10);
     const io::Scratch scratch;
     for (const report::Plot& plot : report::slip_plots(slip_paper)) {
@@ -53,6 +48,9 @@ int slip_table(const SlipTableRequest& o) {
         throw InputError("--format " + o.format + " is no format", "write csv, json, md or tex");
     }
     io::check_output(o.out);
+    if (!o.figures.empty()) {
+        io::check_folder(o.figures); // made once there is something to write
+    }
     report::SlipTableOptions options;
     options.tolerances.clear();
     for (std::size_t at = 0; at <= o.tolerances.size();) {

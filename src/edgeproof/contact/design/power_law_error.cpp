@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/edge_sum.hpp"
 #include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/precision/ball/acb_include.hpp"
-
-#include <cmath>
 
 namespace edgeproof::contact {
 namespace {
@@ -66,52 +65,6 @@ std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t 
     acb_clear(c);
     return coefficients;
 }
-
-/// 2F1(1, b; 3/2; y) alone, the sum of c_k y^k, at many places for one b: the c_k are kept.
-class EdgeSum {
-public:
-    /// Nothing for b that may reach 1, and where the terms are slow to fall.
-    [[nodiscard]] std::optional<Ball> operator()(const Ball& b, const Ball& y) {
-        const long bits = y.bits();
-        const Ball size = abs(y);
-        const double ratio = size.upper().convert_to<double>();
-        const double terms = std::ceil(static_cast<double>(bits) / -std::log2(ratio)) + 1;
-        if (!(ratio < 1 && terms < most_terms_a_bit * static_cast<double>(bits)) ||
-            !certainly_less(b, Ball(1, bits))) {
-            return std::nullopt;
-        }
-        const auto n = static_cast<long>(terms);
-        if (!certainly_positive(b + n)) {
-            return std::nullopt;
-        }
-        if (bits != bits_ || arb_equal(b.data(), b_) == 0) {
-            bits_ = bits;
-            arb_set(b_, b.data());
-            c_.resize(1);
-            arb_one(c_[0]);
-        }
-        for (auto k = static_cast<long>(c_.size()) - 1; k < n; ++k) {
-            ArbValue& next = c_.emplace_back();
-            arb_mul(next, c_[static_cast<std::size_t>(k)], ((b + k) * 2).data(), bits);
-            arb_div_si(next, next, 2 * k + 3, bits);
-        }
-        static_assert(sizeof(ArbValue) ==
-                      sizeof(arb_struct)); // an array of the one is of the other
-        Ball sum(0, bits);
-        _arb_poly_evaluate_rectangular(sum.data(), c_[0], n, y.data(), bits);
-        // From term n on, each is less than y times the one before.
-        Ball rest = pow_int(size, n) / (1 - size);
-        arb_mul(rest.data(), rest.data(), c_[static_cast<std::size_t>(n)], bits);
-        arb_add_error(sum.data(), rest.data());
-        return sum;
-    }
-
-private:
-    static constexpr double most_terms_a_bit = 4;
-    ArbValue b_;
-    long bits_ = 0;
-    std::vector<ArbValue> c_;
-};
 
 /// One polynomial of Arb's.
 struct Poly {

@@ -117,6 +117,7 @@ const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
     static thread_local Kept kept;
     if (kept.bits != x.bits() || kept.digits != digits || kept.mode != mode ||
         arb_equal(kept.x, x.data()) == 0) {
+        kept.bits = 0; // should this be cut off
         kept.seen = find_whole_units(x, digits, mode, kept.units);
         arb_set(kept.x, x.data());
         kept.bits = x.bits();

@@ -78,6 +78,30 @@ TEST_CASE("dependence: a function of others is told from what is none") {
     CHECK(appendix_verdict(dependence("P1*P2", "\"P1/P2\"", "independent")) == Verdict::confirmed);
 }
 
+TEST_CASE("dependence: however small the difference, and where nothing is left") {
+    const auto both = [](const std::string& of, const std::string& from) {
+        return std::pair(appendix_verdict(dependence(of, from, "function")),
+                         appendix_verdict(dependence(of, from, "independent")));
+    };
+    const std::pair no_function(Verdict::refuted, Verdict::confirmed);
+    const std::pair function(Verdict::confirmed, Verdict::refuted);
+    CHECK(both("a + 1e-13*P2", "\"a\"") == no_function);
+    CHECK(both("a + 1e-300*P2", "\"a\"") == no_function);
+    CHECK(both("a + 1e-300*b1*P2", "\"a\", \"b1\", \"P1*P2\"") == no_function);
+    CHECK(both("a + 1e13*P2", "\"a\", \"P2^3\"") == function);
+    CHECK(both("right.c0 - 2/(Pi*sqrt(a+b))*P1", "\"b2\"") == function);
+    CHECK(both("sin(P1*b1)^2 + cos(P1*b1)^2", "\"a\"") == function);
+    // The others depend on each other.
+    CHECK(both("P1^2*b1", "\"P1\", \"P1^3\", \"b1\"") == function);
+    CHECK(both("P1^2*b1 + 1e-40*b2", "\"P1\", \"P1^3\", \"b1\", \"b1*P1\"") == no_function);
+    CHECK(both("P1 + P2", "\"P1*P2\", \"P1^2*P2^2\"") == no_function);
+    // Products whose gradients are nearly parallel.
+    CHECK(both("P1*(P2 + 1e-30*b2)", "\"P1*P2\", \"P1*b2*b1\", \"b1\"") == function);
+    CHECK(both("P1*(P2 + 1e-30*b2^2)", "\"P1*P2\", \"P1*b2*b1\", \"b1\"") == no_function);
+    // A function that has no derivative in symbols.
+    CHECK(both("asinh(P1)", "\"P1\"") == std::pair(Verdict::undecided, Verdict::undecided));
+}
+
 TEST_CASE("uniformity: a pole is told from a bounded rest") {
     const char* with_pole = "1 + eps*s + eps^2*s^2/(1-s)";
     CHECK(appendix_verdict(uniformity(with_pole, "1 + eps*s", "breaks down")) ==
@@ -93,10 +117,56 @@ TEST_CASE("uniformity: a pole is told from a bounded rest") {
     const EvidenceItem* balls = refuted.evidence.find("enclosures");
     REQUIRE(balls != nullptr);
     CHECK(std::get<bool>(std::get<Evidence>(balls->value()).find("disjoint")->value()));
-    CHECK(appendix_outcome(uniformity(without, "1 + eps*s", "breaks down") + "term = \"s^3\"\n")
-              .evidence.find("enclosures") == nullptr);
-    // A rest with half a pole is neither.
+    // A term that stays bounded is not among them.
+    const Outcome bounded =
+        appendix_outcome(uniformity(without, "1 + eps*s", "breaks down") + "term = \"s^3\"\n");
+    const EvidenceItem* others = bounded.evidence.find("enclosures");
+    REQUIRE(others != nullptr);
+    CHECK(std::get<Evidence>(others->value()).find("printed") == nullptr);
+}
+
+TEST_CASE("uniformity: slow growth, boundary layers and exact expansions") {
+    struct Case {
+        const char* of;
+        const char* approximation;
+        bool breaks;
+    };
+    // What is left: (1-s)^(-1/2), log, 1/(1-s+eps), (1-s)/((1-s)^2 + eps^2), log(1-s+eps): the last
+    // three are bounded for each eps, and not for all.
+    for (const Case& c : {Case{"1 + eps^2/sqrt(1-s)", "1", true},
+                          {"1 + eps + eps^2*log(1-s)", "1 + eps", true},
+                          {"1 + eps^2/(1-s+eps)", "1", true},
+                          {"1 + eps^2*(1-s)/((1-s)^2+eps^2)", "1", true},
+                          {"1 + eps^2*cos(1-s)", "1", false},
+                          {"1 + eps^2*(2+sqrt(1-s))", "1", false},
+                          {"1 + eps^2*(1-s)*log(1-s)", "1", false},
+                          {"1 + eps^2*(1-s)/(1-s+eps)", "1", false}}) {
+        CAPTURE(c.of);
+        const Verdict breaks = appendix_verdict(uniformity(c.of, c.approximation, "breaks down"));
+        const Verdict uniform = appendix_verdict(uniformity(c.of, c.approximation, "uniform"));
+        CHECK(breaks != (c.breaks ? Verdict::refuted : Verdict::confirmed));
+        CHECK(uniform != (c.breaks ? Verdict::confirmed : Verdict::refuted));
+    }
     CHECK(appendix_verdict(uniformity("1 + eps^2/sqrt(1-s)", "1", "breaks down")) ==
+          Verdict::confirmed);
+    CHECK(appendix_verdict(uniformity("1 + eps + eps^2*log(1-s)", "1 + eps", "uniform")) ==
+          Verdict::refuted);
+    CHECK(appendix_verdict(uniformity("1 + eps^2/(1-s+eps)", "1", "uniform")) == Verdict::refuted);
+    CHECK(appendix_verdict(uniformity("1 + eps^2*cos(1-s)", "1", "uniform")) == Verdict::confirmed);
+    // Bounded, but only beyond the distance 1e-400, and by 1e400.
+    CHECK(appendix_verdict(uniformity("1 + eps^2/(1-s+1e-400)", "1", "breaks down")) ==
+          Verdict::undecided);
+    // Of order 1, not 2, wherever s is: no expansion to that order.
+    CHECK(appendix_verdict(uniformity("1 + eps + eps^2/(1-s)", "1", "uniform")) ==
+          Verdict::refuted);
+    CHECK(appendix_verdict(uniformity("1 + eps*s + eps^2", "1", "breaks down")) ==
+          Verdict::undecided);
+    // Nothing is left.
+    CHECK(appendix_verdict(uniformity("(1+eps*s)^2", "1 + 2*eps*s + eps^2*s^2", "breaks down")) ==
+          Verdict::refuted);
+    CHECK(appendix_verdict(uniformity("(1+eps*s)^2", "1 + 2*eps*s + eps^2*s^2", "uniform")) ==
+          Verdict::proved);
+    CHECK(appendix_verdict(uniformity("b/a + eps", "bof(a)/a + eps", "breaks down")) ==
           Verdict::undecided);
 }
 

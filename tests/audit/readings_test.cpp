@@ -4,11 +4,20 @@
 
 #include <doctest/doctest.h>
 
-using enum NotRefuted;
-
 namespace {
 
-const Judgement refuted(Difference::of(Real(1), Real(2), Real(0)));
+const Ball one(1, 64);
+const Ball two(2, 64);
+const Judgement refuted(*Refutation::less(one, two));
+const Judgement confirmed(*Confirmation::less(one, two));
+const Judgement imprecise = Judgement::imprecise(*Confirmation::less(one, two));
+const Judgement proved = Judgement::proved_by_symbols();
+const Judgement undecided;
+const Judgement underspecified(Undecided::underspecified);
+
+Judgement combine_readings(const std::vector<Judgement>& readings) {
+    return Judgement::of_readings(readings);
+}
 
 } // namespace
 

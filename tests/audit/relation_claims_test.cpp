@@ -41,9 +41,9 @@ TEST_CASE("a relation that holds all over, and its opposite") {
 
 TEST_CASE("a failing region far narrower than the scan is found, and its ends") {
     // (u/L - 1/3)^2 > w^2 fails for |u/L - 1/3| < w.
-    CHECK(verdict_of(relation("(u/L-0.3217)^2 > 1e-12")) == "refuted");
-    CHECK(verdict_of(relation("(u/L-0.3217)^2 > -1e-12")) == "confirmed");
-    const ClaimResult r = result_of(relation("(u/L-0.3217)^2 > 1e-6"));
+    CHECK(verdict_of(relation("(u/L-3217/10000)^2 > 1e-12")) == "refuted");
+    CHECK(verdict_of(relation("(u/L-3217/10000)^2 > -1e-12")) == "confirmed");
+    const ClaimResult r = result_of(relation("(u/L-3217/10000)^2 > 1e-6"));
     CHECK(first_interval(r, "fails_in") == "u/L = 0.3207000000 ... 0.3227000000");
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("somewhere, nowhere, near the edge") {
     const auto holds = [](const std::string& how) { return "holds = \"" + how + "\""; };
     CHECK(verdict_of(relation("u/L > 0.9", holds("somewhere"))) == "confirmed");
     CHECK(verdict_of(relation("u/L > 1.1", holds("somewhere"))) == "refuted");
-    CHECK(verdict_of(relation("(u/L-0.3217)^2 < 1e-12", holds("somewhere"))) == "confirmed");
+    CHECK(verdict_of(relation("(u/L-3217/10000)^2 < 1e-12", holds("somewhere"))) == "confirmed");
     CHECK(verdict_of(relation("u/L > 1.1", holds("nowhere"))) == "confirmed");
     CHECK(verdict_of(relation("u/L > 0.9", holds("nowhere"))) == "refuted");
     CHECK(verdict_of(relation("u/L < 1e-12", holds("near-edge"))) == "confirmed");

@@ -192,5 +192,6 @@ TEST_CASE("sizes: a condition on the coefficients holds up to where an edge meet
     CHECK(text_at(result.claims[0].outcome, {"holds_for_a"}).find("... 0.392699081699;") !=
           std::string::npos);
     CHECK(run_sizes(claim("right.c1 < 0")).claims[0].outcome.verdict == Verdict::confirmed);
-    CHECK(run_sizes(claim("b < a")).claims[0].outcome.verdict == Verdict::refuted);
+    // It fails at every size that is looked at, which proves nothing for the sizes between.
+    CHECK(run_sizes(claim("b < a")).claims[0].outcome.verdict == Verdict::undecided);
 }

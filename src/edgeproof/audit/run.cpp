@@ -74,9 +74,9 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
             all.correct = outcome.correct;
         }
     }
-    all.verdict = combine_readings(verdicts);
+    all.verdict = Judgement::of_readings(verdicts);
     if (!claim.undefined.empty()) {
-        all.verdict = NotRefuted::underspecified;
+        all.verdict = Undecided::underspecified;
         all.note = "not defined in print: " + join(claim.undefined, ", ") + "; " +
                    (holding.empty() ? "holds under none of the readings tried"
                                     : "would hold for: " + join(holding, "; "));
@@ -90,31 +90,6 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
 }
 
 } // namespace
-
-Judgement combine_readings(const std::vector<Judgement>& verdicts) {
-    const auto count = [&](auto&& test) {
-        return std::count_if(verdicts.begin(), verdicts.end(), test);
-    };
-    const auto n = static_cast<std::ptrdiff_t>(verdicts.size());
-    const auto holding = count([](Verdict v) { return holds(v); });
-    const auto is = [&](Verdict which) { return count([&](Verdict v) { return v == which; }); };
-    if (n == 0) {
-        return NotRefuted::undecided;
-    }
-    if (holding == n) {
-        if (is(Verdict::definition) == n) {
-            return NotRefuted::definition;
-        }
-        return is(Verdict::proved) + is(Verdict::definition) == n ? NotRefuted::proved
-                                                                  : NotRefuted::confirmed;
-    }
-    if (holding > 0) {
-        const auto known_not =
-            is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
-        return known_not > 0 ? NotRefuted::imprecise : NotRefuted::undecided;
-    }
-    return is(Verdict::undecided) > 0 ? NotRefuted::undecided : verdicts.front();
-}
 
 bool matches(std::string_view pattern, std::string_view text) {
     if (pattern.empty()) {

@@ -25,11 +25,6 @@ struct AuditOptions {
 /// Throws InputError where the pattern matches nothing, Interrupted.
 [[nodiscard]] AuditResult run_audit(const Ledger& ledger, const AuditOptions& options);
 
-/// What the outcomes under several readings of the same words come to: all hold: the claim holds;
-/// some: imprecise; none: what the first reading, the plain one, comes to (undecided, where the
-/// evidence of any did not decide).
-[[nodiscard]] Judgement combine_readings(const std::vector<Judgement>& verdicts);
-
 /// Whether an id matches a pattern with * and ?.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view text);
 

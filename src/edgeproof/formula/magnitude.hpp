@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/real.hpp"
+
+#include <type_traits>
 
 namespace edgeproof::formula {
 
-/// The sum of the sizes of the terms that e is made of: what its value cancels from. `value` gives
-/// the value of a part.
-template <class Value> [[nodiscard]] Real magnitude(const Expr& e, const Value& value) {
+/// The sum of the sizes of the terms that e is made of: the scale of the errors of its value, also
+/// where the terms cancel. `value` gives the value of a part, as a Real or a Ball.
+template <class Value>
+[[nodiscard]] auto magnitude(const Expr& e, const Value& value)
+    -> std::decay_t<decltype(value(e))> {
+    using Number = std::decay_t<decltype(value(e))>;
     using Kind = Expr::Kind;
     switch (e.kind()) {
     case Kind::neg:
@@ -18,9 +22,19 @@ template <class Value> [[nodiscard]] Real magnitude(const Expr& e, const Value& 
     case Kind::mul:
         return magnitude(e.arg(0), value) * magnitude(e.arg(1), value);
     case Kind::div:
-        return magnitude(e.arg(0), value) / abs(Real(value(e.arg(1))));
+        return magnitude(e.arg(0), value) / abs(Number(value(e.arg(1))));
+    case Kind::call:
+        if (e.builtin() == Builtin::abs || e.builtin() == Builtin::max ||
+            e.builtin() == Builtin::min) {
+            Number sum = magnitude(e.arg(0), value);
+            for (std::size_t k = 1; k < e.args().size(); ++k) {
+                sum += magnitude(e.arg(k), value);
+            }
+            return sum;
+        }
+        return abs(Number(value(e)));
     default:
-        return abs(Real(value(e)));
+        return abs(Number(value(e)));
     }
 }
 

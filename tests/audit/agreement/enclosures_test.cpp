@@ -119,26 +119,21 @@ TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint
     CHECK_FALSE(rests_on_enclosures(right));
 }
 
-TEST_CASE("a refutation that the enclosures do not bear out is none") {
-    Outcome outcome;
-    outcome.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
+TEST_CASE("a pair of enclosures in the evidence, or the reason that there is none") {
+    Evidence evidence;
     const Ball third(Rational(1, 3), 100);
-    add_pair("printed", {third, ""}, "exact", {third, ""}, "anywhere", 20, outcome);
-    CHECK(outcome.verdict == Verdict::undecided);
-    Outcome without;
-    without.verdict = Judgement(Difference::of(Real(1), Real(2), Real(0)));
-    add_pair("printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere", 20,
-             without);
-    CHECK(without.verdict == Verdict::refuted);
-    CHECK(std::get<Evidence>(without.evidence.find("enclosures")->value()).find("none")->text() ==
-          "no closed form");
+    add_pair({"printed", {third, ""}, "exact", {third, ""}, "anywhere"}, 20, evidence);
+    const auto pair = [&] { return std::get<Evidence>(evidence.find("enclosures")->value()); };
+    CHECK_FALSE(std::get<bool>(pair().find("disjoint")->value()));
+    add_pair({"printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere"}, 20,
+             evidence);
+    CHECK(pair().find("none")->text() == "no closed form");
 }
 
-TEST_CASE("a confirmation that the enclosures contradict is none") {
-    // Within what is asked of the digits, and yet certainly another number.
+TEST_CASE("a difference that only the enclosures show refutes") {
+    // It agrees to D - 5 digits, and yet it is certainly another number.
     const ClaimResult near = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-32)"));
-    CHECK(near.outcome.verdict == Verdict::undecided);
-    CHECK(near.outcome.note == "the estimates have it agree, the enclosures do not");
+    CHECK(near.outcome.verdict == Verdict::refuted);
     CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));
 }
 

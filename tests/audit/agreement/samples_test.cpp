@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
-#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/audit/small_ledger.hpp"
@@ -10,52 +9,55 @@
 
 #include <type_traits>
 
-namespace {
-
-SampleAgreement values(const char* printed, const char* exact, const char* error, double digits) {
-    return ValuePair{Real(printed), Real(exact), digits, Real(error)};
-}
-SampleAgreement agreeing() { return values("1", "1", "1e-50", 50); }
-SampleAgreement apart() { return values("2", "1", "1e-50", 0); }
-Judgement judged_at(std::vector<SampleAgreement> samples_at) {
-    Agreement a;
-    a.samples_at = std::move(samples_at);
-    return judge_samples(a, 45);
-}
-const NoValue no_value{"log of zero", true};
-const OurLimit our_limit{"more than 100000 terms"};
-
-} // namespace
-
-TEST_CASE("samples: only two values that differ refute, whatever is missing elsewhere") {
-    CHECK(judged_at({agreeing(), agreeing()}) == Verdict::confirmed);
-    CHECK(judged_at({agreeing(), apart()}) == Verdict::refuted);
-    CHECK(judged_at({no_value, our_limit, apart()}) == Verdict::refuted);
-    CHECK(judged_at({no_value, no_value}) == Verdict::underspecified);
-    CHECK(judged_at({agreeing(), our_limit, no_value}) == Verdict::underspecified);
-    CHECK(judged_at({agreeing(), our_limit}) == Verdict::undecided);
-    CHECK(judged_at({our_limit}) == Verdict::undecided);
-    CHECK(judged_at({}) == Verdict::undecided);
-    // Apart by less than the values are good for; not numbers at all.
-    CHECK(judged_at({values("1.001", "1", "0.1", 3)}) == Verdict::undecided);
-    CHECK(judged_at({values("nan", "1", "0", -5)}) == Verdict::undecided);
-    CHECK(judged_at({values("inf", "1", "0", -5)}) == Verdict::undecided);
-    CHECK(judged_at({values("2", "1", "nan", -5)}) == Verdict::undecided);
-}
-
-TEST_CASE("refuted is made of a difference, by type") {
+TEST_CASE("refuted is made of a refutation, confirmed of a confirmation, by type") {
     // No verdict, and so no constant either, becomes a judgement; nor can one be assigned.
     static_assert(!std::is_convertible_v<Verdict, Judgement>);
     static_assert(!std::is_constructible_v<Judgement, Verdict>);
     static_assert(!std::is_assignable_v<Judgement&, Verdict>);
-    static_assert(!std::is_default_constructible_v<Difference>);
+    static_assert(!std::is_default_constructible_v<Refutation>);
+    static_assert(!std::is_default_constructible_v<Confirmation>);
+    // Values in Real make neither.
+    static_assert(!std::is_constructible_v<Refutation, Real>);
+    static_assert(!std::is_constructible_v<Confirmation, Real>);
     CHECK(Judgement() == Verdict::undecided);
-    CHECK(Judgement(Difference::of(Real(1), Real(1), Real(0))) == Verdict::undecided);
-    CHECK(Judgement(Difference::of(Real(1), Real(2), Real(0))) == Verdict::refuted);
-    CHECK(Judgement(Difference::of(Ball(1, 64), Ball(2, 64))) == Verdict::refuted);
-    CHECK(Judgement(Difference::of(Ball(1, 64), Ball(1, 64) / 0)) == Verdict::undecided);
-    CHECK(Judgement(Difference::not_above(Real(1), Real(2))) == Verdict::undecided);
-    CHECK(Judgement(Difference::not_above(Real(1), Real(1))) == Verdict::refuted);
+    CHECK(Judgement(Decision()) == Verdict::undecided);
+}
+
+TEST_CASE("balls decide what all of their numbers have in common") {
+    const Ball one(1, 64);
+    const Ball two(2, 64);
+    const Ball about_one = Ball::around(Real(1), Real("1e-6"), 64);
+    const Ball nothing = one / 0;
+    CHECK(Refutation::disjoint(one, two));
+    CHECK_FALSE(Refutation::disjoint(one, about_one));
+    CHECK_FALSE(Refutation::disjoint(one, nothing));
+    CHECK(Refutation::less(one, two));
+    CHECK_FALSE(Refutation::less(one, one));
+    CHECK_FALSE(Refutation::less(nothing, two));
+    CHECK(Confirmation::agreement(one, about_one, one, 5));
+    CHECK_FALSE(Confirmation::agreement(one, about_one, one, 7));
+    // Zero agrees to so many digits of a scale only, or exactly.
+    const Ball zero(0, 64);
+    const Ball about_zero = Ball::around(Real(0), Real("1e-30"), 64);
+    CHECK(Confirmation::agreement(zero, about_zero, two, 29));
+    CHECK_FALSE(Confirmation::agreement(zero, about_zero, zero, 1));
+    CHECK(Confirmation::agreement(zero, zero, zero, 50));
+    CHECK_FALSE(Confirmation::agreement(zero, nothing, one, 1));
+    CHECK(Confirmation::within(about_one, Rational(1, 2), Rational(3, 2)));
+    CHECK_FALSE(Confirmation::within(about_one, Rational(1), Rational(3, 2)));
+    CHECK(Confirmation::within(one, Rational(1), Rational(3, 2)));
+    CHECK_FALSE(Confirmation::within(one, Rational(1, 2), Rational(1)));
+}
+
+TEST_CASE("all parts must hold, and one that fails refutes") {
+    const Ball one(1, 64);
+    const Ball two(2, 64);
+    const Decision holds(*Confirmation::less(one, two));
+    const Decision fails(*Refutation::less(one, two));
+    CHECK(Judgement::of_all({holds, holds}) == Verdict::confirmed);
+    CHECK(Judgement::of_all({holds, {}}) == Verdict::undecided);
+    CHECK(Judgement::of_all({holds, {}, fails}) == Verdict::refuted);
+    CHECK(Judgement::of_all({}) == Verdict::undecided);
 }
 
 TEST_CASE("a few that are spread evenly over all come first") {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/enclosures.hpp"
 
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +18,8 @@ constexpr std::size_t tries = 24; // samples at which a refutation is looked for
 constexpr std::size_t tries_of_integrals = 4;
 constexpr std::size_t worst_of_integrals = 4;
 constexpr std::size_t others_of_integrals = 4;
-constexpr unsigned spare_digits = 2;   // that integrals aim at
-constexpr unsigned enough_digits = 20; // where parts of an integral cancel
-
-/// What is held against what.
-struct Formulas {
-    const formula::Expr& printed;
-    const formula::Expr& exact;
-    const std::optional<formula::Expr>& scale;
-    [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
-};
+constexpr unsigned spare_digits = 2; // that integrals aim at
+constexpr double every_digit = 1e6;  // of numbers that are exactly equal
 
 /// One of the samples.
 struct Sampled {
@@ -33,36 +27,49 @@ struct Sampled {
     std::size_t index;
 };
 
+/// Both formulas in balls at one sample, and the scale of their difference.
 struct Pair {
     std::optional<Ball> printed;
     std::optional<Ball> exact;
-    std::optional<Ball> scale; ///< of a difference, where it is not the exact value
+    std::optional<Ball> scale;
     std::string problem;
 };
 
-/// Digits to which two numbers in the balls certainly agree, relative to the scale, or the second.
-std::optional<double> proved_digits(const Pair& pair) {
-    const Ball& size = pair.scale ? *pair.scale : *pair.exact;
-    if (contains_zero(size)) {
-        return std::nullopt;
+/// The digits to which any two numbers in the balls agree, relative to the scale.
+double proved_digits(const Pair& pair) {
+    const Real most = abs(*pair.printed - *pair.exact).upper();
+    if (most == 0) {
+        return every_digit;
     }
-    const Ball off = abs((*pair.printed - *pair.exact) / size);
-    const Real most = off.upper();
-    return most == 0 ? 1e6 : Real(-log10(most)).convert_to<double>();
+    if (!certainly_positive(*pair.scale)) {
+        return -every_digit;
+    }
+    return Real(-log10(Real(most / pair.scale->lower()))).convert_to<double>();
 }
 
-/// Both formulas, and the scale, from one enclosed sample; false where there is no use in more
-/// bits.
-bool enclose(const Sampled& at, const Formulas& formulas, long bits, unsigned aim, Pair& pair) {
+Ball scale_at(const EnclosedSample& sample, const ComparedFormulas& formulas, const Ball& exact) {
+    if (formulas.scale) {
+        return abs(sample.evaluate(*formulas.scale));
+    }
+    if (!contains_zero(exact)) {
+        return abs(exact);
+    }
+    try {
+        return scale_of_terms(formulas.printed, sample) + scale_of_terms(formulas.exact, sample);
+    } catch (const Error&) {
+        return abs(exact); // no scale is known: only numbers that are exactly zero agree
+    }
+}
+
+/// False where more bits are of no use.
+bool enclose(const Sampled& at, const ComparedFormulas& formulas, long bits, unsigned aim,
+             Pair& pair) {
     try {
         const EnclosedSample& sample = at.samples.enclosed(at.index, bits, aim);
         Ball x = sample.evaluate(formulas.printed);
         Ball y = sample.evaluate(formulas.exact);
-        std::optional<Ball> size;
-        if (formulas.scale) {
-            size = sample.evaluate(*formulas.scale);
-        }
-        if (!x.is_finite() || !y.is_finite() || (size && !size->is_finite())) {
+        Ball size = scale_at(sample, formulas, y);
+        if (!x.is_finite() || !y.is_finite() || !size.is_finite()) {
             pair.problem = "the balls do not exclude a point where it is undefined";
             return true;
         }
@@ -79,23 +86,23 @@ bool enclose(const Sampled& at, const Formulas& formulas, long bits, unsigned ai
     }
 }
 
-/// At more and more bits.
-Pair pair_at(const Sampled& at, const Formulas& formulas, unsigned digits) {
+/// At more and more bits, until the balls are disjoint or prove `digits` digits.
+Pair pair_at(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
-    const auto good = [&](const Ball& x) { return x.relative_accuracy_bits() >= needed; };
     for (long bits = 2 * needed; bits <= 8 * needed; bits *= 2) {
         if (!enclose(at, formulas, bits, digits, pair) ||
-            (pair.printed && good(*pair.printed) && good(*pair.exact))) {
+            (pair.printed &&
+             (disjoint(*pair.printed, *pair.exact) || proved_digits(pair) >= digits))) {
             break;
         }
     }
     return pair;
 }
 
-/// Integrals come out as wide as they are told to: twice the bits for what is not enclosed, and
-/// once more digits where too many cancel.
-Pair pair_of_integrals(const Sampled& at, const Formulas& formulas, unsigned digits) {
+/// Integrals are as wide as the digits that they aim at: twice the bits for what is not enclosed,
+/// and once more digits where too many cancel.
+Pair pair_of_integrals(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
     const unsigned aim = digits + spare_digits;
@@ -107,15 +114,15 @@ Pair pair_of_integrals(const Sampled& at, const Formulas& formulas, unsigned dig
     if (!pair.printed || disjoint(*pair.printed, *pair.exact)) {
         return pair;
     }
-    const auto proved = proved_digits(pair);
-    if (proved && *proved < std::min(enough_digits, digits - digits / 4)) {
-        const auto missing = static_cast<unsigned>(std::clamp(aim - *proved, 0., 1. * digits));
+    const double proved = proved_digits(pair);
+    if (proved < AuditContext::digits_needed(digits)) {
+        const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits));
         enclose(at, formulas, 4 * needed, aim + missing, pair);
     }
     return pair;
 }
 
-Pair pair_for(const Sampled& at, const Formulas& formulas, unsigned digits) {
+Pair pair_for(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
     return formulas.have_integrals() ? pair_of_integrals(at, formulas, digits)
                                      : pair_at(at, formulas, digits);
 }
@@ -139,112 +146,55 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
     return order;
 }
 
-void add_refutation(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                    const Formulas& formulas, unsigned digits, Outcome& outcome) {
-    std::string problem = "the printed formula has no value at any sample";
+/// A refutation, looked for at the samples where the values in Real differ most.
+std::optional<Refutation> find_refutation(const Agreement& agreement,
+                                          const EvaluatedSamples& samples_at,
+                                          const ComparedFormulas& formulas, unsigned digits,
+                                          Evidence& evidence) {
     std::size_t tried = 0;
-    const bool integrals = formulas.have_integrals();
-    std::optional<Evidence> overlapping;
     for (const std::size_t i : by_digits(agreement)) {
-        if (agreement.samples_at[i].values() == nullptr) {
+        const SampleAgreement& there = agreement.samples_at[i];
+        if (there.no_value() != nullptr) {
             continue;
         }
-        if (tried++ == (integrals ? tries_of_integrals : tries)) {
+        if (there.digits() >= AuditContext::digits_needed(digits) ||
+            tried++ == (formulas.have_integrals() ? tries_of_integrals : tries)) {
             break;
         }
         const Pair pair = pair_for({samples_at, i}, formulas, digits);
-        if (!pair.printed || !pair.exact) {
-            problem = pair.problem;
+        if (!pair.printed) {
             continue;
         }
-        Evidence e = both(pair, samples_at.all()[i].text, digits);
-        if (disjoint(*pair.printed, *pair.exact)) {
-            outcome.evidence.add("enclosures", std::move(e));
-            return;
+        if (const auto found = Refutation::disjoint(*pair.printed, *pair.exact)) {
+            evidence.add("enclosures", both(pair, samples_at.all()[i].text, digits));
+            return found;
         }
-        // An integral's balls may be wider than the difference, and then they say nothing.
-        const auto proved = proved_digits(pair);
-        if (integrals && proved && *proved < agreement.samples_at[i].digits() + 1) {
-            problem = "the balls are wider than what the two differ by";
-            continue;
-        }
-        overlapping = std::move(e);
     }
-    if (overlapping && agreement.without_value() > 0) {
-        outcome.verdict = NotRefuted::underspecified;
-        return;
-    }
-    if (overlapping) {
-        outcome.verdict = NotRefuted::undecided;
-        outcome.note = "the estimates have it differ, the enclosures do not";
-        outcome.evidence.add("enclosures", std::move(*overlapping));
-        return;
-    }
-    outcome.evidence.add("enclosures", Evidence().add("none", problem));
+    return std::nullopt;
 }
 
-/// The samples at which a confirmation is enclosed: all, or of integrals those that agree least and
-/// some of the others.
-std::vector<std::size_t> chosen(const Agreement& agreement, const Formulas& formulas) {
+/// The samples at which a confirmation is enclosed: all, or of integrals those that agree least
+/// (where they do not agree in Real: every one) and some of the others.
+std::vector<std::size_t> chosen(const Agreement& agreement, const ComparedFormulas& formulas,
+                                unsigned digits) {
     std::vector<std::size_t> order = by_digits(agreement);
-    if (!formulas.have_integrals() || order.size() <= worst_of_integrals + others_of_integrals) {
+    const auto doubtful =
+        static_cast<std::size_t>(std::count_if(order.begin(), order.end(), [&](std::size_t i) {
+            return agreement.samples_at[i].digits() < AuditContext::digits_needed(digits);
+        }));
+    const std::size_t first = std::max(worst_of_integrals, doubtful);
+    if (!formulas.have_integrals() || order.size() <= first + others_of_integrals) {
         std::sort(order.begin(), order.end());
         return order;
     }
-    std::vector<std::size_t> some(order.begin(), order.begin() + worst_of_integrals);
+    std::vector<std::size_t> some(order.begin(),
+                                  order.begin() + static_cast<std::ptrdiff_t>(first));
     for (std::size_t k = 1; k <= others_of_integrals; ++k) {
-        const std::size_t rest = order.size() - worst_of_integrals;
-        some.push_back(order[worst_of_integrals + k * rest / others_of_integrals - 1]);
+        const std::size_t rest = order.size() - first;
+        some.push_back(order[first + k * rest / others_of_integrals - 1]);
     }
     std::sort(some.begin(), some.end());
     return some;
-}
-
-void add_confirmation(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                      const Formulas& formulas, unsigned digits, Outcome& outcome) {
-    std::size_t count = 0;
-    double least = 1e6;
-    std::optional<Evidence> worst;
-    std::string problem = "the exact value is zero";
-    for (const std::size_t i : chosen(agreement, formulas)) {
-        const Pair pair = pair_for({samples_at, i}, formulas, digits);
-        if (!pair.printed || !pair.exact) {
-            problem = pair.problem;
-            if (count == 0) {
-                break; // what the first sample does not have, the others do not
-            }
-            continue;
-        }
-        if (disjoint(*pair.printed, *pair.exact)) {
-            outcome.verdict = NotRefuted::undecided;
-            outcome.note = "the estimates have it agree, the enclosures do not";
-            outcome.evidence.add("enclosures", both(pair, samples_at.all()[i].text, digits));
-            return;
-        }
-        if (const auto proved = proved_digits(pair)) {
-            // What cancels to less than roundoff agrees with anything, as far as its terms tell.
-            if (!formulas.have_integrals() && *proved < 1) {
-                outcome.verdict = NotRefuted::undecided;
-                outcome.note = "the enclosures, " + std::to_string(8 * formula::bits_for(digits)) +
-                               " bits wide, do not bear out one digit";
-                outcome.evidence.add("enclosures", both(pair, samples_at.all()[i].text, digits));
-                return;
-            }
-            ++count;
-            if (!worst || *proved < least) {
-                least = *proved;
-                worst = both(pair, samples_at.all()[i].text, digits);
-            }
-        }
-    }
-    if (!worst) {
-        outcome.evidence.add("enclosures", Evidence().add("none", problem));
-        return;
-    }
-    // Not rounded up, as it would be by the nearest tenth.
-    const double tenths = std::floor(std::min(least, 1.0 * digits) * 10) / 10;
-    worst->add("digits_proved", digits_text(tenths)).add("samples", count);
-    outcome.evidence.add("enclosures", std::move(*worst));
 }
 
 bool has_disjoint(const Outcome& outcome) {
@@ -298,34 +248,78 @@ Basis basis_of(const ClaimResult& result) {
     return enclosed ? Basis::enclosures : Basis::estimates;
 }
 
-void add_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                    const formula::Expr& printed, const formula::Expr& exact,
-                    const std::optional<formula::Expr>& scale, unsigned digits, Outcome& outcome) {
-    const Formulas formulas{printed, exact, scale};
-    if (outcome.verdict == Verdict::refuted) {
-        add_refutation(agreement, samples_at, formulas, digits, outcome);
-    } else if (holds(outcome.verdict)) {
-        add_confirmation(agreement, samples_at, formulas, digits, outcome);
-    }
-}
-
-void add_pair(const std::string& first, const Enclosed& x, const std::string& second,
-              const Enclosed& y, const std::string& at, unsigned digits, Outcome& outcome) {
-    Evidence e;
-    if (!x.ball || !y.ball) {
-        e.add("none", x.ball ? y.problem : x.problem);
-    } else {
-        const bool apart = disjoint(*x.ball, *y.ball);
-        e.add("at", at)
-            .add(first, ball_text(*x.ball, digits))
-            .add(second, ball_text(*y.ball, digits))
-            .add("disjoint", apart);
-        if (!apart && outcome.verdict == Verdict::refuted) {
-            outcome.verdict = NotRefuted::undecided;
-            outcome.note = "the estimates have it differ, the enclosures do not";
+Decision compare_by_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
+                               const ComparedFormulas& formulas, unsigned digits,
+                               Outcome& outcome) {
+    const double needed = AuditContext::digits_needed(digits);
+    std::optional<Confirmation> all;
+    std::size_t count = 0;
+    double least = every_digit;
+    std::optional<Evidence> worst;
+    for (const std::size_t i : chosen(agreement, formulas, digits)) {
+        check_interruption();
+        const Pair pair = pair_for({samples_at, i}, formulas, digits);
+        const std::string& at = samples_at.all()[i].text;
+        if (!pair.printed) {
+            outcome.note = "no enclosure: " + pair.problem;
+            outcome.evidence.add("enclosures", Evidence().add("none", pair.problem));
+            return {};
+        }
+        if (const auto apart = Refutation::disjoint(*pair.printed, *pair.exact)) {
+            outcome.evidence.add("enclosures", both(pair, at, digits));
+            return *apart;
+        }
+        const auto holds = Confirmation::agreement(*pair.printed, *pair.exact, *pair.scale, needed);
+        if (!holds) {
+            outcome.note = "the enclosures prove " + digits_text(proved_digits(pair)) +
+                           " digits of " + digits_text(needed) + " at " + at;
+            outcome.evidence.add("enclosures", both(pair, at, digits));
+            return {};
+        }
+        all = holds;
+        ++count;
+        const double proved = proved_digits(pair);
+        if (!worst || proved < least) {
+            least = proved;
+            worst = both(pair, at, digits);
         }
     }
-    outcome.evidence.add("enclosures", std::move(e));
+    if (worst) {
+        // Not rounded up, as it would be by the nearest tenth.
+        const double tenths = std::floor(std::min(least, 1.0 * digits) * 10) / 10;
+        worst->add("digits_proved", digits_text(tenths)).add("samples", count);
+        outcome.evidence.add("enclosures", std::move(*worst));
+    }
+    return decision(std::nullopt, all);
+}
+
+Judgement judge_by_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
+                              const ExactFormula& printed, const formula::Expr& exact,
+                              const std::optional<formula::Expr>& scale, unsigned digits,
+                              Outcome& outcome) {
+    const ComparedFormulas formulas{printed.expr(), exact, scale};
+    if (const auto fails =
+            find_refutation(agreement, samples_at, formulas, digits, outcome.evidence)) {
+        return Judgement(*fails);
+    }
+    if (agreement.without_value() > 0) {
+        outcome.note = agreement.obstacle(AuditContext::digits_needed(digits));
+        return Undecided::underspecified;
+    }
+    return Judgement(compare_by_enclosures(agreement, samples_at, formulas, digits, outcome));
+}
+
+void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence) {
+    Evidence e;
+    if (!numbers.first.ball || !numbers.second.ball) {
+        e.add("none", numbers.first.ball ? numbers.second.problem : numbers.first.problem);
+    } else {
+        e.add("at", numbers.at)
+            .add(numbers.first_name, ball_text(*numbers.first.ball, digits))
+            .add(numbers.second_name, ball_text(*numbers.second.ball, digits))
+            .add("disjoint", disjoint(*numbers.first.ball, *numbers.second.ball));
+    }
+    evidence.add("enclosures", std::move(e));
 }
 
 } // namespace edgeproof::audit

@@ -3,26 +3,52 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/audit_result.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
 
 #include <array>
 #include <string_view>
 
 namespace edgeproof::audit {
 
-/// What balls say of a verdict that was found in Real, put into its evidence as `enclosures`.
-/// Refuted: the two balls at a sample where they have no number in common, the verdict's proof.
-/// Confirmed: the least number of digits to which the balls prove agreement, relative to `scale`
-/// where there is one, and at how many samples (of integrals, those that agree least and some of
-/// the others); both balls of the worst. Balls that have no number in common make it undecided.
-/// Where there is no enclosure (a profile without a closed form) it says so, and why.
-void add_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                    const formula::Expr& printed, const formula::Expr& exact,
-                    const std::optional<formula::Expr>& scale, unsigned digits, Outcome& outcome);
+/// Two formulas that a claim says are equal, and what their difference is compared with: `scale`,
+/// or where there is none the exact value, or where that is zero the sum of the sizes of the terms.
+struct ComparedFormulas {
+    formula::Expr printed;
+    formula::Expr exact;
+    std::optional<formula::Expr> scale;
+    [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
+};
 
-/// The same for two numbers that a check found to differ: the evidence of two balls. A verdict of
-/// refuted becomes undecided if they do overlap.
-void add_pair(const std::string& first, const Enclosed& x, const std::string& second,
-              const Enclosed& y, const std::string& at, unsigned digits, Outcome& outcome);
+/// The verdict on a printed formula, by enclosures at the samples of a claim. `agreement` (in Real)
+/// only says where to look first. Evidence `enclosures`.
+/// Refuted: at one sample the two balls have no number in common.
+/// Confirmed: as below.
+/// Underspecified: the printed formula has no value at some sample, and differs at none.
+[[nodiscard]] Judgement judge_by_enclosures(const Agreement& agreement,
+                                            const EvaluatedSamples& samples_at,
+                                            const ExactFormula& printed, const formula::Expr& exact,
+                                            const std::optional<formula::Expr>& scale,
+                                            unsigned digits, Outcome& outcome);
+
+/// What the enclosures decide of two formulas at the samples. They agree if the balls prove D - 5
+/// digits at every sample, or where there are integrals at the samples that agree least and at some
+/// others, which the evidence counts. Nothing, and a note, where the balls decide nothing.
+[[nodiscard]] Decision compare_by_enclosures(const Agreement& agreement,
+                                             const EvaluatedSamples& samples_at,
+                                             const ComparedFormulas& formulas, unsigned digits,
+                                             Outcome& outcome);
+
+/// Two numbers that a claim says are equal.
+struct ComparedNumbers {
+    std::string first_name;
+    Enclosed first;
+    std::string second_name;
+    Enclosed second;
+    std::string at; ///< the sample
+};
+
+/// Puts two enclosures into the evidence.
+void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence);
 
 /// Whether a refutation is proved by disjoint enclosures: under every reading that fails.
 [[nodiscard]] bool rests_on_enclosures(const ClaimResult& result);

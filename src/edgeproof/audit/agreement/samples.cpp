@@ -2,6 +2,7 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 
 #include "edgeproof/audit/agreement/undefined.hpp"
+#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
 #include "edgeproof/audit/sample/naive_integral.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -34,6 +35,13 @@ double away_from(const Sample& sample) {
     return sample.fraction ? std::abs(std::log10(5 * sample.fraction->to<double>())) : 0;
 }
 
+constexpr unsigned condition_digits = 15;
+
+bool certainly_holds(const Condition& where, const Sample& sample) {
+    SampleInBalls in_balls(sample, condition_digits);
+    return confirms(decide(where, in_balls, condition_digits));
+}
+
 /// All that the samples of a claim depend on.
 std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) {
     std::string key = fmt::format("samples/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
@@ -56,11 +64,10 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
 
 namespace {
 
-std::optional<Difference> difference_at(const SampleAgreement& s, double digits_needed) {
+/// Whether the values in Real differ by more than their errors: a sample to look at in balls.
+bool seems_different(const SampleAgreement& s, double digits_needed) {
     const ValuePair* v = s.values();
-    return v != nullptr && v->digits < digits_needed
-               ? Difference::of(v->printed, v->exact, v->error)
-               : std::nullopt;
+    return v != nullptr && v->digits < digits_needed && abs(v->printed - v->exact) > v->error;
 }
 
 } // namespace
@@ -84,20 +91,11 @@ bool Agreement::to(double digits) const {
            });
 }
 
-std::optional<Difference> Agreement::difference(double digits_needed) const {
-    for (const SampleAgreement& s : samples_at) {
-        if (auto found = difference_at(s, digits_needed)) {
-            return found;
-        }
-    }
-    return std::nullopt;
-}
-
 SampleUse Agreement::use(double digits_needed) const {
     SampleUse use;
     use.samples = samples_at.size();
     for (std::size_t i = 0; i < samples_at.size(); ++i) {
-        if (difference_at(samples_at[i], digits_needed)) {
+        if (seems_different(samples_at[i], digits_needed)) {
             use.first_refuting = use.refuting++ == 0 ? i + 1 : use.first_refuting;
         }
         const double digits = samples_at[i].digits();
@@ -187,8 +185,10 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
             sample_at.place = scene_values.place(sample.edge, *sample.fraction);
         }
         sample_at.variables = scene_values.values_of(sample.variables);
-        if (where && !scene_values.holds(*where, sample_at.place ? &*sample_at.place : nullptr,
-                                         sample_at.variables)) {
+        // A sample on the boundary of the condition decides nothing: it is left out.
+        if (where && (!scene_values.holds(*where, sample_at.place ? &*sample_at.place : nullptr,
+                                          sample_at.variables) ||
+                      !certainly_holds(*where, sample))) {
             ++left_out_;
             continue;
         }

@@ -69,8 +69,6 @@ struct Agreement {
     }
     /// At every sample.
     [[nodiscard]] bool to(double digits) const;
-    /// At some sample they differ by more than their errors allow for.
-    [[nodiscard]] std::optional<Difference> difference(double digits_needed) const;
     /// EvaluatedSamples where the printed formula has no value, and why at the first of them.
     [[nodiscard]] std::size_t without_value() const;
     /// Which samples decide.

@@ -6,7 +6,7 @@ namespace edgeproof::audit {
 CheckKind definition_kind() {
     const auto check = [](const Claim&, const AuditContext&) {
         Outcome outcome;
-        outcome.verdict = NotRefuted::definition;
+        outcome.verdict = Judgement::definition();
         return outcome;
     };
     return {"definition", {{.name = "says"}}, check};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/audit/sample/formal_values.hpp"
+#include "edgeproof/audit/sample/gradient_rank.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -10,74 +11,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-constexpr unsigned working = 60;
-constexpr std::size_t gradient_draws = 4;
-
-/// The gradient of a formula by all names, by central differences good to about 20 digits.
-std::vector<Real> gradient(const formula::Expr& e, const FormalValues& at,
-                           const std::vector<std::string>& names) {
-    const PrecisionScope scope(working);
-    const Real step = pow(Real(10), -10);
-    std::vector<Real> g;
-    for (const std::string& name : names) {
-        const Real x = at.values().at(name);
-        FormalValues up = at;
-        FormalValues down = at;
-        up.set(name, Real(x + step));
-        down.set(name, Real(x - step));
-        g.emplace_back((up.evaluate(e) - down.evaluate(e)) / (2 * step));
-    }
-    return g;
-}
-
-Real largest(const std::vector<Real>& v) {
-    Real most(0);
-    for (const Real& x : v) {
-        most = std::max(most, Real(abs(x)));
-    }
-    return most;
-}
-
-/// What is left of a row after the others are eliminated from it, relative to its own size.
-Real left_over(std::vector<std::vector<Real>> others, std::vector<Real> row) {
-    const PrecisionScope scope(working);
-    const Real size = largest(row);
-    const Real negligible = pow(Real(10), -15);
-    if (size == 0) {
-        return size;
-    }
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        // The largest pivot left among all rows and columns.
-        std::size_t best_row = i;
-        std::size_t best_column = 0;
-        Real best(0);
-        for (std::size_t r = i; r < others.size(); ++r) {
-            for (std::size_t c = 0; c < row.size(); ++c) {
-                if (abs(others[r][c]) > best) {
-                    best = abs(others[r][c]);
-                    best_row = r;
-                    best_column = c;
-                }
-            }
-        }
-        if (best < negligible) {
-            break;
-        }
-        std::swap(others[i], others[best_row]);
-        const auto eliminate = [&](std::vector<Real>& from) {
-            const Real factor = from[best_column] / others[i][best_column];
-            for (std::size_t c = 0; c < from.size(); ++c) {
-                from[c] -= factor * others[i][c];
-            }
-        };
-        for (std::size_t r = i + 1; r < others.size(); ++r) {
-            eliminate(others[r]);
-        }
-        eliminate(row);
-    }
-    return largest(row) / size;
-}
 
 /// What a search for polynomial relations says of the quantity, which comes first among them.
 struct AlgebraicDependence {
@@ -115,94 +48,125 @@ AlgebraicDependence by_relations(const std::vector<RelatedQuantity>& quantities,
     return result;
 }
 
-/// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a
-/// point, if its gradient is a combination of theirs.
-Outcome check_dependence(const Claim& claim, const AuditContext& context) {
-    const SymbolicCase under = symbolic_case(claim, context);
-    const formula::Expr of = derive(claim.formula("of"), under);
+/// The quantity, and those that it may be a function of, as formulas in free names.
+struct FreeFormulas {
+    formula::Expr of;
     std::vector<formula::Expr> from;
-    std::vector<RelatedQuantity> quantities{{claim.text("of"), claim.formula("of")}};
-    std::set<std::string> names = free_symbols(of);
+    std::vector<RelatedQuantity> quantities; ///< as written, the quantity first
+};
+
+FreeFormulas free_formulas(const Claim& claim, const SymbolicCase& under) {
+    FreeFormulas all{
+        derive(claim.formula("of"), under), {}, {{claim.text("of"), claim.formula("of")}}};
     const std::vector<std::string>& texts = claim.list("from");
     const auto& formulas = claim.formulas("from");
     for (std::size_t i = 0; i < formulas.size(); ++i) {
-        quantities.push_back({texts[i], formulas[i]});
-        from.push_back(derive(formulas[i], under));
-        names.merge(free_symbols(from.back()));
+        all.quantities.push_back({texts[i], formulas[i]});
+        all.from.push_back(derive(formulas[i], under));
     }
-    const std::vector<std::string> variables(names.begin(), names.end());
-    std::size_t independent = 0;
-    std::size_t dependent = 0;
-    const PrecisionScope scope(working);
-    Real least(1);
-    for (std::size_t draw = 0; draw < gradient_draws; ++draw) {
-        const FormalValues values(names, under, draw, working);
-        std::vector<std::vector<Real>> others;
-        for (const formula::Expr& e : from) {
-            std::vector<Real> g = gradient(e, values, variables);
-            const Real size = largest(g);
-            for (Real& x : g) {
-                x /= size == 0 ? Real(1) : size;
-            }
-            others.push_back(std::move(g));
-        }
-        const Real rest = left_over(std::move(others), gradient(of, values, variables));
-        least = std::min(least, rest);
-        if (rest > pow(Real(10), -6)) {
-            ++independent;
-        } else if (rest < pow(Real(10), -12)) {
-            ++dependent;
-        }
-    }
-    Outcome outcome;
-    outcome.evidence.add("of", claim.text("of"))
-        .add("from", claim.list("from"))
-        .add("derived", to_text(of))
-        .add("derived_tex", to_tex(of))
-        .add("free", variables)
-        .add("draws", gradient_draws)
-        .add("left_of_the_gradient_at_least", value_text(least, 6));
+    return all;
+}
+
+/// The names that the quantity depends on, and the others do not.
+std::string names_alone(const FreeFormulas& formulas) {
     std::set<std::string> known;
-    for (const formula::Expr& e : from) {
+    for (const formula::Expr& e : formulas.from) {
         known.merge(free_symbols(e));
     }
     std::string alone;
-    for (const std::string& name : free_symbols(of)) {
+    for (const std::string& name : free_symbols(formulas.of)) {
         if (!known.contains(name)) {
             alone += (alone.empty() ? "" : ", ") + name;
         }
     }
-    AlgebraicDependence algebraic;
-    if (claim.has("degree")) {
-        const long degree = claim.integer("degree");
-        if (degree < 1 || degree > 12) {
-            claim.reject("degree", "relations of degree " + std::to_string(degree),
-                         "give a degree from 1 to 12");
-        }
-        algebraic =
-            by_relations(quantities, static_cast<unsigned>(degree), under, outcome.evidence);
+    return alone;
+}
+
+AlgebraicDependence look_for_relations(const Claim& claim, const FreeFormulas& formulas,
+                                       const SymbolicCase& under, Evidence& evidence) {
+    if (!claim.has("degree")) {
+        return {};
     }
-    if (independent == gradient_draws) {
-        outcome.note = claim.text("of") + " is no function of the others" +
-                       (alone.empty() ? "" : ": it depends on " + alone + ", and they do not");
-    } else if (dependent == gradient_draws) {
-        outcome.note = claim.text("of") + " is a function of the others";
+    const long degree = claim.integer("degree");
+    if (degree < 1 || degree > 12) {
+        claim.reject("degree", "relations of degree " + std::to_string(degree),
+                     "give a degree from 1 to 12");
     }
-    if (algebraic.relation && dependent == gradient_draws) {
-        outcome.note += ", proved by symbols: " + *algebraic.relation;
-        outcome.computed = algebraic.solved ? algebraic.solved : algebraic.relation;
-    } else if (algebraic.none && independent == gradient_draws) {
-        outcome.note += "; no polynomial relation of degree up to " +
-                        std::to_string(claim.integer("degree")) + " holds it, proved by rank";
+    return by_relations(formulas.quantities, static_cast<unsigned>(degree), under, evidence);
+}
+
+/// A proof, at a point drawn, that the quantity is no function of the others.
+void judge_independent(const Claim& claim, const GradientRank& rank, bool says_independent,
+                       unsigned digits, Outcome& outcome) {
+    const Ball& left = *rank.outside();
+    const Ball none(0, left.bits());
+    if (const auto fails = Refutation::less(none, left); fails && !says_independent) {
+        outcome.verdict = Judgement(*fails);
+    } else if (const auto holds = Confirmation::less(none, left); holds && says_independent) {
+        outcome.verdict = Judgement(*holds);
     }
+    outcome.note = claim.text("of") + " is no function of the others near the point drawn";
+    add_pair({"gradient outside of the span of the others",
+              {left, ""},
+              "of a function of them",
+              {none, ""},
+              rank.at()},
+             digits, outcome.evidence);
+}
+
+/// A proof that the gradient of the quantity lies in the span of the others near a point drawn, so
+/// that their ranks with it and without it are one number.
+void judge_function(const Claim& claim, const GradientRank& rank, bool says_independent,
+                    unsigned digits, Outcome& outcome) {
+    constexpr long bits = 64;
+    const Ball found(static_cast<long>(*rank.rank()), bits);
+    const Ball of_independent = found + 1;
+    if (const auto fails = Refutation::disjoint(of_independent, found); fails && says_independent) {
+        outcome.verdict = Judgement(*fails);
+    } else if (const auto holds = Confirmation::agreement(found, found, Ball(1, bits), 1);
+               holds && !says_independent) {
+        outcome.verdict = Judgement(*holds);
+    }
+    outcome.note = claim.text("of") + " is a function of the others near the point drawn";
+    add_pair({"rank of all gradients if it were none",
+              {of_independent, ""},
+              "rank proved",
+              {found, ""},
+              rank.at()},
+             digits, outcome.evidence);
+}
+
+/// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a
+/// point, if its gradient is a combination of theirs.
+Outcome check_dependence(const Claim& claim, const AuditContext& context) {
+    const SymbolicCase under = symbolic_case(claim, context);
+    const FreeFormulas formulas = free_formulas(claim, under);
+    const GradientRank rank(formulas.of, formulas.from, under);
     const bool says_independent = claim.text("says") == "independent";
-    if ((says_independent ? independent : dependent) == gradient_draws) {
-        outcome.verdict = NotRefuted::confirmed;
-    } else if (independent == gradient_draws || dependent == gradient_draws) {
-        // What is left of the gradient: nothing, where it is a function; else at least 1e-6.
-        outcome.verdict =
-            Judgement(says_independent ? Difference::of(pow(Real(10), -6), least, pow(Real(10), -7))
-                                       : Difference::of(Real(0), least, pow(Real(10), -6)));
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of"))
+        .add("from", claim.list("from"))
+        .add("derived", to_text(formulas.of))
+        .add("derived_tex", to_tex(formulas.of))
+        .add("free", rank.names());
+    const AlgebraicDependence algebraic =
+        look_for_relations(claim, formulas, under, outcome.evidence);
+    if (rank.outside()) {
+        judge_independent(claim, rank, says_independent, context.digits(), outcome);
+        const std::string alone = names_alone(formulas);
+        outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", and they do not";
+        if (algebraic.none) {
+            outcome.note += "; no polynomial relation of degree up to " +
+                            std::to_string(claim.integer("degree")) + " holds it, proved by rank";
+        }
+    } else if (rank.rank()) {
+        judge_function(claim, rank, says_independent, context.digits(), outcome);
+        if (algebraic.relation) {
+            outcome.note += ", proved by symbols: " + *algebraic.relation;
+            outcome.computed = algebraic.solved ? algebraic.solved : algebraic.relation;
+        }
+    } else {
+        outcome.note = rank.problem();
     }
     return outcome;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/checks/parts/decimal_fit.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -24,67 +24,6 @@ std::set<std::string> names_of(const formula::Expr& x, const formula::Expr& y) {
         names.insert("b" + std::to_string(k));
     }
     return names;
-}
-
-/// Numbers for all symbols: what differs there differs, whatever the symbols say.
-std::vector<FormalValues> draw_values(const std::set<std::string>& names,
-                                      const SymbolicCase& under) {
-    std::vector<FormalValues> values;
-    for (std::size_t k = 0; k < formal_draws; ++k) {
-        values.emplace_back(names, under, k);
-    }
-    return values;
-}
-
-bool close(const Real& x, const Real& y) {
-    const PrecisionScope scope(FormalValues::digits);
-    return abs(x - y) <= pow(Real(10), -30) * (abs(x) + abs(y));
-}
-
-/// The coefficients differ in numbers, at every draw where both have a value.
-std::optional<Difference> differ(const ExpansionComparison::Term& term,
-                                 const std::vector<FormalValues>& values) {
-    std::optional<Difference> found;
-    for (const FormalValues& v : values) {
-        try {
-            const Real printed = v.evaluate(term.printed);
-            const Real derived = v.evaluate(term.derived);
-            if (close(printed, derived)) {
-                return std::nullopt;
-            }
-            if (!found) {
-                found = Difference::of(printed, derived, Real(0));
-            }
-        } catch (const Error&) {
-            continue; // a draw outside the domain of a root
-        }
-    }
-    return found;
-}
-
-/// Both coefficients in balls, at the first draw where both have a value: what is disjoint there
-/// is no identity.
-void enclose_term(const ExpansionComparison::Term& term, const std::vector<FormalValues>& values,
-                  unsigned digits, Outcome& outcome) {
-    Enclosed printed;
-    Enclosed derived;
-    for (const FormalValues& v : values) {
-        try {
-            const long bits = 2 * formula::bits_for(digits);
-            Ball x = v.enclose(term.printed, bits);
-            Ball y = v.enclose(term.derived, bits);
-            if (x.is_finite() && y.is_finite()) {
-                printed.ball = std::move(x);
-                derived.ball = std::move(y);
-                break;
-            }
-            printed.problem = "no draw where both coefficients are defined";
-        } catch (const Error& error) {
-            printed.problem = error.what();
-        }
-    }
-    add_pair("printed_coefficient", printed, "derived_coefficient", derived,
-             "numbers drawn for the symbols", digits, outcome);
 }
 
 std::string power_text(const std::string& variable, const Rational& exponent) {
@@ -108,51 +47,104 @@ std::vector<EvidenceItem> terms_evidence(const ExpansionComparison& comparison,
 }
 
 /// What is left of the exact function after the printed terms, in real contacts: an order found
-/// with no series at all. The smallest order over the samples; nothing where nothing is left.
+/// with no series at all, in balls. The smallest order over the samples.
 struct Remainder {
-    std::optional<double> order;
+    std::optional<Ball> order;
     std::string at;
     std::size_t samples = 0;
+
+    /// It is proved that more is left than the printed terms allow for.
+    [[nodiscard]] bool contradicts(const Rational& through) const {
+        return order &&
+               certainly_less(*order, Ball(through, order->bits()) + Ball(Rational(1, 4), 64));
+    }
 };
 
-Remainder measure_remainder(const Claim& claim, const AuditContext& context,
+Remainder measure_remainder(const Claim& claim, const std::vector<Sample>& samples,
                             const formula::Expr& printed, const formula::Expr& exact,
-                            const std::string& variable, const Rational& through) {
-    constexpr int step = 3; // decades between the two values of the variable
-    // An order needs few digits, but (from the power -1/2 on) that many cancel before it shows.
-    constexpr double decades = 18; // the variable goes down to about 1e-18
-    const auto digits = static_cast<unsigned>((through.convert_to<double>() + 1.5) * decades) + 30;
-    const std::shared_ptr<EvaluatedSamples> sampled = EvaluatedSamples::of(claim, context, digits);
-    const EvaluatedSamples& samples_at = *sampled;
+                            const std::string& variable) {
     Remainder remainder;
-    for (const EvaluatedSample& sample_at : samples_at.all()) {
-        EvaluatedSample near = sample_at;
-        const auto it = near.variables.find(variable);
-        if (it == near.variables.end()) {
+    for (const Sample& sample : samples) {
+        const auto it = sample.variables.find(variable);
+        if (it == sample.variables.end()) {
             claim.reject("vary", "vary does not say where " + variable + " runs",
                          "write vary = { " + variable + " = [\"a*1e-14\"] }");
         }
-        const PrecisionScope scope(digits + 20);
-        const auto left_over = [&](const EvaluatedSample& at) {
-            const Real value = at.evaluate(exact).value;
-            const Real left = abs(value - at.evaluate(printed).value);
-            return left <= abs(value) * pow(Real(10), -static_cast<int>(digits) + 10) ? Real(0)
-                                                                                      : left;
-        };
-        const Real far = left_over(near);
-        it->second = it->second / pow(Real(10), step);
-        const Real close_by = left_over(near);
         ++remainder.samples;
-        if (far == 0 || close_by == 0) {
-            continue;
-        }
-        const double order = Real(log10(Real(far / close_by)) / step).convert_to<double>();
-        if (!remainder.order || order < *remainder.order) {
+        std::optional<Ball> order;
+        SampleInBalls in_balls(sample, 30);
+        static_cast<void>(in_balls.until([&](EnclosedSample& at) {
+            const Ball far_at = ball_of(it->second, at.bits());
+            const auto left_over = [&](const Ball& value) {
+                at.set(variable, value);
+                return abs(at.evaluate(exact) - at.evaluate(printed));
+            };
+            const Ball far = left_over(far_at);
+            const Ball near = left_over(far_at / 1000);
+            const Ball found = log(far / near) / log(Ball(1000, at.bits()));
+            if (!found.is_finite() || found.radius() > Real(1) / 100) {
+                return false;
+            }
+            order = found;
+            return true;
+        }));
+        if (order && (!remainder.order || order->midpoint() < remainder.order->midpoint())) {
             remainder.order = order;
-            remainder.at = sample_at.text;
+            remainder.at = sample.text();
         }
     }
     return remainder;
+}
+
+/// Every coefficient at every sample of the claim, by enclosures: the lowest power that departs
+/// refutes. Equal powers of both expansions are compared in the contacts that the claim is about,
+/// where a coefficient may vanish that does not in general.
+struct ComparedTerms {
+    std::vector<Decision> decisions;
+    const ExpansionComparison::Term* wrong = nullptr; ///< the first that is proved to differ
+    std::string problem;
+};
+
+ComparedTerms compare_terms(const ExpansionComparison& comparison,
+                            const std::vector<Sample>& samples, unsigned digits,
+                            Evidence& evidence) {
+    ComparedTerms found;
+    for (const auto& term : comparison.terms) {
+        for (const Sample& sample : samples) {
+            if (term.equal) {
+                continue;
+            }
+            SampleInBalls in_balls(sample, digits);
+            Decision one;
+            static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
+                const Ball x = at.evaluate(term.printed);
+                const Ball y = at.evaluate(term.derived);
+                const auto apart = Refutation::disjoint(x, y);
+                if (apart) {
+                    add_pair({"printed_coefficient",
+                              {x, ""},
+                              "derived_coefficient",
+                              {y, ""},
+                              sample.scene.family + ": " + sample.text()},
+                             digits, evidence);
+                }
+                const Ball scale =
+                    scale_of_terms(term.printed, at) + scale_of_terms(term.derived, at);
+                one = decision(apart, Confirmation::agreement(x, y, scale,
+                                                              AuditContext::digits_needed(digits)));
+                return !std::holds_alternative<std::monostate>(one);
+            }));
+            found.decisions.push_back(one);
+            if (refutes(one)) {
+                found.wrong = &term;
+                return found;
+            }
+            if (!confirms(one) && found.problem.empty()) {
+                found.problem = in_balls.problem();
+            }
+        }
+    }
+    return found;
 }
 
 /// Candidates of the diagnosis, in numbers: where the variable is 1e-30 a formula that is right
@@ -200,6 +192,37 @@ private:
     std::vector<std::pair<FormalValues, Real>> draws_;
 };
 
+/// A printed expansion with decimals: one equation for every coefficient at every sample.
+Judgement judge_with_decimals(const DecimalFormula& printed, const formula::Expr& exact,
+                              const ExpansionIn& in, const SymbolicCase& under,
+                              const std::vector<Sample>& samples, unsigned digits,
+                              Outcome& outcome) {
+    const unsigned fitted = std::min(digits, 100U);
+    const long bits = formula::bits_for(2 * fitted + 30);
+    std::vector<DecimalEquation> equations;
+    for (const auto& term : compare_expansions(printed.expr(), exact, in, under).terms) {
+        for (const Sample& sample : samples) {
+            const auto at = std::make_shared<EnclosedSample>(sample, bits);
+            const Ball target = at->evaluate(term.derived);
+            equations.push_back(
+                {[at, e = term.printed](const Decimals& numbers) {
+                     for (std::size_t k = 0; k < numbers.size(); ++k) {
+                         at->set(DecimalFormula::name_of_decimal(k), numbers[k]);
+                     }
+                     return at->evaluate(e);
+                 },
+                 target, contains_zero(target) ? scale_of_terms(term.derived, *at) : abs(target)});
+        }
+    }
+    const std::size_t comparisons = equations.size();
+    return judge_decimals(
+        printed.decimals(),
+        DecimalFit(printed.decimals(), std::move(equations), AuditContext::digits_needed(fitted),
+                   bits),
+        [&](const std::vector<Real>& numbers) { return printed.text_with(numbers); }, comparisons,
+        fitted, outcome);
+}
+
 Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const formula::Expr printed = claim.formula("says");
     const formula::Expr exact = claim.formula("of");
@@ -212,30 +235,36 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const ExpansionComparison comparison = compare_expansions(printed, exact, in, under);
     outcome.evidence.add("terms", terms_evidence(comparison, variable));
 
-    const Remainder remainder =
-        measure_remainder(claim, context, printed, exact, variable, in.through);
+    const std::vector<Sample> samples = context.samples(claim);
+    const Remainder remainder = measure_remainder(claim, samples, printed, exact, variable);
     outcome.evidence.add("samples", remainder.samples);
     outcome.evidence.add("order_of_the_rest",
-                         remainder.order ? fmt::format("{:.6f}", *remainder.order) : "no rest");
-    const double needed = in.through.convert_to<double>() + 0.5 - 1e-3;
-    const bool rest_is_small = !remainder.order || *remainder.order >= needed;
-
+                         remainder.order ? remainder.order->midpoint().str(6, std::ios_base::fixed)
+                                         : "no rest");
     if (comparison.equal()) {
-        outcome.verdict = rest_is_small ? NotRefuted::proved : NotRefuted::undecided;
-        outcome.note = rest_is_small ? "equal power by power; what is left has the order claimed"
-                                     : "equal in symbols, but more is left at " + remainder.at;
+        const bool contradicted = remainder.contradicts(in.through);
+        outcome.verdict = contradicted ? Judgement() : Judgement::proved_by_symbols();
+        outcome.note = contradicted ? "equal in symbols, but more is left at " + remainder.at
+                                    : "equal power by power; what is left has the order claimed";
         return outcome;
     }
+    const PrintedFormula as_printed = printed_formula(claim);
+    if (const auto* with_decimals = std::get_if<DecimalFormula>(&as_printed)) {
+        outcome.verdict = judge_with_decimals(*with_decimals, exact, in, under, samples,
+                                              context.digits(), outcome);
+        return outcome;
+    }
+    const ComparedTerms compared =
+        compare_terms(comparison, samples, context.digits(), outcome.evidence);
+    outcome.verdict = Judgement::of_all(compared.decisions);
+    if (compared.wrong == nullptr) {
+        outcome.note = outcome.verdict == Verdict::confirmed
+                           ? "the coefficients agree at the samples; not proved in symbols"
+                           : "not proved in symbols; " + compared.problem;
+        return outcome;
+    }
+    const auto* wrong = compared.wrong;
     const std::set<std::string> names = names_of(printed, exact);
-    const auto* wrong = comparison.first_wrong();
-    const auto difference = differ(*wrong, draw_values(names, under));
-    if (!difference) {
-        outcome.verdict = rest_is_small ? NotRefuted::confirmed : NotRefuted::undecided;
-        outcome.note = "not proved in symbols";
-        return outcome;
-    }
-    outcome.verdict = Judgement(*difference);
-    enclose_term(*wrong, draw_values(names, under), context.digits(), outcome);
     const std::string first = "departs at " + power_text(variable, wrong->exponent);
     outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));
     if (!remainder.at.empty()) {

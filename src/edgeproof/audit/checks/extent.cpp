@@ -2,10 +2,9 @@
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_extent.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -79,62 +78,38 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
 }
 
 /// The same figure in balls: every crossing found, and proved to be all that there are.
-Enclosed enclosed_reach(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
-    const contact::Edge edge = claim.edge();
-    contact::ExtentRange range;
+Enclosed enclosed_figure(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
+    ReachQuestion question{claim.edge(),
+                           static_cast<std::size_t>(claim.integer("terms")),
+                           formula::Exact::parse(claim.text("tolerance")),
+                           {}};
     if (claim.has("upto")) {
-        range.to = exact_in(claim, "upto", scene);
+        question.range.to = exact_in(claim, "upto", scene);
     }
-    const contact::Profile profile = scene.make_profile();
-    const contact::Load load = contact::Load::right_edge(scene.parameter("a"));
-    std::map<long, contact::BallContact> contacts;
-    const auto contact_at = [&](long bits) -> const contact::BallContact& {
-        return contacts.try_emplace(bits, profile, scene.parameter("Es"), load, bits).first->second;
-    };
-    Enclosed reach;
-    contact::BallExtentSearch search(contact_at, edge,
-                                     static_cast<std::size_t>(claim.integer("terms")),
-                                     formula::Exact::parse(claim.text("tolerance")), range);
-    const Sample sample{scene, std::nullopt, edge, {}};
-    const long needed = formula::bits_for(context.digits());
-    for (long bits = 2 * needed; bits <= 8 * needed && !reach.ball; bits *= 2) {
-        try {
-            const contact::EnclosedExtents extents = search.at(bits);
-            const bool first = claim.text("reach") == "first-exit";
-            reach.ball = (first ? extents.first_exit : extents.measure) /
-                         EnclosedSample(sample, bits).evaluate(claim.formula("base"));
-        } catch (const BudgetError& error) {
-            reach.problem = error.what();
-        } catch (const Error& error) {
-            reach.problem = error.what();
-            break;
-        }
+    const EnclosedReach found = enclosed_reach(scene, question, context.digits());
+    Enclosed reach{std::nullopt, found.problem};
+    if (found.extents) {
+        const Sample sample{scene, std::nullopt, claim.edge(), {}};
+        reach.ball = (claim.text("reach") == "first-exit" ? found.extents->first_exit
+                                                          : found.extents->measure) /
+                     EnclosedSample(sample, found.bits).evaluate(claim.formula("base"));
     }
     return reach;
 }
 
-/// The ball beside all that would have been rounded to the quoted figure, give or take a unit.
-void enclose_figure(const Enclosed& computed, const QuotedFigure& figure, const std::string& at,
-                    unsigned digits, Outcome& outcome) {
-    Evidence e;
-    if (!computed.ball) {
-        outcome.evidence.add("enclosures", e.add("none", computed.problem));
-        return;
-    }
+/// The ball, and all numbers that would have been rounded to the quoted figure; of a refutation,
+/// give or take a unit.
+Evidence enclosed_evidence(const Ball& ball, const QuotedFigure& figure, Verdict verdict,
+                           const std::string& at, unsigned digits) {
     const auto [lower, upper] =
-        figure.within_units(outcome.verdict == Verdict::refuted ? Rational(3, 2) : Rational(1, 2));
-    const Ball& ball = *computed.ball;
-    const bool apart = certainly_less(ball, Ball(lower, ball.bits())) ||
-                       certainly_less(Ball(upper, ball.bits()), ball);
+        figure.within_units(verdict == Verdict::refuted ? Rational(3, 2) : Rational(1, 2));
+    Evidence e;
     e.add("at", at)
         .add("computed", ball_text(ball, digits))
         .add("quoted", exact_text(lower) + " ... " + exact_text(upper))
-        .add("disjoint", apart);
-    if (!apart && (outcome.verdict == Verdict::refuted || outcome.verdict == Verdict::imprecise)) {
-        outcome.verdict = NotRefuted::undecided;
-        outcome.note = "the estimate has it differ, the enclosure does not";
-    }
-    outcome.evidence.add("enclosures", std::move(e));
+        .add("disjoint", certainly_less(ball, Ball(lower, ball.bits())) ||
+                             certainly_less(Ball(upper, ball.bits()), ball));
+    return e;
 }
 
 Outcome check_extent(const Claim& claim, const AuditContext& context) {
@@ -149,18 +124,35 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     std::optional<Real> at_worst;
     bool none = false;
     long worst = -1;
-    std::optional<SceneSpec> worst_scene;
+    bool undecided = false;
+    std::string problem;
     for (const SceneSpec& scene : context.scenes(claim)) {
         try {
             ReachInScene reach = reach_in(scene, claim, context, figure);
+            const std::string at = scene.family + ": " + scene.text();
+            const Enclosed enclosed = enclosed_figure(scene, claim, context);
+            Judgement verdict = enclosed.ball ? figure.verdict(*enclosed.ball) : Judgement();
+            if (reach.none &&
+                (Real(figure.value()) >= reach.value || verdict != Verdict::refuted)) {
+                // Where the part looked at ends there is no exit: a figure beyond it may be right.
+                verdict = {};
+            }
+            if (verdict == Verdict::undecided && !undecided) {
+                undecided = true;
+                problem = enclosed.ball ? "the enclosure does not decide how it is rounded"
+                                        : "no enclosure: " + enclosed.problem;
+            }
             const long off = std::labs(figure.units_off(reach.value));
             if (off > worst) {
                 worst = off;
-                worst_scene = scene;
                 at_worst = reach.value;
                 none = reach.none;
-                outcome.verdict = figure.verdict(reach.value);
+                outcome.verdict = verdict;
                 outcome.computed = figure.text(reach.value);
+                outcome.evidence.add(
+                    "enclosures", enclosed.ball ? enclosed_evidence(*enclosed.ball, figure, verdict,
+                                                                    at, context.digits())
+                                                : Evidence().add("none", enclosed.problem));
             }
             scenes.emplace_back(std::move(reach.evidence));
         } catch (const InputError& error) {
@@ -168,17 +160,15 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
         }
     }
     outcome.note = figure.note(*at_worst);
-    outcome.evidence.add("scenes", std::move(scenes));
-    enclose_figure(enclosed_reach(*worst_scene, claim, context), figure,
-                   worst_scene->family + ": " + worst_scene->text(), context.digits(), outcome);
+    if (undecided && outcome.verdict != Verdict::refuted) {
+        outcome.verdict = {};
+        outcome.note = problem;
+    }
     if (none) {
-        // What is computed is where the part looked at ends: a figure beyond it may stand.
         outcome.note = "there is no first exit up to " + figure.text(*at_worst) +
                        ", the end of the part looked at";
-        if (Real(figure.value()) >= *at_worst || outcome.verdict != Verdict::refuted) {
-            outcome.verdict = NotRefuted::undecided;
-        }
     }
+    outcome.evidence.add("scenes", std::move(scenes));
     return outcome;
 }
 

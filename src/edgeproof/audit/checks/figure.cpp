@@ -2,49 +2,94 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 namespace edgeproof::audit {
 namespace {
 
 /// How bad a verdict on a figure is.
-int badness(Verdict v) { return v == Verdict::confirmed ? 0 : v == Verdict::imprecise ? 1 : 2; }
+int badness(Verdict v) {
+    switch (v) {
+    case Verdict::confirmed:
+        return 0;
+    case Verdict::imprecise:
+        return 1;
+    case Verdict::refuted:
+        return 3;
+    default:
+        return 2;
+    }
+}
+
+/// The figure at one sample.
+struct FigureAt {
+    Judgement verdict;
+    std::optional<Ball> value;
+    std::string problem;
+};
+
+/// An exact number, or an enclosure at as many bits as it takes to round it, and to show `digits`.
+FigureAt figure_at(const Sample& sample, const formula::Expr& of, const QuotedFigure& figure,
+                   unsigned digits) {
+    FigureAt found;
+    SampleInBalls in_balls(sample, digits);
+    const bool decided = in_balls.until([&](const EnclosedSample& at) {
+        const Ball x = at.evaluate(of);
+        if (!x.is_finite()) {
+            return false;
+        }
+        found.value = x;
+        found.verdict = figure.verdict(x);
+        return found.verdict != Verdict::undecided &&
+               x.relative_accuracy_bits() >= formula::bits_for(digits);
+    });
+    if (found.verdict == Verdict::undecided) {
+        if (const auto exact = exact_value(of, sample)) {
+            found.verdict = figure.verdict_half_way(*exact);
+        }
+    }
+    if (!decided) {
+        found.problem = in_balls.problem();
+    }
+    return found;
+}
 
 Outcome check_figure(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     const formula::Expr of = claim.formula("of");
+    const unsigned digits = std::max(context.digits(), figure.digits() + 10);
     const std::shared_ptr<EvaluatedSamples> sampled =
         EvaluatedSamples::of(claim, context, context.digits());
-    const EvaluatedSamples& samples_at = *sampled;
-    const PrecisionScope scope(context.digits() + 20);
+    const PrecisionScope scope(digits + 20);
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of")).add("samples", samples_at.all().size());
+    outcome.evidence.add("of", claim.text("of")).add("samples", sampled->all().size());
     std::optional<Real> least;
     std::optional<Real> most;
     std::optional<Real> at_worst;
     int worst = -1;
-    for (const EvaluatedSample& sample_at : samples_at.all()) {
-        const FormulaValue value = sample_at.evaluate(of);
-        if (!value.converged || !isfinite(value.value)) {
-            outcome.verdict = NotRefuted::undecided;
-            outcome.note = (value.converged ? "a number beyond the range of the arithmetic at "
-                                            : "an integral did not converge at ") +
-                           sample_at.text;
+    for (const EvaluatedSample& sample_at : sampled->all()) {
+        const FigureAt found = figure_at(sample_at.sample, of, figure, digits);
+        if (!found.value) {
+            outcome.verdict = {};
+            outcome.note = found.problem + ", at " + sample_at.text;
             return outcome;
         }
-        const Judgement verdict = figure.verdict(value.value);
-        if (badness(verdict) > worst) {
-            worst = badness(verdict);
-            at_worst = value.value;
-            outcome.verdict = verdict;
-            outcome.computed = figure.text(value.value);
+        const Real value = found.value->midpoint();
+        if (badness(found.verdict) > worst) {
+            worst = badness(found.verdict);
+            at_worst = value;
+            outcome.verdict = found.verdict;
+            outcome.computed = figure.text(value);
             outcome.evidence.add("at", sample_at.text)
-                .add("value", value_text(value.value, context.digits()))
-                .add("rounds_to", figure.rounded(value.value))
-                .add("units_off", figure.units_off(value.value));
+                .add("value", value_text(value, context.digits()))
+                .add("rounds_to", figure.rounded(value))
+                .add("units_off", figure.units_off(value))
+                .add("enclosure", ball_text(*found.value, context.digits()));
         }
-        least = !least || value.value < *least ? value.value : *least;
-        most = !most || value.value > *most ? value.value : *most;
+        least = !least || value < *least ? value : *least;
+        most = !most || value > *most ? value : *most;
     }
     if (!least) {
         outcome.note = "no sample fulfils the condition";
@@ -52,7 +97,9 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
     }
     outcome.evidence.add("range",
                          std::vector<std::string>{figure.text(*least, 12), figure.text(*most, 12)});
-    outcome.note = figure.note(*at_worst);
+    outcome.note = outcome.verdict == Verdict::undecided
+                       ? "the enclosure does not decide how it is rounded"
+                       : figure.note(*at_worst);
     return outcome;
 }
 

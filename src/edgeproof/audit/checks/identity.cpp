@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-#include "edgeproof/audit/checks/parts/rounded.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -65,28 +64,27 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         EvaluatedSamples::of(claim, context, context.digits());
     EvaluatedSamples& samples_at = *sampled;
     const Agreement agreement = samples_at.compare(printed, exact);
-    if (!samples_at.all().empty()) {
-        outcome.verdict = judge_samples(agreement, context.digits_needed());
-    }
     outcome.sample_use = agreement.use(context.digits_needed());
     report_agreement(agreement, samples_at, context.digits(), outcome.evidence);
-    add_enclosures(agreement, samples_at, printed, exact, std::nullopt, context.digits(), outcome);
-    judge_rounded(claim, samples_at, exact, context.digits(), outcome);
+    const Judgement by_samples = samples_at.all().empty()
+                                     ? Judgement()
+                                     : judge_formula(claim, samples_at, agreement, exact,
+                                                     std::nullopt, context.digits(), outcome);
+    outcome.verdict = by_samples;
     if (outcome.evidence.find("rounded") != nullptr) {
         return outcome;
     }
-    const Judgement by_samples = outcome.verdict;
     if (proved) {
         outcome.verdict =
-            by_samples == Verdict::confirmed ? NotRefuted::proved : NotRefuted::undecided;
+            by_samples == Verdict::confirmed ? Judgement::proved_by_symbols() : Judgement();
         outcome.note = by_samples == Verdict::confirmed
                            ? "identically equal to the derived form; agrees at " +
                                  std::to_string(samples_at.all().size()) + " samples"
                            : "equal in symbols but not at the samples";
         return outcome;
     }
-    outcome.verdict = by_samples;
-    if (by_samples != Verdict::refuted) {
+    if (by_samples != Verdict::refuted ||
+        std::holds_alternative<DecimalFormula>(printed_formula(claim))) {
         if (by_samples == Verdict::confirmed) {
             outcome.note = "agrees at the samples; not proved in symbols";
         } else if (outcome.note.empty()) {
@@ -105,8 +103,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         const formula::Expr full = expand_definitions(e, claim.vocabulary);
-        if (judge_samples(samples_at.compare(full, exact), context.digits_needed()) !=
-            Verdict::confirmed) {
+        if (!confirmed_at_samples(samples_at, full, exact, std::nullopt, context.digits())) {
             return std::nullopt;
         }
         return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -9,57 +10,75 @@
 namespace edgeproof::audit {
 namespace {
 
-/// A formula that is to come out the same in all scenes, at each of some places: what differs
-/// between the scenes, it does not depend on.
+/// The enclosure of a formula at a sample, and the scale that its errors are compared with.
+struct EnclosedHere {
+    Enclosed value;
+    std::optional<Ball> scale;
+};
+
+EnclosedHere enclose_here(const formula::Expr& e, const Sample& sample, unsigned digits) {
+    EnclosedHere here{enclosed(e, sample, digits), std::nullopt};
+    if (here.value.ball && !contains_zero(*here.value.ball)) {
+        here.scale = abs(*here.value.ball);
+    } else if (here.value.ball) {
+        try {
+            here.scale = scale_of_terms(e, EnclosedSample(sample, 2 * formula::bits_for(digits)));
+        } catch (const Error&) {
+            here.scale.reset(); // no part has an enclosure: only exact zeros are equal
+        }
+    }
+    return here;
+}
+
+/// A formula that has the same value in all scenes, at each of some places: it does not depend on
+/// what differs between the scenes.
 Outcome check_independence(const Claim& claim, const AuditContext& context) {
     const formula::Expr e = claim.formula("of");
-    const contact::Edge edge = claim.edge();
     std::vector<formula::Exact> fractions;
     for (const std::string& text : claim.list("at")) {
         fractions.push_back(formula::Exact::parse(text));
     }
     Outcome outcome;
-    std::vector<Real> first; // the values in the first scene
+    std::vector<EnclosedHere> first; // in the first scene
     std::set<std::string> profiles;
+    std::vector<Decision> decisions;
+    std::string apart;
     double digits = 1e6;
-    unsigned good = 1000000; // digits that the values are good for
-    std::optional<Difference> against;
-    std::string worst;
     Evidence values;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     for (const SceneSpec& scene : scenes) {
-        const EvaluatedScene scene_values(scene, context.digits());
         profiles.insert(scene.profile);
         for (std::size_t k = 0; k < fractions.size(); ++k) {
-            const Place place = scene_values.place(edge, fractions[k]);
-            const FormulaValue evaluated = scene_values.evaluate(e, &place);
-            const Real& value = evaluated.value;
-            if (!evaluated.converged || !isfinite(value)) {
-                outcome.note =
-                    "not evaluated here: " +
-                    std::string(evaluated.converged ? "a number beyond the range of the arithmetic"
-                                                    : "an integral did not converge");
+            const EnclosedHere here =
+                enclose_here(e, {scene, fractions[k], claim.edge(), {}}, context.digits());
+            if (!here.value.ball) {
+                outcome.note = "no enclosure: " + here.value.problem;
                 return outcome;
             }
-            good = std::min(good, evaluated.digits);
             if (first.size() == k) {
-                first.push_back(value);
-                values.add("u = " + fractions[k].text() + " L", value_text(value, 20));
+                first.push_back(here);
+                values.add("u = " + fractions[k].text() + " L", ball_text(*here.value.ball, 20));
                 continue;
             }
-            const PrecisionScope scope(context.digits() + 20);
-            const Real off = abs(Real(value - first[k]));
-            const Real scale = abs(first[k]);
-            const double agree = off == 0     ? 1e6
-                                 : scale == 0 ? -1e6
-                                              : (-log10(Real(off / scale))).convert_to<double>();
-            if (agree < context.digits_needed() && !against) {
-                const int known = static_cast<int>(good);
-                against = Difference::of(value, first[k], Real(scale * pow(Real(10), 3 - known)));
+            const Ball& x = *here.value.ball;
+            const Ball& y = *first[k].value.ball;
+            const Ball scale = first[k].scale ? *first[k].scale : abs(y);
+            const auto differs = Refutation::disjoint(x, y);
+            decisions.push_back(
+                decision(differs, Confirmation::agreement(x, y, scale, context.digits_needed())));
+            const Real off = abs(x - y).upper();
+            if (off > 0) {
+                digits =
+                    std::min(digits, Real(-log10(Real(off / scale.upper()))).convert_to<double>());
             }
-            if (agree < digits) {
-                digits = agree;
-                worst = scene.family + ": " + scene.text() + ", u = " + fractions[k].text() + " L";
+            if (differs && apart.empty()) {
+                apart = scene.family + ": " + scene.text() + ", u = " + fractions[k].text() + " L";
+                outcome.evidence.add("enclosures",
+                                     Evidence()
+                                         .add("at", apart)
+                                         .add("there", ball_text(x, context.digits()))
+                                         .add("in_the_first_scene", ball_text(y, context.digits()))
+                                         .add("disjoint", true));
             }
         }
     }
@@ -72,18 +91,12 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
         outcome.note = "one scene shows nothing";
         return outcome;
     }
-    const bool same = digits >= context.digits_needed();
-    if (same && !against) {
-        outcome.verdict = NotRefuted::confirmed;
-    } else if (against) {
-        outcome.verdict = Judgement(*against);
-    } else {
-        outcome.note = "the values are not good enough to decide";
-        return outcome;
-    }
-    outcome.note = same ? "the same in " + std::to_string(scenes.size()) + " scenes of " +
-                              std::to_string(profiles.size()) + " profiles"
-                        : "differs: " + worst;
+    outcome.verdict = Judgement::of_all(decisions);
+    outcome.note = outcome.verdict == Verdict::refuted ? "differs: " + apart
+                   : outcome.verdict == Verdict::confirmed
+                       ? "the same in " + std::to_string(scenes.size()) + " scenes of " +
+                             std::to_string(profiles.size()) + " profiles"
+                       : "the enclosures do not decide";
     return outcome;
 }
 

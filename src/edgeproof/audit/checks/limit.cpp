@@ -1,113 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
+#include "edgeproof/audit/checks/tail/followed_tail.hpp"
 
 #include <algorithm>
 
 namespace edgeproof::audit {
 namespace {
 
-enum class Trend { towards, away, unclear };
-
-/// Distances from the limit claimed: do they die away?
-Trend finite_trend(const std::vector<Real>& f, const Real& limit, const Real& noise) {
-    std::vector<Real> d;
-    d.reserve(f.size());
-    for (const Real& value : f) {
-        d.push_back(abs(value - limit));
+/// The values of the name listed, at one sample.
+std::vector<formula::Exact> listed_values(const ParameterSweep& sweep, std::size_t sample) {
+    std::vector<formula::Exact> values;
+    for (std::size_t j = 0; j < sweep.values().size(); ++j) {
+        values.push_back(sweep.value_at(j, sample));
     }
-    const std::size_t n = d.size();
-    const Real most = *std::max_element(d.begin(), d.end());
-    if (d[n - 1] <= noise * std::max(Real(abs(limit)), most)) {
-        return Trend::towards;
-    }
-    const Real last_step = abs(f[n - 1] - f[n - 2]);
-    if (d[n - 1] >= d[n - 2] || last_step * 100 < d[n - 1]) {
-        return Trend::away; // it grows, or converges elsewhere
-    }
-    // It must fall, and not by less and less: then it would converge short of the limit.
-    const bool falls = d[n - 1] < d[n - 2] && d[n - 2] < d[n - 3] && d[n - 1] * 50 < most;
-    const bool keeps_falling = d[n - 1] * d[n - 3] * 4 < d[n - 2] * d[n - 2] * 5;
-    return falls && keeps_falling ? Trend::towards : Trend::unclear;
+    return values;
 }
 
-/// Does it grow without end? The logarithm of a bounded quantity rises by less and less.
-Trend infinite_trend(const std::vector<Real>& f) {
-    const std::size_t n = f.size();
-    for (const Real& value : f) {
-        if (value == 0) {
-            return Trend::unclear;
+/// Of what the end of the sweep may be a multiple.
+std::vector<formula::Exact> other_numbers(const ParameterSweep& sweep, std::size_t sample) {
+    const Sample& at = sweep.sample_at(0, sample).sample;
+    std::vector<formula::Exact> numbers;
+    for (const auto* names : {&at.scene.parameters, &at.variables}) {
+        for (const auto& [name, value] : *names) {
+            if (name != sweep.name()) {
+                numbers.push_back(value);
+            }
         }
     }
-    const Real last = log(Real(abs(f[n - 1] / f[n - 2])));
-    const Real before = log(Real(abs(f[n - 2] / f[n - 3])));
-    if (last <= 0 || last * 2 < before) {
-        return Trend::away;
+    return numbers;
+}
+
+std::vector<std::string> values_listed(const ParameterSweep& sweep, std::size_t sample,
+                                       const formula::Expr& of) {
+    constexpr unsigned digits_shown = 12;
+    std::vector<std::string> texts;
+    for (std::size_t j = 0; j < sweep.values().size(); ++j) {
+        const Enclosed value = enclosed(of, sweep.sample_at(j, sample).sample, digits_shown);
+        texts.push_back(value.ball ? ball_text(*value.ball, digits_shown)
+                                   : "none: " + value.problem);
     }
-    return before > 0 && abs(f[n - 1]) > abs(f[0]) * 10 ? Trend::towards : Trend::unclear;
+    return texts;
+}
+
+/// The sample followed to the end of the sweep, or why it is not.
+struct SeenLimit {
+    std::optional<FollowedTail> tail;
+    std::string problem;
+    [[nodiscard]] Decision decision() const { return tail ? tail->decision() : Decision(); }
+};
+
+SeenLimit look_at(const ParameterSweep& sweep, std::size_t sample, const LimitClaimed& claimed,
+                  unsigned digits) {
+    SeenLimit seen;
+    const auto target = SweepTarget::of(listed_values(sweep, sample), other_numbers(sweep, sample));
+    if (target) {
+        seen.tail.emplace(sweep, sample, *target, claimed, digits);
+        seen.problem = seen.tail->problem();
+    } else {
+        seen.problem = "the values of " + sweep.name() +
+                       " do not show where it goes; list values that halve, or double, at each "
+                       "step, or whose distance from a simple number halves";
+    }
+    return seen;
+}
+
+void report(const ParameterSweep& sweep, std::size_t sample, const SeenLimit& seen,
+            const formula::Expr& of, unsigned digits, Evidence& evidence) {
+    const std::string& at = sweep.sample_at(sweep.values().size() - 1, sample).text;
+    evidence.add("at", at).add("values", values_listed(sweep, sample, of));
+    if (!seen.tail) {
+        return;
+    }
+    evidence.add("goes_to", seen.tail->target().text()).add("followed", seen.tail->texts());
+    if (const auto& pair = seen.tail->compared()) {
+        add_pair({pair->first_name,
+                  {pair->first, ""},
+                  pair->second_name,
+                  {pair->second, ""},
+                  at + "; followed from there"},
+                 digits, evidence);
+    }
+}
+
+std::string note_of(const Judgement& verdict, bool infinite, unsigned decades,
+                    const ParameterSweep& sweep, std::size_t sample, const SeenLimit& seen) {
+    const std::string far = "followed by 10^" + std::to_string(decades);
+    if (verdict == Verdict::confirmed) {
+        return (infinite ? "grows without end at " : "the distance from the limit dies away at ") +
+               std::to_string(sweep.samples()) + " samples (sampled; " + far + ")";
+    }
+    if (verdict == Verdict::refuted) {
+        return (infinite ? "does not grow without end: " : "goes elsewhere: ") +
+               sweep.sample_at(sweep.values().size() - 1, sample).text + " (" + far + ")";
+    }
+    return seen.problem;
 }
 
 Outcome check_limit(const Claim& claim, const AuditContext& context) {
     const bool infinite = claim.text("limit") == "infinity";
-    const formula::Expr of = claim.formula("of");
-    const ParameterSweep sweep(claim, context, context.digits());
-    const PrecisionScope scope(context.digits() + 20);
-    const Real noise = pow(Real(10), 5 - static_cast<int>(context.digits()));
+    const LimitClaimed claimed{claim.formula("of"),
+                               infinite ? std::nullopt : std::optional(claim.formula("limit"))};
+    const ParameterSweep sweep(claim, context);
+    std::vector<Decision> decisions;
+    std::size_t shown = 0;
+    std::optional<SeenLimit> worst;
+    unsigned decades = 0;
+    for (std::size_t k = 0; k < sweep.samples(); ++k) {
+        SeenLimit seen = look_at(sweep, k, claimed, context.digits());
+        const Decision decision = seen.decision();
+        decisions.push_back(decision);
+        const unsigned far = seen.tail ? seen.tail->decades() : 0;
+        decades = k == 0 ? far : std::min(decades, far);
+        const bool worse = worst && confirms(worst->decision()) && !confirms(decision);
+        if (!worst || worse || (refutes(decision) && !refutes(worst->decision()))) {
+            shown = k;
+            worst.emplace(std::move(seen));
+        }
+        if (refutes(decision)) {
+            decades = far;
+            break;
+        }
+    }
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
         .add("limit", claim.text("limit"))
         .add("along", sweep.name())
         .add("values_taken", sweep.values())
         .add("samples", sweep.samples());
-    Trend worst = Trend::towards;
-    std::string against;
-    std::optional<Difference> apart;
-    for (std::size_t k = 0; k < sweep.samples(); ++k) {
-        std::vector<Real> f;
-        std::vector<std::string> texts;
-        for (std::size_t j = 0; j < sweep.values().size(); ++j) {
-            f.push_back(sweep.sample_at(j, k).evaluate(of).value);
-            texts.push_back(value_text(f.back(), 12));
-            if (!isfinite(f.back())) {
-                outcome.note = "not evaluated here: a number beyond the range of the arithmetic";
-                return outcome;
-            }
-        }
-        const EvaluatedSample& last = sweep.sample_at(sweep.values().size() - 1, k);
-        const Trend trend =
-            infinite ? infinite_trend(f)
-                     : finite_trend(f, last.evaluate(claim.formula("limit")).value, noise);
-        if (k == 0 || (trend != Trend::towards && worst == Trend::towards)) {
-            outcome.evidence.add("at", last.text).add("values", texts);
-        }
-        if (trend == Trend::away && worst != Trend::away) {
-            worst = trend;
-            against = last.text;
-            // The last value and the limit, or where there is none two values that do not grow.
-            apart = infinite
-                        ? Difference::not_above(Real(abs(f[f.size() - 2]) * 2), Real(abs(f.back())))
-                        : Difference::of(last.evaluate(claim.formula("limit")).value, f.back(),
-                                         Real(0));
-        } else if (trend == Trend::unclear && worst == Trend::towards) {
-            worst = trend;
-        }
-    }
-    const std::string samples = std::to_string(sweep.samples()) + " samples";
-    switch (worst) {
-    case Trend::towards:
-        outcome.verdict = NotRefuted::confirmed;
-        outcome.note =
-            (infinite ? "grows without end at " : "the distance from the limit dies away at ") +
-            samples + " (sampled)";
-        break;
-    case Trend::away:
-        outcome.verdict = Judgement(apart);
-        outcome.note = (infinite ? "does not grow without end: " : "goes elsewhere: ") + against;
-        break;
-    case Trend::unclear:
-        outcome.note = "more values along " + sweep.name() + " might decide";
-        break;
-    }
+    report(sweep, shown, *worst, claimed.of, context.digits(), outcome.evidence);
+    outcome.verdict = Judgement::of_all(decisions);
+    outcome.note = note_of(outcome.verdict, infinite, decades, sweep, shown, *worst);
     return outcome;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
 #include "edgeproof/audit/checks/parts/proved_optimum.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
@@ -38,14 +39,18 @@ public:
         if (known != tried_.end()) {
             return known->second;
         }
-        const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"), parameter_,
-                                            formula::Expr::number(value));
-        const AuditContext at(fixed, context_.digits());
-        const EvaluatedScene scene_values(at.scenes(claim_).at(scene_), search_digits);
+        const EvaluatedScene scene_values(scene_with(value), search_digits);
         ++calls_;
         const contact::Extents e =
             within_tolerance(scene_values.contact(), edge_, terms_, tolerance_, range_);
         return tried_[value] = e.first_exit / e.length;
+    }
+    /// The same, proved.
+    [[nodiscard]] std::optional<Ball> enclosed(const Rational& value) const {
+        const EnclosedReach found =
+            enclosed_reach(scene_with(value), {edge_, terms_, tolerance_, range_}, search_digits);
+        return found.extents ? std::optional(found.extents->first_exit / found.extents->length)
+                             : std::nullopt;
     }
     /// The values tried next to this one, or the value itself where there is none on that side.
     [[nodiscard]] std::pair<Rational, Rational> neighbours(const Rational& value) const {
@@ -57,6 +62,11 @@ public:
     [[nodiscard]] std::size_t calls() const { return calls_; }
 
 private:
+    [[nodiscard]] SceneSpec scene_with(const Rational& value) const {
+        const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"), parameter_,
+                                            formula::Expr::number(value));
+        return AuditContext(fixed, context_.digits()).scenes(claim_).at(scene_);
+    }
     const Claim& claim_;
     const AuditContext& context_;
     std::size_t scene_;
@@ -138,9 +148,8 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
 
 /// What is known of the best value for one tolerance.
 struct OptimumFound {
-    bool is_best = false;              ///< the value claimed
-    Real off;                          ///< how far the best value is from it
-    std::optional<Difference> farther; ///< the reach of the value claimed against the best
+    Decision is_best; ///< the value claimed; nothing reaches farther by more than a millionth
+    Ball off;         ///< how far the best value is from it
     std::string text;
     Evidence evidence;
 };
@@ -171,9 +180,12 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
         return {};
     }
     OptimumFound result;
-    result.is_best = found.is_best;
-    result.off = abs(Real(found.best.value[0].midpoint() - Ball(claimed, optimum_bits).midpoint()));
-    result.farther = Difference::of(found.claimed_reach, found.best.shown_reach);
+    const Ball millionth(Rational(1, 1'000'000), optimum_bits);
+    result.is_best =
+        decision(found.is_best ? std::nullopt
+                               : Refutation::less(found.claimed_reach, found.best.shown_reach),
+                 Confirmation::less(found.falls_short, millionth * 2));
+    result.off = abs(found.best.value[0] - Ball(claimed, optimum_bits));
     result.text = found.text + " for the tolerance " + tolerance.text();
     result.evidence.add("tolerance", tolerance.text());
     found.add_to(result.evidence);
@@ -196,22 +208,23 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(search_digits + 20);
     Outcome outcome;
     std::vector<EvidenceItem> list;
-    bool all_best = true;
-    bool approaching = true;
-    std::optional<Difference> farther; // a reach that is farther than at the value claimed
+    std::vector<Decision> best_at;     // each tolerance, in each scene
+    std::vector<Decision> approaching; // from each tolerance to the next
     std::size_t calls = 0;
     const std::size_t scenes = context.scenes(claim).size();
     for (std::size_t k = 0; k < scenes; ++k) {
-        std::optional<Real> last_off;
+        std::optional<Ball> last_off;
         for (const std::string& text : claim.list("tolerances")) {
             if (auto found = proved_search(claim, context, k, formula::Exact::parse(text), {lo, hi},
                                            claimed)) {
-                all_best = all_best && found->is_best;
-                if (!found->is_best && !farther) {
-                    farther = found->farther;
+                best_at.push_back(found->is_best);
+                const Ball away = confirms(found->is_best) ? Ball(0, optimum_bits) : found->off;
+                if (last_off) {
+                    approaching.push_back(confirms(found->is_best)
+                                              ? found->is_best
+                                              : decision(Refutation::less(*last_off, away),
+                                                         Confirmation::less(away * 2, *last_off)));
                 }
-                const Real away = found->is_best ? Real(0) : found->off;
-                approaching = approaching && (!last_off || away * 2 < *last_off || away == 0);
                 last_off = away;
                 list.emplace_back(std::move(found->evidence));
                 if (!outcome.computed) {
@@ -223,17 +236,17 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             const Real here = reach(claimed);
             const Best best = search(reach, claimed, lo, hi);
             calls += reach.calls();
-            const bool is_best = best.reach <= here * (1 + pow(Real(10), -12));
-            const Real off = is_best ? Real(0) : Real(abs(Real(Rational(best.at - claimed))));
-            all_best = all_best && is_best;
-            if (!is_best && !farther) {
-                farther = Difference::of(here, best.reach, Real(0));
-            }
-            approaching = approaching && (!last_off || off * 2 < *last_off || off == 0);
-            last_off = off;
+            // Values that were tried can only show that another one reaches farther.
+            const auto enclosed_here = reach.enclosed(claimed);
+            const auto enclosed_best = reach.enclosed(best.at);
+            best_at.push_back(
+                enclosed_here && enclosed_best
+                    ? decision(Refutation::less(*enclosed_here, *enclosed_best), std::nullopt)
+                    : Decision());
+            approaching.emplace_back();
             Evidence one;
             // The reach jumps with the parameter where an inner extremum of the error touches the
-            // tolerance: values tell between which of them the best was found, and no more.
+            // tolerance: the values tried show only between which of them the best was found.
             const auto [below, above] = reach.neighbours(best.at);
             const std::string from = to_decimal(below, place_digits, Rounding::down);
             const std::string to = to_decimal(above, place_digits, Rounding::up);
@@ -254,12 +267,15 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
         .add("at", claim.text("at"))
         .add("tolerances", std::move(list))
         .add("extents_computed", calls);
-    const bool right = all_best || (in_the_limit && approaching);
-    outcome.verdict = right ? Judgement(NotRefuted::confirmed) : Judgement(farther);
-    outcome.note = all_best ? calls == 0 ? "no value of the range reaches farther: proved"
-                                         : "none of the values tried reaches farther"
-                   : right  ? "the best value tends to the one claimed as the tolerance is lowered"
-                            : "reaches farthest with " + *outcome.computed;
+    const Judgement best = Judgement::of_all(best_at);
+    const Judgement in_limit = in_the_limit ? Judgement::of_all(approaching) : Judgement();
+    outcome.verdict = in_the_limit && best != Verdict::confirmed ? in_limit : best;
+    outcome.note = best == Verdict::confirmed ? "no value of the range reaches farther: proved"
+                   : outcome.verdict == Verdict::confirmed
+                       ? "the best value tends to the one claimed as the tolerance is lowered"
+                   : outcome.verdict == Verdict::refuted
+                       ? "reaches farthest with " + *outcome.computed
+                       : "none of the values tried reaches farther, which proves nothing";
     return outcome;
 }
 

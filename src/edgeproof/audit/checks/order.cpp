@@ -1,133 +1,150 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace edgeproof::audit {
 namespace {
 
-constexpr int first_rung = 20; // decades from the length of the contact
-constexpr int rungs_to_the_edge = 4;
-constexpr int decades_per_rung = 2;
+/// Decades from the length of the contact to the places, in two pairs. A term with a factor of
+/// 1e-90 prevails at these places, too.
+constexpr std::array<int, 4> rungs{150, 152, 300, 302};
+constexpr int decades_per_pair = 2;
+constexpr unsigned first_digits_of_rungs = 170; // that the enclosures begin with
 /// What the measured orders and the constants may differ by.
-constexpr const char* order_tolerance = "1e-6";
+const Rational order_tolerance(1, 1000000); // NOLINT: a constant of a type without a literal
 /// A constant is a pure number of order one if over the family it varies by less than this.
 constexpr int most_spread = 100;
 
-/// One scene: the order of `of`, that of `says`, and the limit of of/says at the edge.
+/// One scene in balls: the order of `of`, that of `says`, and the limit of of/says at the edge.
 struct OrderInScene {
     std::string text;
-    Real order;
-    Real order_said;
-    Real ratio;
-    bool clear = true; ///< neighbouring steps agree
+    Ball order;
+    Ball order_said;
+    Ball ratio;
 };
 
-Real slope(const Real& near, const Real& far, const Real& decades) {
-    return log10(Real(far / near)) / decades;
+Ball slope(const Ball& near, const Ball& far) {
+    return log(far / near) / (log(Ball(10, far.bits())) * decades_per_pair);
 }
 
-/// nullopt where `says` is zero: nothing is of the order of zero.
-std::optional<OrderInScene> measure(const EvaluatedScene& scene_values, const Sample& sample,
-                                    const formula::Expr& of, const formula::Expr& says,
-                                    const std::string& text) {
-    OrderInScene found;
-    found.text = text;
-    std::vector<Real> f;
-    std::vector<Real> g;
-    const Variables variables = scene_values.values_of(sample.variables);
-    for (int k = 0; k < rungs_to_the_edge; ++k) {
-        const Real u = scene_values.length() * pow(Real(10), -(first_rung + k * decades_per_rung));
-        const Place place = scene_values.place_at_u(sample.edge, u);
-        f.push_back(abs(scene_values.evaluate(of, &place, variables).value));
-        g.push_back(abs(scene_values.evaluate(says, &place, variables).value));
-        if (g.back() == 0) {
-            return std::nullopt;
-        }
-        if (f.back() == 0) {
-            found.clear = false;
-            return found;
-        }
+bool narrow(const Ball& x) {
+    return x.is_finite() &&
+           certainly_less(Ball(x.radius(), x.bits()), Ball(order_tolerance, x.bits()) / 10);
+}
+
+/// Both formulas at places nearer and nearer to the edge, at one level of bits. Nothing where the
+/// orders of neighbouring steps differ, or the balls are too wide.
+std::optional<OrderInScene> measure_at(EnclosedSample& at, contact::Edge edge,
+                                       const formula::Expr& of, const formula::Expr& says) {
+    std::vector<Ball> f;
+    std::vector<Ball> g;
+    for (const int decades : rungs) {
+        at.set_place(edge, at.length() * pow_int(Ball(10, at.bits()), -decades));
+        f.push_back(abs(at.evaluate(of)));
+        g.push_back(abs(at.evaluate(says)));
     }
-    const std::size_t last = f.size() - 1;
-    const Real step(decades_per_rung);
-    found.order = slope(f[last], f[last - 1], step);
-    found.order_said = slope(g[last], g[last - 1], step);
-    found.ratio = f[last] / g[last];
-    const Real before = slope(f[last - 1], f[last - 2], step);
-    found.clear = isfinite(found.order_said) && isfinite(found.ratio) &&
-                  abs(found.order - before) < Real(order_tolerance);
-    return found;
+    const Ball before = slope(f[1], f[0]);
+    OrderInScene found{"", slope(f[3], f[2]), slope(g[3], g[2]), f[3] / g[3]};
+    const bool settled =
+        narrow(found.order) && narrow(found.order_said) && found.ratio.is_finite() &&
+        certainly_less(abs(found.order - before), Ball(order_tolerance, before.bits()));
+    return settled ? std::optional(found) : std::nullopt;
 }
 
 struct Scenes {
     std::vector<OrderInScene> all;
-    std::size_t left_out = 0; ///< where `says` is zero or `where` does not hold
+    std::size_t left_out = 0; ///< where `says` is zero or `where` does not certainly hold
+    std::string undetermined; ///< a scene in which the order is not determined
 };
 
 Scenes measure_all(const Claim& claim, const AuditContext& context, const formula::Expr& says) {
     const formula::Expr of = claim.formula("of");
-    // Errors near the edge are differences of nearly equal numbers.
-    const unsigned digits =
-        context.digits() + first_rung + rungs_to_the_edge * decades_per_rung + 20;
     Scenes scenes;
-    const PrecisionScope scope(digits + 20);
     for (const Sample& sample : context.samples(claim)) {
-        const EvaluatedScene scene_values(sample.scene, digits);
-        if (claim.has("where") && !scene_values.holds(claim.condition("where"))) {
+        SampleInBalls in_balls(sample, first_digits_of_rungs);
+        if (claim.has("where") &&
+            !confirms(decide(claim.condition("where"), in_balls, context.digits_needed()))) {
             ++scenes.left_out;
             continue;
         }
-        if (auto found = measure(scene_values, sample, of, says,
-                                 sample.scene.family + ": " + sample.scene.text())) {
-            scenes.all.push_back(std::move(*found));
+        std::optional<OrderInScene> found;
+        bool says_zero = false;
+        static_cast<void>(in_balls.until([&](EnclosedSample& at) {
+            at.set_place(sample.edge, at.length() / 1000);
+            const Ball said = at.evaluate(says);
+            says_zero = arb_is_zero(said.data()) != 0;
+            found = says_zero ? std::nullopt : measure_at(at, sample.edge, of, says);
+            return says_zero || found.has_value();
+        }));
+        const std::string text = sample.scene.family + ": " + sample.scene.text();
+        if (says_zero) {
+            ++scenes.left_out; // nothing is of the order of zero
+        } else if (!found) {
+            scenes.undetermined = text;
         } else {
-            ++scenes.left_out;
+            found->text = text;
+            scenes.all.push_back(std::move(*found));
         }
     }
     return scenes;
 }
 
+std::string short_text(const Ball& x, unsigned digits = 4) {
+    return to_decimal(x.midpoint(), digits);
+}
+
 Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
-    if (scenes.all.empty()) {
-        note = "no scene admits the claim";
-        return NotRefuted::undecided;
+    if (!scenes.undetermined.empty() || scenes.all.empty()) {
+        note = scenes.all.empty() && scenes.undetermined.empty()
+                   ? "no scene admits the claim"
+                   : "the order is not determined in " + scenes.undetermined;
+        return {};
     }
-    const Real slack(order_tolerance);
-    bool higher = false;
+    std::vector<Decision> as_said;
+    std::optional<Confirmation> higher;
     for (const OrderInScene& s : scenes.all) {
-        if (!s.clear) {
-            note = "the order is not determined in " + s.text;
-            return NotRefuted::undecided;
-        }
-        if (s.order < s.order_said - slack) {
-            note = "of order " + to_decimal(s.order, 4) + ", not " + to_decimal(s.order_said, 4) +
+        const Ball slack(order_tolerance, s.order.bits());
+        if (const auto lower = Refutation::less(s.order, s.order_said - slack)) {
+            note = "of order " + short_text(s.order) + ", not " + short_text(s.order_said) +
                    ", in " + s.text;
-            return Judgement(Difference::not_above(Real(s.order_said - slack), s.order));
+            return Judgement(*lower);
         }
-        higher = higher || s.order > s.order_said + slack;
+        if (const auto above = Confirmation::less(s.order_said + slack, s.order)) {
+            higher = above;
+        }
+        as_said.push_back(
+            decision(std::nullopt, Confirmation::less(abs(s.order - s.order_said), slack)));
     }
     if (higher) {
         note = "of a higher order than is said";
-        return NotRefuted::imprecise;
+        return Judgement::imprecise(*higher);
     }
     const auto [least, most] = std::minmax_element(
-        scenes.all.begin(), scenes.all.end(),
-        [](const OrderInScene& x, const OrderInScene& y) { return x.ratio < y.ratio; });
-    if (universal && most->ratio > least->ratio * most_spread) {
-        note = "the factor is no pure number: from " + to_decimal(least->ratio, 4) + " to " +
-               to_decimal(most->ratio, 4) + " over the scenes";
-        return Judgement(Difference::of(least->ratio, most->ratio, Real(0)));
-    }
-    note = "the order is that claimed in " + std::to_string(scenes.all.size()) + " scenes";
+        scenes.all.begin(), scenes.all.end(), [](const OrderInScene& x, const OrderInScene& y) {
+            return x.ratio.midpoint() < y.ratio.midpoint();
+        });
     if (universal) {
-        note += "; the factor lies between " + to_decimal(least->ratio, 4) + " and " +
-                to_decimal(most->ratio, 4);
+        if (const auto apart = Refutation::less(least->ratio * most_spread, most->ratio)) {
+            note = "the factor is no pure number: from " + short_text(least->ratio) + " to " +
+                   short_text(most->ratio) + " over the scenes";
+            return Judgement(*apart);
+        }
     }
-    return NotRefuted::confirmed;
+    const Judgement all = Judgement::of_all(as_said);
+    if (all == Verdict::confirmed) {
+        note = "the order is that claimed in " + std::to_string(scenes.all.size()) + " scenes";
+        if (universal) {
+            note += "; the factor lies between " + short_text(least->ratio) + " and " +
+                    short_text(most->ratio);
+        }
+    }
+    return all;
 }
 
 void report(const Scenes& scenes, Evidence& evidence) {
@@ -138,18 +155,17 @@ void report(const Scenes& scenes, Evidence& evidence) {
     if (scenes.all.empty()) {
         return;
     }
-    const auto range = [&](auto&& value) {
-        Real least = value(scenes.all.front());
-        Real most = least;
-        for (const OrderInScene& s : scenes.all) {
-            least = std::min(least, Real(value(s)));
-            most = std::max(most, Real(value(s)));
-        }
-        return std::vector<std::string>{to_decimal(least, 10), to_decimal(most, 10)};
+    const auto range = [&](Ball OrderInScene::*value) {
+        const auto [least, most] = std::minmax_element(
+            scenes.all.begin(), scenes.all.end(), [&](const auto& x, const auto& y) {
+                return (x.*value).midpoint() < (y.*value).midpoint();
+            });
+        return std::vector<std::string>{short_text(*least.*value, 10),
+                                        short_text(*most.*value, 10)};
     };
-    evidence.add("order", range([](const OrderInScene& s) { return s.order; }))
-        .add("order_said", range([](const OrderInScene& s) { return s.order_said; }))
-        .add("factor", range([](const OrderInScene& s) { return s.ratio; }));
+    evidence.add("order", range(&OrderInScene::order))
+        .add("order_said", range(&OrderInScene::order_said))
+        .add("factor", range(&OrderInScene::ratio));
 }
 
 Outcome check_order(const Claim& claim, const AuditContext& context) {

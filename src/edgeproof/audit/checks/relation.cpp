@@ -11,7 +11,7 @@ namespace {
 
 /// What was found in one scene.
 struct RelationInScene {
-    enum class Finding { holds, fails, unclear } finding = Finding::unclear;
+    Decision decision;
     std::size_t places = 0;
     std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
     std::vector<std::string> where;   ///< intervals in which it fails (or holds, if that is asked)
@@ -39,18 +39,43 @@ std::vector<std::string> interval_texts(const MarginScan& scan, bool holding) {
     return texts;
 }
 
-using Finding = RelationInScene::Finding;
-
 RelationInScene without_place(const ConditionInScene& condition) {
     RelationInScene result;
     if (const auto margin = condition.anywhere()) {
         result.places = 1;
+        result.decision = condition.decide_at(nullptr).value_or(Decision());
         result.decisive = MarginAt{Real(0), *margin};
-        result.finding = !margin->clear      ? Finding::unclear
-                         : margin->value > 0 ? Finding::holds
-                                             : Finding::fails;
     }
     return result;
+}
+
+/// Of all places at which the condition is asked: one that fails decides, and the narrowest margin
+/// is looked at first.
+Decision all_of(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
+    std::vector<const MarginAt*> order;
+    for (const MarginAt& place : places) {
+        order.push_back(&place);
+    }
+    std::stable_sort(order.begin(), order.end(), [](const MarginAt* x, const MarginAt* y) {
+        return x->margin.value < y->margin.value;
+    });
+    Decision all;
+    bool open = false;
+    for (const MarginAt* place : order) {
+        if (open && place->margin.value > 0) {
+            break; // no later place fails, as far as the values in Real go
+        }
+        const auto one = condition.decide_at(&place->fraction);
+        if (!one) {
+            continue;
+        }
+        if (refutes(*one)) {
+            return *one;
+        }
+        open = open || !confirms(*one);
+        all = *one;
+    }
+    return open ? Decision() : all;
 }
 
 RelationInScene everywhere(const ConditionInScene& condition, const Real& nearest) {
@@ -63,13 +88,25 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
             std::any_of(scan.places().begin(), scan.places().end(),
                         [](const MarginAt& p) { return p.margin.clear && !(p.margin.value > 0); });
         if (fails) {
-            result.finding = Finding::fails;
             result.where = interval_texts(scan, false);
-        } else {
-            result.finding = scan.unclear() > 0 ? Finding::unclear : Finding::holds;
         }
+        result.decision = all_of(condition, scan.places());
     }
     return result;
+}
+
+/// Fails if it does at every place at which the condition is asked. The scan has looked for places
+/// between these where the sides come near to each other; that none is missed is sampled.
+Decision fails_at_all(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
+    Decision last;
+    for (const MarginAt& place : places) {
+        const auto one = condition.decide_at(&place.fraction);
+        if (one && !refutes(*one)) {
+            return {};
+        }
+        last = one.value_or(last);
+    }
+    return last;
 }
 
 RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest) {
@@ -82,9 +119,14 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
         if (holds) {
             result.where = interval_texts(scan, true);
         }
-        result.finding = holds                ? Finding::holds
-                         : scan.unclear() > 0 ? Finding::unclear
-                                              : Finding::fails;
+        if (holds) {
+            result.decision = condition.decide_at(&most->fraction).value_or(Decision());
+        } else if (!scan.nearly_holds()) {
+            result.decision = fails_at_all(condition, scan.places());
+        }
+        if (refutes(result.decision) && holds) {
+            result.decision = {};
+        }
     }
     return result;
 }
@@ -92,8 +134,7 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
 /// The sign on the last decades towards the edge: from 10^10 times `nearest` to `nearest`.
 RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest) {
     RelationInScene result;
-    std::size_t held = 0;
-    std::size_t failed = 0;
+    std::vector<Decision> decisions;
     for (int k = 0; k <= 10; ++k) {
         const Real fraction = nearest * pow(Real(10), k);
         const auto margin = condition.at(fraction);
@@ -101,19 +142,16 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
             continue;
         }
         ++result.places;
-        if (!margin->clear) {
-            continue;
-        }
-        (margin->value > 0 ? held : failed) += 1;
-        if (!result.decisive || margin->value < result.decisive->margin.value) {
+        decisions.push_back(condition.decide_at(&fraction).value_or(Decision()));
+        if (margin->clear && (!result.decisive || margin->value < result.decisive->margin.value)) {
             result.decisive = MarginAt{fraction, *margin};
         }
     }
-    if (result.places > 0 && held == result.places) {
-        result.finding = Finding::holds;
-    } else if (result.places > 0 && failed == result.places) {
-        result.finding = Finding::fails;
-    }
+    // Near the edge it holds, or fails, where it does at all these places.
+    const bool same =
+        !decisions.empty() && (std::all_of(decisions.begin(), decisions.end(), confirms) ||
+                               std::all_of(decisions.begin(), decisions.end(), refutes));
+    result.decision = same ? decisions.back() : Decision();
     return result;
 }
 
@@ -148,13 +186,15 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
     std::size_t places = 0;
     std::vector<const std::pair<std::string, RelationInScene>*> failing;
     std::size_t unclear = 0;
+    std::vector<Decision> decisions;
     const std::pair<std::string, RelationInScene>* narrowest = nullptr;
     for (const auto& f : found) {
         places += f.second.places;
-        if (f.second.finding == Finding::fails) {
+        decisions.push_back(f.second.decision);
+        if (refutes(f.second.decision)) {
             failing.push_back(&f);
         }
-        unclear += f.second.finding == Finding::unclear ? 1 : 0;
+        unclear += std::holds_alternative<std::monostate>(f.second.decision) ? 1 : 0;
         if (f.second.decisive &&
             (narrowest == nullptr ||
              f.second.decisive->margin.value < narrowest->second.decisive->margin.value)) {
@@ -179,12 +219,11 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
     }
     std::vector<EvidenceItem> list;
     for (const auto& [text, in_scene] : found) {
-        if (in_scene.finding == Finding::fails || !in_scene.where.empty()) {
+        if (refutes(in_scene.decision) || !in_scene.where.empty()) {
             Evidence one;
-            one.add("scene", text).add("holds", in_scene.finding == Finding::holds);
+            one.add("scene", text).add("holds", confirms(in_scene.decision));
             if (!in_scene.where.empty()) {
-                one.add(in_scene.finding == Finding::fails ? "fails_in" : "holds_in",
-                        in_scene.where);
+                one.add(refutes(in_scene.decision) ? "fails_in" : "holds_in", in_scene.where);
             }
             list.emplace_back(std::move(one));
         }
@@ -193,9 +232,8 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
         outcome.evidence.add("in_scenes", std::move(list));
     }
     const std::string of_scenes = std::to_string(found.size()) + " scenes";
+    outcome.verdict = Judgement::of_all(decisions);
     if (!failing.empty()) {
-        outcome.verdict = Judgement(
-            Difference::not_above(Real(0), failing.front()->second.decisive->margin.value));
         outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
                        ", as in " + failing.front()->first;
         if (!failing.front()->second.where.empty()) {
@@ -203,9 +241,8 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
         }
     } else if (found.empty() || unclear > 0 || places == 0) {
         outcome.note =
-            "the digits at hand do not decide in " + std::to_string(unclear) + " of " + of_scenes;
+            "the enclosures do not decide in " + std::to_string(unclear) + " of " + of_scenes;
     } else {
-        outcome.verdict = NotRefuted::confirmed;
         outcome.note = "holds at " + std::to_string(places) + " places of " + of_scenes +
                        (holds == "somewhere" ? ", each having some" : "");
         if (holds == "somewhere") {
@@ -217,15 +254,16 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
 
 Outcome check_relation(const Claim& claim, const AuditContext& context) {
     const std::string holds = claim.text_or("holds", "everywhere");
-    Condition condition = claim.condition("says");
+    PrintedCondition condition = printed_condition(claim);
     if (holds == "nowhere") {
-        condition = opposite(claim, condition);
+        condition.as_printed = opposite(claim, condition.as_printed);
+        condition.named = opposite(claim, condition.named);
     }
     std::optional<Condition> where;
     if (claim.has("where")) {
         where = claim.condition("where");
     }
-    const bool placed = names_a_place(condition) || (where && names_a_place(*where));
+    const bool placed = names_a_place(condition.as_printed) || (where && names_a_place(*where));
     const PrecisionScope scope(context.digits() + 20);
     const Real nearest = claim.has("nearest")
                              ? formula::Exact::parse(claim.text("nearest")).to<Real>()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -10,11 +12,11 @@
 namespace edgeproof::audit {
 namespace {
 
-std::vector<Real> numbers(const Claim& claim, std::string_view key) {
-    std::vector<Real> values;
+std::vector<Rational> numbers(const Claim& claim, std::string_view key) {
+    std::vector<Rational> values;
     for (const std::string& text : claim.list(key)) {
         try {
-            values.push_back(formula::Exact::parse(text).to<Real>());
+            values.push_back(formula::Exact::parse(text).rational());
         } catch (const InputError& error) {
             claim.reject(key, error.problem(), error.instead());
         }
@@ -22,29 +24,70 @@ std::vector<Real> numbers(const Claim& claim, std::string_view key) {
     return values;
 }
 
-/// What the residuals of one scene say of the claim.
-struct FitInScene {
-    bool as_claimed = true;
-    std::size_t vanishing = 0;
+/// One scene: the coefficients and orders by enclosures, and the fitted residuals, which
+/// illustrate them.
+struct SeriesInScene {
+    std::vector<Decision> decisions;
+    std::size_t vanishing = 0; ///< coefficients that vanish
     std::string problem;
     std::vector<std::string> slopes;
     int digits = 1000000;
-    std::optional<Difference> against; ///< of an order, or of a coefficient
 };
 
-FitInScene fit_scene(const SceneSpec& scene, contact::Edge edge,
-                     const std::vector<formula::Expr>& terms, const std::vector<Real>& orders,
-                     unsigned digits) {
+/// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). So after n correct terms
+/// the rest is of the order n + 1/2, or of a higher one where c_n vanishes, and of no other.
+void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& printed,
+                   const std::vector<Rational>& orders, const Ball& length, double needed,
+                   SeriesInScene& found) {
+    for (std::size_t n = 0; n < orders.size(); ++n) {
+        const bool term = n < printed.size();
+        const Ball scale = !contains_zero(exact[n])
+                               ? abs(exact[n])
+                               : abs(exact[0]) / pow_int(length, static_cast<long>(n));
+        if (term) {
+            const Decision same =
+                decision(Refutation::disjoint(printed[n], exact[n]),
+                         Confirmation::agreement(printed[n], exact[n], scale, needed));
+            found.decisions.push_back(same);
+            if (!confirms(same) && found.problem.empty()) {
+                found.problem =
+                    refutes(same) ? "coefficient " + std::to_string(n) + " is not that printed"
+                                  : "the enclosures do not decide coefficient " + std::to_string(n);
+            }
+        }
+        found.vanishing += contains_zero(exact[n]) ? 1 : 0;
+        const Rational order = Rational(static_cast<long>(n)) + Rational(1, 2);
+        if (orders[n] == order) {
+            continue;
+        }
+        // c_n is proved to be different from zero: the rest has the order n + 1/2.
+        const Ball zero(0, exact[n].bits());
+        found.decisions.push_back(decision(Refutation::disjoint(zero, exact[n]), std::nullopt));
+        if (found.problem.empty()) {
+            found.problem = "after " + std::to_string(n) + " terms the rest goes as u^" +
+                            to_decimal(from_rational<Real>(order), 6) + ", not u^" +
+                            to_decimal(from_rational<Real>(orders[n]), 6);
+        }
+    }
+    if (printed.empty() && found.decisions.empty()) {
+        // The leading coefficient is positive, so that the first order is that claimed.
+        found.decisions.push_back(
+            decision(std::nullopt, Confirmation::less(Ball(0, exact[0].bits()), abs(exact[0]))));
+    }
+}
+
+void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<formula::Expr>& terms,
+                std::size_t orders, unsigned digits, SeriesInScene& found) {
     ResidualFitOptions options;
-    options.orders = orders.size();
+    options.orders = orders;
     options.digits = digits;
     options.points = std::max<std::size_t>(12, digits / 4);
     options.route = contact::Route::automatic;
     // The printed coefficients, to as many digits as the fit computes the pressure to.
-    const auto enough = digits + static_cast<unsigned>(orders.size() * (options.points / 3 + 6));
+    const auto enough = digits + static_cast<unsigned>(orders * (options.points / 3 + 6));
     const EvaluatedScene scene_values(scene, enough);
     // Of what is left no coefficient is claimed, only its order. First, as the terms ask for fewer.
-    const std::vector<Real> exact = scene_values.expansion(edge, orders.size());
+    const std::vector<Real> exact = scene_values.expansion(edge, orders);
     std::vector<Real> c;
     c.reserve(terms.size());
     for (const formula::Expr& term : terms) {
@@ -54,36 +97,109 @@ FitInScene fit_scene(const SceneSpec& scene, contact::Edge edge,
     const std::vector<OrderFit> fits =
         fit_residuals(scene.make_profile(), scene.parameter("Es"),
                       contact::Load::right_edge(scene.parameter("a")), edge, options, c);
-    FitInScene found;
     for (const OrderFit& fit : fits) {
         found.slopes.push_back(to_decimal(fit.slope, 12));
-        const Real off = abs(fit.slope - orders[fit.n] - (fit.vanishing ? 1 : 0));
-        found.vanishing += fit.vanishing ? 1 : 0;
-        const bool term = fit.n < terms.size();
-        if (term) {
+        if (fit.n < terms.size()) {
             found.digits = std::min(found.digits, fit.agreeing_digits);
         }
-        const bool right = off < pow(Real(10), -9) &&
-                           (!term || fit.agreeing_digits + 5 >= static_cast<int>(digits));
-        if (!right && found.as_claimed) {
-            found.as_claimed = false;
-            const Real slope_said = orders[fit.n] + (fit.vanishing ? 1 : 0);
-            found.against = Difference::of(slope_said, fit.slope, pow(Real(10), -9));
-            found.problem = "after " + std::to_string(fit.n) + " terms the rest goes as u^" +
-                            to_decimal(fit.slope, 6) + ", not u^" + to_decimal(orders[fit.n], 6);
-            if (off < pow(Real(10), -9)) {
-                found.against = Difference::of(c[fit.n], exact[fit.n], Real(0));
-                found.problem = "coefficient " + std::to_string(fit.n) + " agrees to " +
-                                std::to_string(fit.agreeing_digits) + " digits only";
-            }
+    }
+}
+
+/// A printed coefficient with decimals: one equation a scene.
+struct DecimalTerm {
+    std::size_t n;
+    DecimalFormula printed;
+    std::vector<DecimalEquation> equations;
+};
+
+std::vector<DecimalTerm> terms_with_decimals(const Claim& claim) {
+    std::vector<DecimalTerm> found;
+    for (std::size_t n = 0; claim.has("terms") && n < claim.list("terms").size(); ++n) {
+        PrintedFormula printed = DecimalFormula::read(claim, claim.list("terms")[n]);
+        if (auto* with_decimals = std::get_if<DecimalFormula>(&printed)) {
+            found.push_back({n, std::move(*with_decimals), {}});
         }
     }
     return found;
 }
 
+void add_equation(const SceneSpec& scene, contact::Edge edge, long bits, DecimalTerm& term) {
+    const auto at = std::make_shared<EnclosedSample>(Sample{scene, std::nullopt, edge, {}}, bits);
+    const std::string side = edge == contact::Edge::right ? "right_c" : "left_c";
+    const Ball exact = at->evaluate(formula::Expr::symbol(side + std::to_string(term.n)));
+    const Ball scale = contains_zero(exact) ? abs(at->evaluate(formula::Expr::symbol(side + "0"))) /
+                                                  pow_int(at->length(), static_cast<long>(term.n))
+                                            : abs(exact);
+    term.equations.push_back({[at, e = term.printed.expr()](const Decimals& numbers) {
+                                  for (std::size_t k = 0; k < numbers.size(); ++k) {
+                                      at->set(DecimalFormula::name_of_decimal(k), numbers[k]);
+                                  }
+                                  return at->evaluate(e);
+                              },
+                              exact, scale});
+}
+
+SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
+                        const std::vector<formula::Expr>& terms,
+                        const std::vector<Rational>& orders, unsigned digits) {
+    SeriesInScene found;
+    fit_slopes(scene, edge, terms, orders.size(), digits, found);
+    const std::string side = edge == contact::Edge::right ? "right_c" : "left_c";
+    SampleInBalls in_balls({scene, std::nullopt, edge, {}}, digits);
+    const SeriesInScene fitted = found;
+    static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
+        std::vector<Ball> exact;
+        for (std::size_t n = 0; n < orders.size(); ++n) {
+            exact.push_back(at.evaluate(formula::Expr::symbol(side + std::to_string(n))));
+        }
+        std::vector<Ball> printed;
+        for (const formula::Expr& term : terms) {
+            printed.push_back(at.evaluate(term));
+        }
+        found = fitted;
+        decide_orders(exact, printed, orders, at.length(), AuditContext::digits_needed(digits),
+                      found);
+        return std::none_of(found.decisions.begin(), found.decisions.end(), [](const Decision& d) {
+            return std::holds_alternative<std::monostate>(d);
+        });
+    }));
+    if (found.decisions.empty()) {
+        found.problem = in_balls.problem();
+    }
+    return found;
+}
+
+/// Whether numbers that round to the printed decimals fit, each coefficient by itself. The orders
+/// and the other coefficients have to be right, too: a claim with both is not decided here.
+Judgement judge_decimal_terms(std::vector<DecimalTerm>& with_decimals,
+                              const std::vector<Rational>& orders, std::size_t terms,
+                              unsigned digits, Outcome& outcome) {
+    std::vector<Judgement> each;
+    for (DecimalTerm& term : with_decimals) {
+        const std::size_t scenes = term.equations.size();
+        const DecimalFit fit(term.printed.decimals(), std::move(term.equations),
+                             AuditContext::digits_needed(digits),
+                             formula::bits_for(2 * digits + 30));
+        each.push_back(judge_decimals(
+            term.printed.decimals(), fit,
+            [&](const std::vector<Real>& numbers) { return term.printed.text_with(numbers); },
+            scenes, digits, outcome));
+        if (each.back() != Verdict::confirmed) {
+            return each.back();
+        }
+    }
+    bool orders_as_expanded = true;
+    for (std::size_t n = 0; n < orders.size(); ++n) {
+        orders_as_expanded =
+            orders_as_expanded && orders[n] == Rational(static_cast<long>(n)) + Rational(1, 2);
+    }
+    return orders_as_expanded && with_decimals.size() == terms ? Judgement::of_readings(each)
+                                                               : Judgement();
+}
+
 Outcome check_series(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
-    const std::vector<Real> orders = numbers(claim, "orders");
+    const std::vector<Rational> orders = numbers(claim, "orders");
     std::vector<formula::Expr> terms;
     if (claim.has("terms")) {
         terms = claim.formulas("terms");
@@ -97,10 +213,11 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     std::size_t scenes = 0;
     std::size_t vanishing = 0;
     std::size_t failing = 0;
-    std::optional<Difference> against;
+    std::vector<Decision> decisions;
     int digits = 1000000;
     std::vector<std::string> slopes;
     const std::vector<SceneSpec> all = context.scenes(claim);
+    std::vector<DecimalTerm> with_decimals = terms_with_decimals(claim);
     const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
     // An order wants no more than its slope; it is the coefficients that have digits.
     std::vector<std::size_t> to_all_digits;
@@ -112,14 +229,21 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     for (const SceneSpec& scene : all) {
         const bool more =
             std::find(to_all_digits.begin(), to_all_digits.end(), scenes) != to_all_digits.end();
-        const FitInScene found =
-            fit_scene(scene, edge, terms, orders, more ? context.digits() : everywhere);
+        const SeriesInScene found =
+            series_in(scene, edge, terms, orders, more ? context.digits() : everywhere);
         all_digits = more ? std::min(all_digits, found.digits) : all_digits;
         ++scenes;
         vanishing += found.vanishing > 0 ? 1 : 0;
         digits = std::min(digits, found.digits);
-        if (!found.as_claimed && ++failing == 1) {
-            against = found.against;
+        for (DecimalTerm& term : with_decimals) {
+            add_equation(scene, edge, formula::bits_for(2 * everywhere + 30), term);
+        }
+        const Judgement here = Judgement::of_all(found.decisions);
+        decisions.insert(decisions.end(), found.decisions.begin(), found.decisions.end());
+        if (found.decisions.empty()) {
+            decisions.emplace_back();
+        }
+        if (here != Verdict::confirmed && ++failing == 1) {
             outcome.note = found.problem + ", in " + scene.family + ": " + scene.text();
             outcome.evidence.add("fails_in", scene.family + ": " + scene.text());
             slopes = found.slopes;
@@ -140,15 +264,19 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
                 .add("all_digits_of_the_coefficients", all_digits);
         }
     }
+    outcome.verdict = Judgement::of_all(decisions);
+    if (outcome.verdict != Verdict::confirmed && !with_decimals.empty()) {
+        // The terms as they are printed decide nothing: their decimals stand for intervals.
+        outcome.verdict =
+            judge_decimal_terms(with_decimals, orders, terms.size(), everywhere, outcome);
+        return outcome;
+    }
     if (failing == 0 && scenes > 0) {
-        outcome.verdict = NotRefuted::confirmed;
         outcome.note =
             "the residuals have the orders claimed in " + std::to_string(scenes) + " scenes";
         if (vanishing > 0) {
             outcome.note += " (in " + std::to_string(vanishing) + " a coefficient vanishes)";
         }
-    } else if (failing > 0) {
-        outcome.verdict = Judgement(against);
     }
     return outcome;
 }

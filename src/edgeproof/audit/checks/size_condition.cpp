@@ -2,7 +2,7 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/size_extents.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
-#include "edgeproof/audit/ledger/judgement.hpp"
+#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
 #include "edgeproof/formula/evaluation/environment.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -39,30 +39,41 @@ private:
     ContactsBySize::At& contact_;
 };
 
-/// Throws BudgetError where a side is not finite. `against`, if empty, becomes the difference that
-/// the relation fails by.
-bool holds(const Relation& r, const SizeEnvironment& at, std::optional<Difference>& against) {
+/// Throws BudgetError where a side is not finite.
+bool holds(const Relation& r, const SizeEnvironment& at) {
     const auto lhs = evaluate<Float128>(r.lhs, at);
     const auto rhs = evaluate<Float128>(r.rhs, at);
     if (lhs - lhs != 0 || rhs - rhs != 0) {
         throw BudgetError("a number beyond the range of the arithmetic");
     }
-    if (compare(r.op, lhs, rhs)) {
-        return true;
-    }
-    if (!against) {
-        // By how much it holds: positive, it says.
-        const bool below = r.op == Relation::Op::less || r.op == Relation::Op::less_equal;
-        const Float128 off = r.op == Relation::Op::equal ? Float128(-abs(lhs - rhs))
-                                                         : Float128(below ? rhs - lhs : lhs - rhs);
-        against = Difference::not_above(Float128(0), off);
-    }
-    return false;
+    return compare(r.op, lhs, rhs);
 }
 
 std::string relation_text(const Relation& r) {
     constexpr std::array signs{"<", "<=", ">", ">=", "="};
     return to_text(r.lhs) + " " + signs.at(static_cast<std::size_t>(r.op)) + " " + to_text(r.rhs);
+}
+
+/// A condition at the sizes that were looked at, by enclosures. A finite list of sizes confirms
+/// it at these sizes, and the note says so; where it fails at all of them, it may hold between.
+Judgement at_sizes(const SceneSpec& scene, const Condition& condition,
+                   const std::vector<Float128>& sizes, const Claim& claim,
+                   const AuditContext& context) {
+    std::size_t holding = 0;
+    std::size_t failing = 0;
+    Judgement last;
+    for (const Float128& a : sizes) {
+        SampleInBalls sample({with_size(scene, a), std::nullopt, claim.edge(), {}},
+                             context.digits());
+        const Decision found = decide(condition, sample, context.digits_needed());
+        holding += confirms(found) ? 1 : 0;
+        failing += refutes(found) ? 1 : 0;
+        last = Judgement(found);
+    }
+    if (holding == sizes.size()) {
+        return last;
+    }
+    return holding > 0 && failing > 0 ? Judgement(Undecided::underspecified) : Judgement();
 }
 
 Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
@@ -78,13 +89,12 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     const ContactsBySize contacts(profile);
     const SizeScan scan(profile, formula::Exact::parse(range[0]), formula::Exact::parse(range[1]),
                         4);
-    std::optional<Difference> against;
     const auto where = [&](const Condition& all) {
         return scan.where([&](const Float128& a) {
             ContactsBySize::At contact = contacts.at(a);
             const SizeEnvironment at(contact);
             return std::all_of(all.begin(), all.end(),
-                               [&](const Relation& r) { return holds(r, at, against); });
+                               [&](const Relation& r) { return holds(r, at); });
         });
     };
     const SizeSet set = where(condition);
@@ -97,14 +107,14 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
         breaks.push_back(to_text(a));
     }
     outcome.evidence.add("edge_on_a_knot_at", breaks).add("holds_for_a", to_text(set));
-    if (set.empty()) {
-        outcome.verdict = Judgement(against);
-        outcome.note = "for no size of the contact does it hold";
-    } else if (is_everything(set)) {
-        outcome.verdict = NotRefuted::confirmed;
-        outcome.note = "the size is not given, and for every size it holds";
+    outcome.verdict = at_sizes(scenes.front(), condition, scan.sizes(), claim, context);
+    const std::string looked_at = " (at " + std::to_string(scan.sizes().size()) + " sizes)";
+    if (outcome.verdict == Verdict::confirmed) {
+        outcome.note = "the size is not given, and for every size it holds" + looked_at;
+    } else if (outcome.verdict == Verdict::undecided) {
+        outcome.note = set.empty() ? "for no size that was looked at does it hold" + looked_at
+                                   : "the enclosures do not decide at some sizes";
     } else {
-        outcome.verdict = NotRefuted::underspecified;
         outcome.note = "the size is not given; it would hold for a = " + to_text(set, 4);
         Evidence each;
         for (const Relation& r : condition) {

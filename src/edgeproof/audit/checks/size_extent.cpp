@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/size_extents.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <map>
@@ -20,6 +22,9 @@ struct Quoted {
     std::optional<ExtentOf> over; ///< what it is divided by, if anything
     Float128 lower;               ///< what rounds to the figure lies from here ...
     Float128 upper;               ///< ... to below here
+    Rational figure;
+    Rational unit; ///< of its last place
+    formula::Exact tolerance;
 };
 
 Quoted read_quoted(const Claim& claim) {
@@ -44,6 +49,9 @@ Quoted read_quoted(const Claim& claim) {
     if (claim.has("over_terms")) {
         q.over = ExtentOf{edge, terms("over_terms"), q.of.tolerance};
     }
+    q.figure = formula::Exact::parse(claim.text("figure")).rational();
+    q.unit = formula::Exact::parse(claim.text("unit")).rational();
+    q.tolerance = formula::Exact::parse(claim.text("tolerance"));
     const Float128 half = number("unit") / 2;
     q.lower = number("figure") - half;
     q.upper = number("figure") + half;
@@ -100,8 +108,22 @@ struct Found {
     std::array<Float128, reading_count> least;
     std::array<Float128, reading_count> most;
     std::vector<Float128> breaks;
-    std::size_t looked_at = 0;
+    std::vector<Float128> sizes;              ///< that were looked at
+    std::array<bool, reading_count> steady{}; ///< at_all_sizes
 };
+
+/// Between neighbours the figure varies by less than it is away from what rounds to the quoted one.
+bool is_steady(const std::vector<Float128>& values, const Quoted& q) {
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+        const Float128 away = std::min(
+            std::max(Float128(q.lower - values[i]), Float128(values[i] - q.upper)),
+            std::max(Float128(q.lower - values[i + 1]), Float128(values[i + 1] - q.upper)));
+        if (!(abs(Float128(values[i + 1] - values[i])) < away)) {
+            return false;
+        }
+    }
+    return true;
+}
 
 Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula::Exact& from,
                  const formula::Exact& to) {
@@ -124,17 +146,60 @@ Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula
         found.holds[r] = scan.between(f, table[r], q.lower, q.upper);
         found.least[r] = *std::min_element(table[r].begin(), table[r].end());
         found.most[r] = *std::max_element(table[r].begin(), table[r].end());
+        found.steady[r] = is_steady(table[r], q);
     }
     found.breaks = scan.breaks();
-    found.looked_at = scan.sizes().size();
+    found.sizes = scan.sizes();
     return found;
 }
 
-/// A figure that does not round to what is quoted, where none does.
-std::optional<Difference> outside_of(const Quoted& q, const Found& found, std::size_t reading) {
-    return found.least[reading] < q.lower
-               ? Difference::not_above(q.lower, found.least[reading])
-               : Difference::not_above(Float128(-q.upper), Float128(-found.most[reading]));
+constexpr unsigned enclosed_digits = 15;
+
+/// Whether the figure holds at one size under a reading, by enclosures.
+Decision holds_at(const Quoted& q, const SceneSpec& scene, ExtentReading reading) {
+    const auto fraction = [&](const ExtentOf& of) -> std::optional<Ball> {
+        const EnclosedReach found =
+            enclosed_reach(scene, {of.edge, of.terms, q.tolerance, {}}, enclosed_digits);
+        if (!found.extents) {
+            return std::nullopt;
+        }
+        const bool exit = reading == ExtentReading::first_exit_of_side ||
+                          reading == ExtentReading::first_exit_of_all;
+        const EnclosedSample sample({scene, std::nullopt, of.edge, {}}, found.bits);
+        const char* side = of.edge == contact::Edge::right ? "a" : "b";
+        return (exit ? found.extents->first_exit : found.extents->measure) /
+               sample.evaluate(formula::Expr::symbol(is_of_side(reading) ? side : "L"));
+    };
+    auto value = fraction(q.of);
+    if (value && q.over) {
+        const auto divisor = fraction(*q.over);
+        value = divisor ? std::optional(*value / *divisor) : std::nullopt;
+    }
+    if (!value) {
+        return {};
+    }
+    const Rational lower = q.figure - q.unit / 2;
+    const Rational upper = q.figure + q.unit / 2;
+    const auto below = Refutation::less(*value, Ball(lower, value->bits()));
+    return decision(below ? below : Refutation::less(Ball(upper, value->bits()), *value),
+                    Confirmation::within(*value, lower, upper));
+}
+
+/// Whether a figure holds at every size that was looked at, or fails at every one: a finite list of
+/// sizes shows no more, and the note says so. `steady`: between neighbouring sizes the figure
+/// varies by less than it is away from what rounds to the quoted one.
+Judgement at_all_sizes(const Quoted& q, const SceneSpec& scene, const std::vector<Float128>& sizes,
+                       ExtentReading reading, bool steady) {
+    std::vector<Decision> decisions;
+    for (const Float128& a : sizes) {
+        check_interruption();
+        decisions.push_back(holds_at(q, with_size(scene, a), reading));
+        if (decisions.back().index() == 0 || decisions.back().index() != decisions[0].index() ||
+            (refutes(decisions.back()) && !steady)) {
+            return {};
+        }
+    }
+    return Judgement::of_all(decisions);
 }
 
 /// Sizes for which a group of figures holds and no larger group does: "a = 1 ... 2: S39, S40".
@@ -232,7 +297,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     Outcome outcome;
     outcome.evidence.add("size", "the right edge a; all else is given")
         .add("searched", range[0] + " ... " + range[1])
-        .add("sizes_looked_at", found->looked_at);
+        .add("sizes_looked_at", found->sizes.size());
     std::vector<std::string> breaks;
     for (const Float128& a : found->breaks) {
         breaks.push_back(to_text(a, 12));
@@ -241,8 +306,8 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const bool of_side = claim.text("base") == "side";
     std::size_t looked = 0;
     std::size_t some = 0;
-    std::optional<Difference> outside; // the figures over all sizes, and what rounds to the quoted
-    std::size_t everything = 0;
+    std::vector<Judgement> everywhere; // of the readings under which it holds at all sizes
+    std::vector<Judgement> nowhere;    // of those under which it holds at none
     bool jointly = false;
     std::string fitting;
     for (std::size_t r = 0; r < reading_count; ++r) {
@@ -270,23 +335,31 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         }
         ++looked;
         some += holds.empty() ? 0 : 1;
-        if (holds.empty() && !outside) {
-            outside = outside_of(quoted, *found, r);
+        if (is_everything(holds) || holds.empty()) {
+            (holds.empty() ? nowhere : everywhere)
+                .push_back(at_all_sizes(quoted, scenes.front(), found->sizes, extent_readings[r],
+                                        found->steady[r]));
         }
-        everything += is_everything(holds) ? 1 : 0;
         jointly = jointly || !all.empty();
         if (fitting.empty() && !holds.empty()) {
             fitting = "a = " + to_text(holds, 4);
         }
     }
     if (some == 0) {
-        outcome.verdict = Judgement(outside);
-        outcome.note = "for no size of the contact does it round to this";
-    } else if (everything == looked) {
-        outcome.verdict = NotRefuted::confirmed;
-        outcome.note = "the size is not given, and for every size it rounds to this";
+        outcome.verdict = Judgement::of_readings(nowhere);
+        outcome.note = "for no size of the contact does it round to this (at " +
+                       std::to_string(found->sizes.size()) + " sizes)";
+    } else if (everywhere.size() == looked) {
+        outcome.verdict = Judgement::of_readings(everywhere);
+        outcome.note = "the size is not given, and for every size it rounds to this (at " +
+                       std::to_string(found->sizes.size()) + " sizes)";
+    } else if (!everywhere.empty()) {
+        // It holds under some readings, and for some sizes only under the others.
+        everywhere.emplace_back(Undecided::underspecified);
+        outcome.verdict = Judgement::of_readings(everywhere);
+        outcome.note = "the size is not given; it would hold for " + fitting;
     } else {
-        outcome.verdict = everything > 0 ? NotRefuted::imprecise : NotRefuted::underspecified;
+        outcome.verdict = Undecided::underspecified;
         outcome.note = "the size is not given; it would hold for " + fitting;
     }
     if (!figures.empty()) {

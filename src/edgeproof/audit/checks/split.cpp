@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace edgeproof::audit {
 namespace {
 
-constexpr unsigned split_digits = 18; // orders are measured: more would show nothing more
+constexpr unsigned split_digits = 18; // an order is measured: more would show nothing more
 
 /// An expansion of the integrand, term by term up to the cut, less the finite part of the whole
 /// integral: the terms of the first part that name the cut.
@@ -28,79 +27,74 @@ CutTerms cut_terms(const formula::Expr& integrand, const std::string& variable,
 }
 
 /// The order in the small variable of what is left when the second part, from the cut to 1, and
-/// the terms of the first that name the cut are put together.
+/// the terms of the first that name the cut are put together, in balls.
 struct Left {
-    double order = 0;
-    std::string at;
+    std::vector<Ball> orders; ///< at each sample
+    std::size_t worst = 0;    ///< the sample with the least order
+    [[nodiscard]] const Ball& least() const { return orders[worst]; }
 };
+
+std::string order_text(const Ball& order, int places) {
+    return order.midpoint().str(places, std::ios_base::fixed);
+}
 
 class Splitting {
 public:
     Splitting(const Claim& claim, const AuditContext& context)
         : variable_(claim.text("variable")), small_(claim.text("small")), of_(claim.formula("of")) {
         for (const Sample& sample : context.samples(claim)) {
-            scene_values_.emplace_back(sample.scene, split_digits);
             texts_.push_back(sample.text());
-            variables_.push_back(scene_values_.back().values_of(sample.variables));
-        }
-        for (std::size_t i = 0; i < scene_values_.size(); ++i) {
             for (const int shrink : {1, 10}) {
-                second_.push_back(second_part(i, shrink));
+                Sample smaller = sample;
+                formula::Exact& size = smaller.variables.at(small_);
+                size = formula::Exact(size.expr() / formula::Expr::number(Rational(shrink)));
+                samples_.emplace_back(smaller, 8 * formula::bits_for(split_digits),
+                                      2 * split_digits);
             }
+        }
+        const formula::Expr second = formula::Expr::call(
+            "integral", {of_, formula::Expr::symbol(variable_), cut(), formula::Expr::number(1)});
+        for (const EnclosedSample& sample : samples_) {
+            second_.push_back(sample.evaluate(second));
         }
     }
 
     [[nodiscard]] Left left(const CutTerms& terms) const {
-        const PrecisionScope scope(split_digits + 20);
-        Left worst{1e9, {}};
-        for (std::size_t i = 0; i < scene_values_.size(); ++i) {
-            const Real far = abs(Real(second_[2 * i] + with_cut(terms, i, 1)));
-            const Real near = abs(Real(second_[2 * i + 1] + with_cut(terms, i, 10)));
-            const double order = Real(log10(Real(far / near))).convert_to<double>();
-            if (order < worst.order) {
-                worst = {order, texts_[i]};
+        Left found;
+        for (std::size_t i = 0; i < texts_.size(); ++i) {
+            const Ball far = abs(second_[2 * i] + with_cut(terms, 2 * i));
+            const Ball near = abs(second_[2 * i + 1] + with_cut(terms, 2 * i + 1));
+            found.orders.push_back(log(far / near) / log(Ball(10, far.bits())));
+            if (!found.orders.back().is_finite()) {
+                throw BudgetError("what is left is not enclosed at " + texts_[i]);
+            }
+            if (found.orders.back().midpoint() < found.least().midpoint()) {
+                found.worst = i;
             }
         }
-        return worst;
+        return found;
     }
-    [[nodiscard]] std::size_t samples() const { return scene_values_.size(); }
+    [[nodiscard]] std::size_t samples() const { return texts_.size(); }
+    [[nodiscard]] const std::string& text(std::size_t sample) const { return texts_[sample]; }
 
 private:
-    [[nodiscard]] Variables at(std::size_t i, int shrink) const {
-        Variables v = variables_[i];
-        const PrecisionScope scope(split_digits + 20);
-        v.at(small_) /= shrink;
-        return v;
-    }
     [[nodiscard]] formula::Expr cut() const {
         return formula::Expr::number(1) - formula::Expr::symbol("delta");
     }
-    /// The integral from the cut to 1, as it stands.
-    [[nodiscard]] Real second_part(std::size_t i, int shrink) const {
-        const formula::Expr e = formula::Expr::call(
-            "integral", {of_, formula::Expr::symbol(variable_), cut(), formula::Expr::number(1)});
-        const FormulaValue value = scene_values_[i].evaluate(e, nullptr, at(i, shrink));
-        if (!value.converged) {
-            throw BudgetError("the integral from the cut to 1 did not converge");
-        }
-        return value.value;
-    }
-    [[nodiscard]] Real with_cut(const CutTerms& terms, std::size_t i, int shrink) const {
-        const PrecisionScope scope(split_digits + 20);
-        const Variables v = at(i, shrink);
+    [[nodiscard]] Ball with_cut(const CutTerms& terms, std::size_t i) const {
         const auto power = [&](const Rational& k) {
-            return Real(pow(v.at(small_), from_rational<Real>(k)));
+            return samples_[i].evaluate(
+                pow(formula::Expr::symbol(small_), formula::Expr::number(k)));
         };
-        Real sum(0);
+        Ball sum(0, samples_[i].bits());
         for (const ExpansionTerm& term : terms.integrand) {
             const formula::Expr first =
                 formula::Expr::call("integral", {term.coefficient, formula::Expr::symbol(variable_),
                                                  formula::Expr::number(0), cut()});
-            sum += scene_values_[i].evaluate(first, nullptr, v).value * power(term.exponent);
+            sum += samples_[i].evaluate(first) * power(term.exponent);
         }
         for (const ExpansionTerm& term : terms.whole) {
-            sum -= scene_values_[i].evaluate(term.coefficient, nullptr, v).value *
-                   power(term.exponent);
+            sum -= samples_[i].evaluate(term.coefficient) * power(term.exponent);
         }
         return sum;
     }
@@ -108,10 +102,9 @@ private:
     std::string variable_;
     std::string small_;
     formula::Expr of_;
-    std::vector<EvaluatedScene> scene_values_;
     std::vector<std::string> texts_;
-    std::vector<Variables> variables_;
-    std::vector<Real> second_;
+    std::vector<EnclosedSample> samples_; ///< two for each text: the small variable, and a tenth
+    std::vector<Ball> second_;            ///< the integral from the cut to 1
 };
 
 /// That the terms of a cut cancel between the two parts of an integral.
@@ -123,13 +116,14 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
     const std::string variable = claim.text("variable");
     const Splitting splitting(claim, context);
     const Left left = splitting.left(cut_terms(claim.formula("of"), variable, in, under));
-    const double through = in.through.convert_to<double>();
+    const Rational cancelled = in.through + Rational(4, 5);
+    const Rational not_cancelled = in.through + Rational(1, 5);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
         .add("through", claim.text("small") + "^(" + claim.text("through") + ")")
         .add("samples", splitting.samples())
-        .add("order_of_what_is_left", fmt::format("{:.3f}", left.order))
-        .add("worst_at", left.at);
+        .add("order_of_what_is_left", order_text(left.least(), 3))
+        .add("worst_at", splitting.text(left.worst));
     if (claim.has("as_if")) {
         Evidence hypotheses;
         for (std::size_t i = 0; i < claim.table("as_if").size(); ++i) {
@@ -138,9 +132,11 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
             std::string found;
             try {
                 const Left with = splitting.left(cut_terms(other, variable, in, under));
-                found = fmt::format("what is left is of order {:.3f}: {}", with.order,
-                                    with.order > through + 0.8 ? "the terms cancel"
-                                                               : "they do not cancel");
+                const Ball& order = with.least();
+                found =
+                    "what is left is of order " + order_text(order, 3) + ": " +
+                    (certainly_less(Ball(cancelled, order.bits()), order) ? "the terms cancel"
+                                                                          : "they do not cancel");
             } catch (const DomainError&) {
                 found = "its terms are not integrable up to 1: those of the cut grow without "
                         "bound, and the second part, which does not, cannot cancel them";
@@ -149,17 +145,20 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
         }
         outcome.evidence.add("as_if", std::move(hypotheses));
     }
-    const std::string order = fmt::format("{:.2f}", left.order);
-    if (left.order > through + 0.8) {
-        outcome.verdict = NotRefuted::confirmed;
-        outcome.note = "they cancel through " + claim.text("small") + "^(" + claim.text("through") +
-                       "); what is left is of order " + order;
-    } else if (left.order < through + 0.2) {
-        outcome.verdict = Judgement(Difference::of(Real(through), Real(left.order), Real("0.2")));
-        outcome.note = "terms of order " + order + " are left";
-    } else {
-        outcome.note = "what is left is of order " + order + ", which does not decide";
+    std::vector<Decision> decisions;
+    for (const Ball& order : left.orders) {
+        const auto ball = [&](const Rational& q) { return Ball(q, order.bits()); };
+        decisions.push_back(decision(Refutation::less(order, ball(not_cancelled)),
+                                     Confirmation::less(ball(cancelled), order)));
     }
+    outcome.verdict = Judgement::of_all(decisions);
+    const std::string order = order_text(left.least(), 2);
+    outcome.note = outcome.verdict == Verdict::confirmed
+                       ? "they cancel through " + claim.text("small") + "^(" +
+                             claim.text("through") + "); what is left is of order " + order
+                   : outcome.verdict == Verdict::refuted
+                       ? "terms of order " + order + " are left"
+                       : "what is left is of order " + order + ", which does not decide";
     return outcome;
 }
 

@@ -1,144 +1,209 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/enclosures.hpp"
-#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/checks/tail/followed_rest.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <fmt/format.h>
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 
 namespace edgeproof::audit {
 namespace {
 
-constexpr int rungs_to_the_breakdown = 20; // decades towards the place of the breakdown
+using Course = FollowedRest::Course;
 
-/// What an expansion in a small variable leaves, over the power of it that comes next, as another
-/// variable runs to where the expansion is said to break down.
-struct Rest {
-    double slope = 0; ///< growth by decade of the distance: 1 for a pole
-    bool vanishes = false;
-    std::string first;
-    std::string last;
+constexpr unsigned rungs_to_the_breakdown = 20; // decades towards the place of the breakdown
+constexpr unsigned rest_digits_shown = 12;
+
+/// One sample and what it shows.
+struct FollowedSample {
+    Sample sample;
+    FollowedRest rest;
 };
 
-Rest follow(const EvaluatedScene& scene_values, const Claim& claim, const Variables& fixed,
-            const std::string& variable, const formula::Expr& rest, unsigned digits) {
-    const formula::Expr towards = formula::Exact::parse(claim.text("towards")).expr();
-    const PrecisionScope scope(2 * digits);
-    const Real end = scene_values.evaluate(towards).value;
-    std::vector<Real> values;
-    for (int k = 1; k <= rungs_to_the_breakdown; ++k) {
-        Variables at = fixed;
-        at.insert_or_assign(variable, Real(end - pow(Real(10), -k)));
-        values.push_back(abs(scene_values.evaluate(rest, nullptr, at).value));
+std::size_t count(const std::vector<FollowedSample>& all, Course course) {
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(),
+                      [&](const FollowedSample& one) { return one.rest.course() == course; }));
+}
+
+const FollowedSample* first_of(const std::vector<FollowedSample>& all, Course course) {
+    const auto it = std::find_if(all.begin(), all.end(), [&](const FollowedSample& one) {
+        return one.rest.course() == course;
+    });
+    return it == all.end() ? nullptr : &*it;
+}
+
+std::string name_of(Course course) {
+    switch (course) {
+    case Course::nothing:
+        return "nothing is left";
+    case Course::bounded:
+        return "bounded";
+    case Course::grows:
+        return "grows without bound";
+    case Course::wrong_order:
+        return "grows as the small variable falls, everywhere";
+    case Course::unknown:
+        break;
     }
-    Rest found;
-    // Where nothing is left but roundoff, the expansion ends: nothing can break down.
-    const Real noise = pow(Real(10), -static_cast<int>(digits) / 3);
-    found.vanishes =
-        std::all_of(values.begin(), values.end(), [&](const Real& v) { return v < noise; });
-    found.first = value_text(values.front(), 12);
-    found.last = value_text(values.back(), 12);
-    if (!found.vanishes) {
-        // The last half of the sweep.
-        const Real growth = values.back() / values[rungs_to_the_breakdown / 2 - 1];
-        found.slope = Real(log10(growth) / (rungs_to_the_breakdown / 2)).convert_to<double>();
+    return "not known";
+}
+
+/// What the printed term has at the distance 1e-20, and what is left there.
+ComparedNumbers on_the_last_rung(const ExpansionToFollow& expansion, const Sample& sample,
+                                 const formula::Expr& term, unsigned digits) {
+    const Sample at = at_distance(sample, expansion, rungs_to_the_breakdown, true);
+    return {"printed", enclosed(term, at, digits), "exact", enclosed(expansion.rest(), at, digits),
+            at.text()};
+}
+
+/// The last step of what is left, which is far smaller than the largest rest where it is bounded.
+Ball last_step(const FollowedSample& one) { return abs(one.rest.last() - one.rest.before_last()); }
+
+/// Enclosures of what shows that the rest is bounded, or that it grows.
+ComparedNumbers ends_of(const FollowedSample& one) {
+    const std::string at = one.sample.text() + ", down to the distance " + one.rest.last_distance();
+    if (one.rest.course() == Course::bounded) {
+        return {"last step",
+                {last_step(one), ""},
+                "largest that is left",
+                {one.rest.largest(), ""},
+                at};
+    }
+    return {"left before", {one.rest.before_last(), ""}, "left there", {one.rest.last(), ""}, at};
+}
+
+Evidence scene_evidence(const FollowedSample& one) {
+    Evidence found;
+    found.add("left", name_of(one.rest.course()));
+    if (one.rest.course() == Course::unknown) {
+        found.add("because", one.rest.problem());
+    } else {
+        found.add("at_" + one.rest.last_distance(), ball_text(one.rest.last(), rest_digits_shown));
     }
     return found;
 }
 
-/// What the printed term has on the last step, and what is left there, in balls.
-void add_last_rung(const Claim& claim, const Sample& sample, const formula::Expr& rest,
-                   const formula::Expr& term, unsigned digits, Outcome& outcome) {
-    const std::string& variable = claim.text("variable");
-    const formula::Expr at = formula::Exact::parse(claim.text("towards")).expr() -
-                             pow(formula::Expr::number(Rational(10)),
-                                 formula::Expr::number(Rational(-rungs_to_the_breakdown)));
-    add_pair("printed", enclosed(substitute(term, variable, at), sample, digits), "exact",
-             enclosed(substitute(rest, variable, at), sample, digits),
-             sample.text() + ", " + variable + " = " + formula::Exact(at).text(), digits, outcome);
+ExpansionToFollow expansion_of(const Claim& claim) {
+    return {claim.formula("of"),    claim.formula("approximation"),
+            claim.text("small"),    static_cast<unsigned>(claim.integer("order")),
+            claim.text("variable"), formula::Exact::parse(claim.text("towards"))};
+}
+
+/// No rest is left at any sample: whether the expansion is exact is decided by symbols.
+void judge_nothing_left(const Claim& claim, const AuditContext& context, bool says_breaks,
+                        const FollowedSample& one, Outcome& outcome) {
+    outcome.note = "nothing is left that enclosures distinguish from zero";
+    bool exact = false;
+    try {
+        exact = proved_equal(claim.formula("of"), claim.formula("approximation"),
+                             symbolic_case(claim, context));
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error&) {
+        // Functions without symbols: not proved.
+    }
+    if (!exact) {
+        return;
+    }
+    outcome.note = "nothing is left, by symbols: the expansion is exact, and does not break down";
+    if (!says_breaks) {
+        outcome.verdict = Judgement::proved_by_symbols();
+        return;
+    }
+    const Ball bound(1, one.rest.last().bits());
+    if (const auto fails = Refutation::less(one.rest.last(), bound)) {
+        outcome.verdict = Judgement(*fails);
+        add_pair({"left there", {one.rest.last(), ""}, "bound", {bound, ""}, one.sample.text()},
+                 context.digits(), outcome.evidence);
+    }
+}
+
+/// The verdict by the samples that decide, and its note.
+void judge_rests(const std::vector<FollowedSample>& all, const ExpansionToFollow& expansion,
+                 bool says_breaks, unsigned digits, Outcome& outcome) {
+    const std::string over =
+        "what is left over " + expansion.small + "^" + std::to_string(expansion.order);
+    const std::string as = " as " + expansion.variable + " -> " + expansion.towards.text();
+    const std::size_t bounded = count(all, Course::bounded);
+    const FollowedSample* grows = first_of(all, Course::grows);
+    const FollowedSample* wrong = first_of(all, Course::wrong_order);
+    const FollowedSample* unknown = first_of(all, Course::unknown);
+    const FollowedSample* one = nullptr;
+    if (!says_breaks && (grows != nullptr || wrong != nullptr)) {
+        one = grows != nullptr ? grows : wrong;
+        outcome.note = grows != nullptr ? over + " grows without bound" + as
+                                        : over + " grows as " + expansion.small + " falls";
+        if (const auto fails = Refutation::less(one->rest.before_last(), one->rest.last())) {
+            outcome.verdict = Judgement(*fails);
+        }
+    } else if (unknown != nullptr) {
+        outcome.note = unknown->rest.problem();
+        return;
+    } else if (bounded > 0 && grows == nullptr && wrong == nullptr) {
+        one = first_of(all, Course::bounded);
+        outcome.note =
+            over + " stays bounded" + as + ", in all of " + std::to_string(bounded) + " samples";
+        if (const auto fails = Refutation::less(last_step(*one) * 2, one->rest.largest());
+            says_breaks && fails) {
+            outcome.verdict = Judgement(*fails);
+        }
+        if (const auto holds = Confirmation::less(last_step(*one) * 2, one->rest.largest());
+            !says_breaks && holds) {
+            outcome.verdict = Judgement(*holds);
+        }
+    } else if (says_breaks && grows != nullptr && bounded == 0 && wrong == nullptr) {
+        one = grows;
+        outcome.note = over + " grows without bound" + as;
+        if (const auto holds = Confirmation::less(one->rest.before_last(), one->rest.last())) {
+            outcome.verdict = Judgement(*holds);
+        }
+    } else {
+        outcome.note = wrong != nullptr
+                           ? over + " grows as " + expansion.small + " falls, not only" + as
+                           : "it breaks down at " + std::to_string(count(all, Course::grows)) +
+                                 " samples, not at " + std::to_string(bounded);
+        return;
+    }
+    add_pair(ends_of(*one), digits, outcome.evidence);
 }
 
 /// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
 /// power that is to come next, must grow there.
 Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
-    const std::string& small = claim.text("small");
-    const std::string& variable = claim.text("variable");
-    const auto order = static_cast<unsigned>(claim.integer("order"));
-    const formula::Expr rest =
-        (claim.formula("of") - claim.formula("approximation")) /
-        pow(formula::Expr::symbol(small), formula::Expr::number(Rational(order)));
-    std::optional<formula::Expr> predicted;
-    if (claim.has("term")) {
-        predicted = claim.formula("term");
-    }
-    // The rest loses order times the decades of the small variable, and those of the distance.
-    const unsigned digits = 4 * rungs_to_the_breakdown + 60;
+    const ExpansionToFollow expansion = expansion_of(claim);
     const bool says_breaks = claim.text("says") == "breaks down";
-    std::optional<Difference> against;
-    std::size_t breaking = 0;
-    std::size_t uniform = 0;
-    std::size_t nothing_left = 0;
-    // The first at which the printed term breaks down, and what is left does not.
-    const Sample* by_the_term = nullptr;
-    std::string last;
-    Evidence in_scenes;
-    const std::vector<Sample> samples = context.samples(claim);
-    for (const Sample& sample : samples) {
-        const EvaluatedScene scene_values(sample.scene, digits);
-        Variables fixed = scene_values.values_of(sample.variables);
-        if (!fixed.contains(small)) {
-            claim.reject("vary", "vary does not say how small " + small + " is",
-                         "write vary = { " + small + " = [\"b*1e-6\"] }");
-        }
-        const Rest exact = follow(scene_values, claim, fixed, variable, rest, digits);
-        Evidence one;
-        // The growth claimed: 1 by decade where it breaks down, 0 where it does not.
-        if (!against && !exact.vanishes) {
-            against = Difference::of(Real(says_breaks ? 1 : 0), Real(exact.slope), Real("0.5"));
-        }
-        if (exact.vanishes) {
-            ++nothing_left;
-            one.add("left", "nothing");
-        } else {
-            (exact.slope > 0.9 ? breaking : exact.slope < 0.1 ? uniform : nothing_left) += 1;
-            one.add("growth_by_decade", fmt::format("{:.6f}", exact.slope))
-                .add("at_a_tenth", exact.first)
-                .add("at_1e-20", exact.last);
-        }
-        if (predicted) {
-            const Rest printed = follow(scene_values, claim, fixed, variable, *predicted, digits);
-            one.add("growth_of_the_printed_term", fmt::format("{:.6f}", printed.slope));
-            if (by_the_term == nullptr && printed.slope > 0.9 && !exact.vanishes &&
-                exact.slope < 0.1) {
-                by_the_term = &sample;
-            }
-        }
-        in_scenes.add(sample.text(), one);
-    }
     Outcome outcome;
+    Evidence in_scenes;
+    std::vector<FollowedSample> all;
+    for (const Sample& sample : context.samples(claim)) {
+        check_interruption();
+        if (!sample.variables.contains(expansion.small)) {
+            claim.reject("vary", "vary does not say how small " + expansion.small + " is",
+                         "write vary = { " + expansion.small + " = [\"b*1e-6\"] }");
+        }
+        all.push_back({sample, FollowedRest(sample, expansion, context.digits())});
+        in_scenes.add(sample.text(), scene_evidence(all.back()));
+    }
     outcome.evidence.add("of", claim.text("of"))
         .add("approximation", claim.text("approximation"))
-        .add("samples", samples.size())
-        .add("break_down", breaking)
-        .add("uniform", uniform)
+        .add("samples", all.size())
+        .add("break_down", count(all, Course::grows))
+        .add("uniform", count(all, Course::bounded))
         .add("in_scenes", in_scenes);
-    if (breaking > 0 && uniform == 0) {
-        outcome.verdict = says_breaks ? Judgement(NotRefuted::confirmed) : Judgement(against);
-        outcome.note = "what is left over " + small + "^" + std::to_string(order) +
-                       " grows without bound as " + variable + " -> " + claim.text("towards");
-    } else if (uniform > 0 && breaking == 0) {
-        outcome.verdict = says_breaks ? Judgement(against) : Judgement(NotRefuted::confirmed);
-        outcome.note = "what is left over " + small + "^" + std::to_string(order) +
-                       " stays bounded as " + variable + " -> " + claim.text("towards") +
-                       ", in all of " + std::to_string(uniform) + " samples";
-        if (by_the_term != nullptr) {
-            add_last_rung(claim, *by_the_term, rest, *predicted, context.digits(), outcome);
-        }
-    } else {
-        outcome.note = "it breaks down at " + std::to_string(breaking) + " samples, not at " +
-                       std::to_string(uniform);
+    if (count(all, Course::nothing) == all.size()) {
+        judge_nothing_left(claim, context, says_breaks, all.front(), outcome);
+        return outcome;
+    }
+    judge_rests(all, expansion, says_breaks, context.digits(), outcome);
+    // The first sample at which the printed term breaks down, and what is left does not.
+    const FollowedSample* one = first_of(all, Course::bounded);
+    if (one != nullptr && claim.has("term") && outcome.verdict != Verdict::undecided &&
+        certainly_grows(claim.formula("term"), one->sample, expansion, context.digits())) {
+        add_pair(on_the_last_rung(expansion, one->sample, claim.formula("term"), context.digits()),
+                 context.digits(), outcome.evidence);
     }
     return outcome;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-#include "edgeproof/audit/checks/parts/rounded.hpp"
 
 namespace edgeproof::audit {
 namespace {
@@ -23,31 +22,30 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     }
     const Agreement agreement = samples_at.compare(printed, exact, scale);
     const double needed = AuditContext::digits_needed(digits);
-    outcome.verdict = judge_samples(agreement, needed);
     outcome.evidence.add("of", claim.text("of"));
     outcome.sample_use = agreement.use(needed);
     report_agreement(agreement, samples_at, digits, outcome.evidence);
-    add_enclosures(agreement, samples_at, printed, exact, scale, digits, outcome);
-    judge_rounded(claim, samples_at, exact, digits, outcome);
+    outcome.verdict = judge_formula(claim, samples_at, agreement, exact, scale, digits, outcome);
     if (outcome.evidence.find("rounded") != nullptr) {
         return outcome;
     }
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(samples_at.all().size()) + " samples";
-        return outcome;
+    } else if (outcome.note.empty()) {
+        outcome.note = agreement.obstacle(needed);
     }
-    if (outcome.verdict != Verdict::refuted) {
-        if (outcome.note.empty()) {
-            outcome.note = agreement.obstacle(needed);
-        }
+    if (outcome.verdict != Verdict::refuted ||
+        std::holds_alternative<DecimalFormula>(printed_formula(claim))) {
         return outcome;
     }
     QuickSamples quick(claim, context, exact);
     RefutedFormula refuted = refuted_by_samples(claim, agreement, samples_at, outcome.evidence);
     refuted.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
     refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
-        return judge_samples(
-            samples_at.compare(expand_definitions(e, claim.vocabulary), exact, scale), needed);
+        return confirmed_at_samples(samples_at, expand_definitions(e, claim.vocabulary), exact,
+                                    scale, digits)
+                   ? std::optional(Verdict::confirmed)
+                   : std::nullopt;
     };
     diagnose(refuted, outcome);
     return outcome;
@@ -61,12 +59,14 @@ bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Eviden
     if (claim.has("scale")) {
         scale = claim.formula("scale");
     }
-    const Agreement agreement =
-        samples_at->compare(claim.formula("says"), claim.formula("of"), scale);
-    Evidence more;
-    report_agreement(agreement, *samples_at, context.digits(), more);
-    evidence.add("all_digits", std::move(more));
-    return judge_samples(agreement, context.digits_needed()) == Verdict::confirmed;
+    const formula::Expr exact = claim.formula("of");
+    const Agreement agreement = samples_at->compare(claim.formula("says"), exact, scale);
+    Outcome more;
+    report_agreement(agreement, *samples_at, context.digits(), more.evidence);
+    const Judgement verdict =
+        judge_formula(claim, *samples_at, agreement, exact, scale, context.digits(), more);
+    evidence.add("all_digits", std::move(more.evidence));
+    return verdict == Verdict::confirmed;
 }
 
 Outcome check_value(const Claim& claim, const AuditContext& context) {

@@ -31,6 +31,9 @@ public:
             std::swap(lo, hi);
             return -real_part(between(lo, hi));
         }
+        if (surely_zero(hi_ - lo_, around_.symmetric)) {
+            return Ball(0, around_.bits);
+        }
         if (!certainly_less(lo.at, hi.at)) {
             throw BudgetError("the ends of an integral that are not told apart");
         }
@@ -79,6 +82,10 @@ private:
     [[nodiscard]] Box between(const PieceEnd& lo, const PieceEnd& hi) {
         lowest_ = lo;
         highest_ = hi;
+        if (pole_ &&
+            (certainly_less(number(*pole_), lo.at) || certainly_less(hi.at, number(*pole_)))) {
+            pole_.reset(); // an ordinary integral
+        }
         if (pole_ &&
             !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
             throw BudgetError("a pole that is not seen to be inside the interval");

@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+#include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
@@ -20,6 +21,8 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
+
+constexpr long most_exponent = 330'000; // of two: about 1e100000
 
 /// k of "P3" for the stem "P".
 std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
@@ -44,9 +47,13 @@ bool holds_function(const formula::Expr& e) {
 
 struct EnclosedSample::State {
     State(const Sample& of, long at_bits, unsigned aim)
-        : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()),
-          contact(profile, of.scene.parameter("Es"),
-                  contact::Load::right_edge(of.scene.parameter("a")), at_bits) {
+        : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()) {
+        const auto load = contact::Load::right_edge(of.scene.parameter("a"));
+        if (contact::BallContact::has_closed_form(profile)) {
+            closed.emplace(profile, of.scene.parameter("Es"), load, bits);
+        } else {
+            curved.emplace(profile, of.scene.parameter("Es"), load, bits);
+        }
         for (const auto& [name, value] : of.scene.parameters) {
             names.emplace(name, ball_of(value, bits));
         }
@@ -58,9 +65,20 @@ struct EnclosedSample::State {
         }
     }
 
-    [[nodiscard]] Ball length() const { return contact.a() + contact.b(); }
+    /// The contact, by a closed form or by rigorous integration.
+    [[nodiscard]] const contact::ProvedPressure& contact() const {
+        return closed ? static_cast<const contact::ProvedPressure&>(*closed) : *curved;
+    }
+    /// Throws Error for a curved slope, of which `what` has no enclosure.
+    [[nodiscard]] const contact::BallContact& closed_form(std::string_view what) const {
+        if (!closed) {
+            throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
+        }
+        return *closed;
+    }
+    [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
     [[nodiscard]] Ball x() const {
-        return sample.edge == contact::Edge::right ? contact.a() - *u : *u - contact.b();
+        return sample.edge == contact::Edge::right ? contact().a() - *u : *u - contact().b();
     }
     [[nodiscard]] contact::ShearLoad<Ball> load() const {
         const auto Q = names.find("Q");
@@ -87,17 +105,8 @@ struct EnclosedSample::State {
                                 const std::function<Ball(std::string_view)>& symbol_of) const;
 
     /// A constant of the scene as it stands in a formula, if that is what e is.
-    [[nodiscard]] std::optional<formula::Exact> constant(formula::Expr e) const {
-        for (const auto& [name, value] : sample.variables) {
-            e = substitute(e, name, value.expr());
-        }
-        for (const auto& [name, value] : sample.scene.parameters) {
-            e = substitute(e, name, value.expr());
-        }
-        if (!free_symbols(e).empty()) {
-            return std::nullopt;
-        }
-        return formula::Exact(e);
+    [[nodiscard]] std::optional<formula::Exact> constant(const formula::Expr& e) const {
+        return exact_value(e, sample);
     }
     /// The distance from an edge of the place that an argument names.
     [[nodiscard]] Ball distance(contact::Edge edge, const formula::Expr& written,
@@ -105,26 +114,18 @@ struct EnclosedSample::State {
         if (u && edge == sample.edge && written == formula::Expr::symbol("x")) {
             return *u;
         }
-        return edge == contact::Edge::right ? contact.a() - at : at + contact.b();
+        return edge == contact::Edge::right ? contact().a() - at : at + contact().b();
     }
     [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
         if (u && written == formula::Expr::symbol("x")) {
-            return contact.pressure(sample.edge, *u);
+            return contact().pressure(sample.edge, *u);
         }
         const contact::Edge edge =
             certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
-        return contact.pressure(edge, distance(edge, written, at));
+        return contact().pressure(edge, distance(edge, written, at));
     }
-    /// g'(x), where the ball of x lies in one piece.
+    /// g'(x): where the ball of x meets a knot, the values of the pieces on both of its sides.
     [[nodiscard]] Ball slope(const Ball& at) const {
-        std::size_t piece = 0;
-        for (const formula::Exact& knot : profile.knots()) {
-            const Ball k = ball_of(knot, bits);
-            if (overlaps(k, at)) {
-                throw BudgetError("a place that cannot be told from a knot");
-            }
-            piece += certainly_less(k, at) ? 1 : 0;
-        }
         struct AtX {
             const State* state;
             const Ball& at;
@@ -134,12 +135,27 @@ struct EnclosedSample::State {
                 return name == "x" ? at : state->symbol(name);
             }
         };
-        return formula::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
+        const auto in_piece = [&](std::size_t piece) {
+            return formula::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
+        };
+        std::size_t first = 0;
+        std::size_t last = 0;
+        for (const formula::Exact& knot : profile.knots()) {
+            const Ball k = ball_of(knot, bits);
+            first += certainly_less(k, at) ? 1 : 0;
+            last += certainly_less(at, k) ? 0 : 1;
+        }
+        Ball g = in_piece(first);
+        while (first < last) {
+            g = Ball::hull(g, in_piece(++first));
+        }
+        return g;
     }
     /// Of the family of contacts that share the profile.
     [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
                                                        const formula::Expr& written,
                                                        const Ball& at) const {
+        const contact::BallContact& contact = closed_form(function);
         if (const auto edge = constant(written); edge && edge->sign() > 0) {
             return {profile, sample.scene.parameter("Es"), contact::Load::right_edge(*edge), bits};
         }
@@ -155,7 +171,7 @@ struct EnclosedSample::State {
             throw Error(node.name() + " of a number of terms that is not written out");
         }
         const Ball at = distance(edge, node.arg(1), args[1]);
-        const std::vector<Ball> c = contact.expansion(edge, n->convert_to<std::size_t>());
+        const std::vector<Ball> c = contact().expansion(edge, n->convert_to<std::size_t>());
         Ball sum(0, bits);
         for (std::size_t k = c.size(); k-- > 0;) {
             sum = sum * at + c[k];
@@ -167,7 +183,8 @@ struct EnclosedSample::State {
     long bits;
     unsigned integral_digits;
     contact::Profile profile;
-    contact::BallContact contact;
+    std::optional<contact::BallContact> closed;
+    std::optional<contact::IntegratedContact> curved;
     std::optional<Ball> u;
     std::map<std::string, Ball, std::less<>> names;
 };
@@ -183,27 +200,27 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
         return name == "u" ? *u : x();
     }
     if (name == "b") {
-        return contact.b();
+        return contact().b();
     }
     if (name == "L") {
         return length();
     }
     if (name == "P") {
-        return contact.force();
+        return closed ? closed->force() : curved->force();
     }
     if (name == "M") {
-        return contact.moment();
+        return closed ? closed->moment() : curved->moment();
     }
     if (const auto k = order_behind(name, "P")) {
-        return contact.force_derivatives(*k + 1).back();
+        return closed_form(name).force_derivatives(*k + 1).back();
     }
     if (const auto k = order_behind(name, "b")) {
-        return contact.left_edge_derivatives(*k + 1).back();
+        return closed_form(name).left_edge_derivatives(*k + 1).back();
     }
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         const std::string side = edge == contact::Edge::right ? "right_" : "left_";
         if (const auto k = order_behind(name, side + "c")) {
-            return contact.expansion(edge, *k + 1).back();
+            return contact().expansion(edge, *k + 1).back();
         }
         if (const auto k = order_behind(name, side + "s")) {
             return full_stick_expansion(length(), load(), edge, *k + 1).back();
@@ -237,7 +254,7 @@ Ball EnclosedSample::State::call(const formula::Expr& node, std::span<const Ball
                                 : other.b();
     }
     if (name == "binv" && certainly_positive(args[0])) {
-        return contact.mirrored().with_right_edge(args[0]).b();
+        return closed_form(name).mirrored().with_right_edge(args[0]).b();
     }
     throw Error("'" + name + "' has no enclosure");
 }
@@ -272,7 +289,8 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
         sample.scene.parameters.contains("b");
     std::optional<ContactFormulas> formulas;
     if (!renamed && holds_function(node)) {
-        formulas.emplace(profile, contact, ball_of(sample.scene.parameter("Es"), bits));
+        formulas.emplace(profile, closed_form("an integral"),
+                         ball_of(sample.scene.parameter("Es"), bits));
     }
     const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
         if (formulas) {
@@ -283,6 +301,11 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
         }
         return symbol_of(name);
     };
+    // Limits such as k*a with k = 1 are compared with the edges by symbols.
+    formula::Expr with_values = node;
+    for (const auto& [name, value] : sample.variables) {
+        with_values = substitute(with_values, name, value.expr());
+    }
     const Renamed<State> scope{*this, with_formulas};
     IntegralSurroundings around;
     around.value = [&](const formula::Expr& e) { return formula::evaluate<Ball>(e, scope); };
@@ -293,7 +316,7 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
     around.contact = formulas ? &*formulas : nullptr;
     around.symmetric = profile.symmetric() && !renamed;
     around.bits = bits;
-    return enclosed_integral(node, around, integral_digits);
+    return enclosed_integral(with_values, around, integral_digits);
 }
 
 EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
@@ -307,6 +330,30 @@ Ball EnclosedSample::evaluate(const formula::Expr& e) const {
 
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->names.insert_or_assign(name, value);
+    // Its exact value is no longer that of the sample.
+    state_->sample.variables.erase(name);
+    state_->sample.scene.parameters.erase(name);
+}
+
+void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {
+    state_->sample.edge = edge;
+    state_->u = u;
+}
+
+Ball EnclosedSample::length() const { return state_->length(); }
+long EnclosedSample::bits() const { return state_->bits; }
+
+std::optional<formula::Exact> exact_value(formula::Expr e, const Sample& sample) {
+    for (const auto& [name, value] : sample.variables) {
+        e = substitute(e, name, value.expr());
+    }
+    for (const auto& [name, value] : sample.scene.parameters) {
+        e = substitute(e, name, value.expr());
+    }
+    if (!free_symbols(e).empty() || holds_function(e)) {
+        return std::nullopt;
+    }
+    return formula::Exact(e);
 }
 
 Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits) {
@@ -334,6 +381,11 @@ Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits)
 }
 
 std::string ball_text(const Ball& ball, unsigned digits) {
+    // Exponents that no number in a text may have.
+    const long exponent = arf_abs_bound_lt_2exp_si(arb_midref(ball.data()));
+    if (exponent > most_exponent || (exponent < -most_exponent && !contains_zero(ball))) {
+        return exponent > 0 ? "beyond 1e100000" : "within 1e-100000 of 0";
+    }
     if (!ball.is_exact() && contains_zero(ball)) {
         return "0 +- " + bound_text(abs(ball).upper());
     }

@@ -14,8 +14,7 @@ namespace edgeproof::audit {
 /// (BallContact, enclosed_integral.hpp). Symbols and functions are those of EvaluatedScene.
 class EnclosedSample {
 public:
-    /// Throws BudgetError or DomainError where so many bits do not enclose the contact, and for
-    /// profiles without a closed form.
+    /// Throws BudgetError or DomainError where so many bits do not enclose the contact.
     /// `integral_digits`: what integrals aim at; all that the bits can hold would cost more
     /// than it is worth.
     EnclosedSample(const Sample& sample, long bits, unsigned integral_digits = 20);
@@ -27,6 +26,11 @@ public:
     [[nodiscard]] Ball evaluate(const formula::Expr& e) const;
     /// Another value for a name, in place of its own.
     void set(const std::string& name, const Ball& value);
+    /// Another place: at the distance u from an edge.
+    void set_place(contact::Edge edge, const Ball& u);
+    /// a + b.
+    [[nodiscard]] Ball length() const;
+    [[nodiscard]] long bits() const;
 
 private:
     struct State;
@@ -40,6 +44,10 @@ struct Enclosed {
     std::string problem;
 };
 [[nodiscard]] Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits);
+
+/// The value of a formula that names parameters of the scene and variables of the sample only, as
+/// an exact number; nothing for others.
+[[nodiscard]] std::optional<formula::Exact> exact_value(formula::Expr e, const Sample& sample);
 
 /// "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);

@@ -1,59 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/judgement.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace edgeproof::audit {
 
-std::optional<Difference> Difference::of(const Ball& claimed, const Ball& found) {
-    if (!claimed.is_finite() || !found.is_finite() || !disjoint(claimed, found)) {
+std::optional<Refutation> Refutation::disjoint(const Ball& claimed, const Ball& found) {
+    if (!claimed.is_finite() || !found.is_finite() || overlaps(claimed, found)) {
         return std::nullopt;
     }
-    return Difference();
+    return Refutation();
 }
 
-std::optional<Difference> Difference::of(const Real& claimed, const Real& found,
-                                         const Real& error) {
-    if (!isfinite(claimed) || !isfinite(found) || !isfinite(error) ||
-        !(abs(claimed - found) > error)) {
+std::optional<Refutation> Refutation::less(const Ball& x, const Ball& y) {
+    if (!x.is_finite() || !y.is_finite() || !certainly_less(x, y)) {
         return std::nullopt;
     }
-    return Difference();
+    return Refutation();
 }
 
-std::optional<Difference> Difference::not_above(const Real& bound, const Real& found) {
-    if (!isfinite(bound) || !isfinite(found) || found > bound) {
+std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const Ball& found,
+                                                    const Ball& scale, double digits) {
+    if (!claimed.is_finite() || !found.is_finite()) {
         return std::nullopt;
     }
-    return Difference();
-}
-
-std::optional<Difference> Difference::not_above(const Float128& bound, const Float128& found) {
-    if (bound - bound != 0 || found - found != 0 || found > bound) {
+    const Ball off = abs(claimed - found);
+    if (arb_is_zero(off.data()) != 0) {
+        return Confirmation();
+    }
+    const Ball tolerance =
+        pow_int(Ball(10, off.bits()), -static_cast<long>(std::ceil(digits))) * scale;
+    if (!scale.is_finite() || !certainly_positive(scale) || !certainly_less(off, tolerance)) {
         return std::nullopt;
     }
-    return Difference();
+    return Confirmation();
 }
 
-Judgement::Judgement(NotRefuted verdict) {
-    switch (verdict) {
-    case NotRefuted::proved:
-        verdict_ = Verdict::proved;
-        break;
-    case NotRefuted::confirmed:
+std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y) {
+    if (!x.is_finite() || !y.is_finite() || !certainly_less(x, y)) {
+        return std::nullopt;
+    }
+    return Confirmation();
+}
+
+std::optional<Confirmation> Confirmation::within(const Ball& x, const Rational& lower,
+                                                 const Rational& upper) {
+    const Ball from_lower = x - Ball(lower, x.bits());
+    if (!x.is_finite() || arb_is_nonnegative(from_lower.data()) == 0 ||
+        !certainly_less(x, Ball(upper, x.bits()))) {
+        return std::nullopt;
+    }
+    return Confirmation();
+}
+
+Decision decision(const std::optional<Refutation>& fails,
+                  const std::optional<Confirmation>& holds) {
+    if (fails) {
+        return *fails;
+    }
+    return holds ? Decision(*holds) : Decision();
+}
+
+Judgement::Judgement(const Decision& decision) {
+    if (refutes(decision)) {
+        verdict_ = Verdict::refuted;
+    } else if (confirms(decision)) {
         verdict_ = Verdict::confirmed;
-        break;
-    case NotRefuted::imprecise:
-        verdict_ = Verdict::imprecise;
-        break;
-    case NotRefuted::underspecified:
-        verdict_ = Verdict::underspecified;
-        break;
-    case NotRefuted::undecided:
-        verdict_ = Verdict::undecided;
-        break;
-    case NotRefuted::definition:
-        verdict_ = Verdict::definition;
-        break;
     }
+}
+
+Judgement Judgement::of_all(const std::vector<Decision>& parts) {
+    if (std::any_of(parts.begin(), parts.end(), refutes)) {
+        return Judgement(Verdict::refuted);
+    }
+    return !parts.empty() && std::all_of(parts.begin(), parts.end(), confirms)
+               ? Judgement(Verdict::confirmed)
+               : Judgement();
+}
+
+Judgement Judgement::of_readings(const std::vector<Judgement>& readings) {
+    const auto count = [&](auto&& test) {
+        return std::count_if(readings.begin(), readings.end(), test);
+    };
+    const auto n = static_cast<std::ptrdiff_t>(readings.size());
+    const auto holding = count([](Verdict v) { return holds(v); });
+    const auto is = [&](Verdict which) { return count([&](Verdict v) { return v == which; }); };
+    if (n == 0) {
+        return {};
+    }
+    if (holding == n) {
+        if (is(Verdict::definition) == n) {
+            return definition();
+        }
+        return is(Verdict::proved) + is(Verdict::definition) == n ? proved_by_symbols()
+                                                                  : Judgement(Verdict::confirmed);
+    }
+    if (holding > 0) {
+        const auto known_not =
+            is(Verdict::refuted) + is(Verdict::imprecise) + is(Verdict::underspecified);
+        return known_not > 0 ? Judgement(Verdict::imprecise) : Judgement();
+    }
+    return is(Verdict::undecided) > 0 ? Judgement() : readings.front();
 }
 
 } // namespace edgeproof::audit

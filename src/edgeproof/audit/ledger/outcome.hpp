@@ -31,6 +31,8 @@ struct Outcome {
 };
 
 /// Confirmed as a rounded formula: right to the printed digits of its decimals, not beyond.
-[[nodiscard]] bool is_rounded(const Outcome& outcome);
+[[nodiscard]] inline bool is_rounded(const Outcome& outcome) {
+    return outcome.verdict == Verdict::confirmed && outcome.evidence.find("rounded") != nullptr;
+}
 
 } // namespace edgeproof::audit

@@ -219,6 +219,21 @@ GiNaC::ex from_expr(const formula::Expr& e) {
     }
 }
 
+bool hides(const formula::Expr& e, std::string_view name) {
+    using formula::Builtin;
+    static constexpr Builtin known[] = {Builtin::sqrt, Builtin::exp,  Builtin::log,  Builtin::sin,
+                                        Builtin::cos,  Builtin::tan,  Builtin::asin, Builtin::acos,
+                                        Builtin::atan, Builtin::gamma};
+    const bool becomes_symbol = e.is_binder() || (e.kind() == formula::Expr::Kind::call &&
+                                                  std::find(std::begin(known), std::end(known),
+                                                            e.builtin()) == std::end(known));
+    if (becomes_symbol) {
+        return free_symbols(e).contains(std::string(name));
+    }
+    return std::any_of(e.args().begin(), e.args().end(),
+                       [&](const formula::Expr& part) { return hides(part, name); });
+}
+
 formula::Expr to_expr(const GiNaC::ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e)) {
         return formula::Expr::number(rational(GiNaC::ex_to<GiNaC::numeric>(e)));

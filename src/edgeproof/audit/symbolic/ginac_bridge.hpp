@@ -21,6 +21,8 @@ namespace edgeproof::audit::ginac {
 [[nodiscard]] GiNaC::ex symbol(std::string_view name);
 /// Functions that GiNaC does not have, and integrals, become symbols that know what they stand for.
 [[nodiscard]] GiNaC::ex from_expr(const formula::Expr& e);
+/// Whether a name stands inside of what becomes a symbol there: no derivative by it is then right.
+[[nodiscard]] bool hides(const formula::Expr& e, std::string_view name);
 [[nodiscard]] formula::Expr to_expr(const GiNaC::ex& e);
 
 /// True if e vanishes identically, half-integer powers and powers to symbols taken into account

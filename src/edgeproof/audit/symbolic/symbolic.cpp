@@ -154,6 +154,16 @@ formula::Expr derive(const formula::Expr& e, const SymbolicCase& under) {
     return by_symbols([&] { return ginac::tidy(meaning_of(e, SymbolField(under))); });
 }
 
+formula::Expr derivative(const formula::Expr& e, const std::string& name) {
+    return by_symbols([&] {
+        if (ginac::hides(e, name)) {
+            throw Error("no derivative by " + name + " in symbols: " + to_text(e));
+        }
+        const ex by = ginac::symbol(name);
+        return ginac::tidy(ginac::from_expr(e).diff(GiNaC::ex_to<GiNaC::symbol>(by)));
+    });
+}
+
 bool proved_equal(const formula::Expr& x, const formula::Expr& y, const SymbolicCase& under) {
     return by_symbols([&] {
         const SymbolField field(under);

@@ -54,6 +54,9 @@ struct ExpansionComparison {
 /// With right_c0, ... derived, derivatives taken, and tidied. Throws Error for what has no symbolic
 /// meaning.
 [[nodiscard]] formula::Expr derive(const formula::Expr& e, const SymbolicCase& under);
+/// The partial derivative by a free name of a formula that is derived, as above. Throws Error where
+/// a function that holds the name has no derivative in symbols.
+[[nodiscard]] formula::Expr derivative(const formula::Expr& e, const std::string& name);
 /// True if x - y is shown to vanish identically (lengths positive); false shows nothing.
 [[nodiscard]] bool proved_equal(const formula::Expr& x, const formula::Expr& y,
                                 const SymbolicCase& under);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/comparison.hpp"
 
+#include "edgeproof/audit/checks/parts/decimal_fit.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -106,14 +108,91 @@ void report_agreement(const Agreement& agreement, const EvaluatedSamples& sample
     evidence.add("exact_there", text(values->exact));
 }
 
-Judgement judge_samples(const Agreement& agreement, double needed) {
-    if (agreement.to(needed)) {
-        return NotRefuted::confirmed;
+namespace {
+
+constexpr unsigned most_fitted_digits = 100; ///< that numbers are found to in place of decimals
+constexpr std::size_t most_with_integrals = 8;
+
+/// One equation a sample, of those samples that have an enclosure; all must have one.
+std::vector<DecimalEquation> equations_at(const DecimalFormula& printed,
+                                          const EvaluatedSamples& samples_at,
+                                          const formula::Expr& exact,
+                                          const std::optional<formula::Expr>& scale, long bits,
+                                          unsigned digits) {
+    std::size_t most = samples_at.all().size();
+    if (has_binder(printed.expr()) || has_binder(exact)) {
+        most = std::min(most, most_with_integrals);
     }
-    if (const auto difference = agreement.difference(needed)) {
-        return Judgement(*difference);
+    std::vector<DecimalEquation> equations;
+    std::vector<std::size_t> order = spread_first(samples_at.all().size(), most);
+    order.resize(most);
+    for (const std::size_t i : order) {
+        const auto sample =
+            std::make_shared<EnclosedSample>(samples_at.all()[i].sample, bits, digits + 15);
+        const Ball target = sample->evaluate(exact);
+        const Ball size = scale                   ? abs(sample->evaluate(*scale))
+                          : contains_zero(target) ? scale_of_terms(printed.as_printed(), *sample)
+                                                  : abs(target);
+        equations.push_back({[sample, e = printed.expr()](const Decimals& numbers) {
+                                 for (std::size_t k = 0; k < numbers.size(); ++k) {
+                                     sample->set(DecimalFormula::name_of_decimal(k), numbers[k]);
+                                 }
+                                 return sample->evaluate(e);
+                             },
+                             target, size});
     }
-    return agreement.without_value() > 0 ? NotRefuted::underspecified : NotRefuted::undecided;
+    return equations;
+}
+
+Judgement judge_fit(const DecimalFormula& printed, const EvaluatedSamples& samples_at,
+                    const formula::Expr& exact, const std::optional<formula::Expr>& scale,
+                    unsigned digits, Outcome& outcome) {
+    const unsigned fitted = std::min(digits, most_fitted_digits);
+    const long bits = formula::bits_for(2 * fitted + 30);
+    try {
+        const auto equations = equations_at(printed, samples_at, exact, scale, bits, fitted);
+        const std::size_t comparisons = equations.size();
+        const DecimalFit fit(printed.decimals(), equations, AuditContext::digits_needed(fitted),
+                             bits);
+        return judge_decimals(
+            printed.decimals(), fit,
+            [&](const std::vector<Real>& numbers) { return printed.text_with(numbers); },
+            comparisons, fitted, outcome);
+    } catch (const Error& error) {
+        outcome.note = std::string("no enclosure: ") + error.what();
+        return {};
+    }
+}
+
+} // namespace
+
+Judgement judge_formula(const Claim& claim, EvaluatedSamples& samples_at,
+                        const Agreement& agreement, const formula::Expr& exact,
+                        const std::optional<formula::Expr>& scale, unsigned digits,
+                        Outcome& outcome) {
+    const PrintedFormula printed = printed_formula(claim);
+    if (const auto* with_decimals = std::get_if<DecimalFormula>(&printed)) {
+        Outcome as_printed;
+        const Decision found = compare_by_enclosures(
+            agreement, samples_at, {with_decimals->as_printed(), exact, scale}, digits, as_printed);
+        if (const auto* holds = std::get_if<Confirmation>(&found)) {
+            outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
+            return Judgement(*holds);
+        }
+        return judge_fit(*with_decimals, samples_at, exact, scale, digits, outcome);
+    }
+    return judge_by_enclosures(agreement, samples_at, std::get<ExactFormula>(printed), exact, scale,
+                               digits, outcome);
+}
+
+bool confirmed_at_samples(EvaluatedSamples& samples_at, const formula::Expr& made,
+                          const formula::Expr& exact, const std::optional<formula::Expr>& scale,
+                          unsigned digits) {
+    Outcome ignored;
+    const Agreement agreement = samples_at.compare(made, exact, scale);
+    return agreement.to(AuditContext::digits_needed(digits)) &&
+           confirms(
+               compare_by_enclosures(agreement, samples_at, {made, exact, scale}, digits, ignored));
 }
 
 RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,

@@ -19,9 +19,18 @@ namespace edgeproof::audit {
 void report_agreement(const Agreement& agreement, const EvaluatedSamples& samples_at,
                       unsigned digits, Evidence& evidence);
 
-/// By what the samples say, of so many digits that are needed: confirmed, refuted (by a difference
-/// of values), underspecified (no value in print at some), undecided.
-[[nodiscard]] Judgement judge_samples(const Agreement& agreement, double needed);
+/// The verdict on two formulas at the samples of a claim. A printed formula with decimals is
+/// confirmed as it stands or with numbers that round to them, and is refuted if none of these fit;
+/// then the evidence has `rounded`. With `note` and the evidence of the verdict.
+[[nodiscard]] Judgement judge_formula(const Claim& claim, EvaluatedSamples& samples_at,
+                                      const Agreement& agreement, const formula::Expr& exact,
+                                      const std::optional<formula::Expr>& scale, unsigned digits,
+                                      Outcome& outcome);
+
+/// Whether a formula that the program made is confirmed at the samples, by enclosures.
+[[nodiscard]] bool confirmed_at_samples(EvaluatedSamples& samples_at, const formula::Expr& made,
+                                        const formula::Expr& exact,
+                                        const std::optional<formula::Expr>& scale, unsigned digits);
 
 /// What `says` and `of` of a claim give a diagnosis: the formulas, the names of the claim and of
 /// the first sample's scene, and printed/exact at all samples, where that is recognised; also puts

@@ -7,10 +7,49 @@
 
 namespace edgeproof::audit {
 
-ConditionInScene::ConditionInScene(const Sample& sample, Condition condition,
+namespace {
+
+constexpr unsigned first_digits = 10; // of the enclosures: most margins are wide
+
+} // namespace
+
+ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condition,
                                    std::optional<Condition> where, unsigned digits)
-    : sample_(sample), condition_(std::move(condition)), where_(std::move(where)), digits_(digits) {
+    : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
+      where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {
     sample_.fraction.reset();
+}
+
+std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
+    const double needed = AuditContext::digits_needed(digits_);
+    Decision found;
+    bool admitted = !where_;
+    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
+        if (fraction != nullptr) {
+            at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
+        }
+        if (!admitted) {
+            const Decision there = decide(*where_, at, needed);
+            admitted = confirms(there);
+            if (!admitted) {
+                return refutes(there);
+            }
+        }
+        found = decide(printed_.as_printed, at, needed);
+        if (refutes(found) && !printed_.decimals.empty()) {
+            for (std::size_t k = 0; k < printed_.decimals.size(); ++k) {
+                at.set(DecimalFormula::name_of_decimal(k),
+                       printed_.decimals[k].interval(Rational(1, 2), at.bits()));
+            }
+            found = decide(printed_.named, at, needed);
+            if (!refutes(found)) {
+                found = {};
+                return true; // more bits do not make the intervals narrower
+            }
+        }
+        return !std::holds_alternative<std::monostate>(found);
+    }));
+    return admitted ? std::optional(found) : std::nullopt;
 }
 
 unsigned ConditionInScene::digits_of(std::size_t level) const {

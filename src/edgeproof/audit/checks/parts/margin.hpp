@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 
@@ -26,9 +28,13 @@ struct Margin {
 /// which is larger, more digits are computed: D, then 2 D + 40, then 4 D + 160.
 class ConditionInScene {
 public:
+    ConditionInScene(const ConditionInScene&) = delete;
+    ConditionInScene& operator=(const ConditionInScene&) = delete;
+    ~ConditionInScene() = default;
+
     /// `sample`: its scene, edge and variables; its place is not looked at.
-    ConditionInScene(const Sample& sample, Condition condition, std::optional<Condition> where,
-                     unsigned digits);
+    ConditionInScene(const Sample& sample, PrintedCondition condition,
+                     std::optional<Condition> where, unsigned digits);
 
     [[nodiscard]] const EvaluatedScene& scene_values() const { return at_level(0); }
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
@@ -37,6 +43,10 @@ public:
     [[nodiscard]] std::optional<Margin> at(const Real& fraction) const;
     /// For conditions that name no place.
     [[nodiscard]] std::optional<Margin> anywhere() const;
+    /// By enclosures, at a place or, for conditions that name none, without one; nullopt where
+    /// `where` does not certainly hold. Decimals stand for their intervals: the
+    /// condition fails if it does for all numbers in them, and holds if it does as printed.
+    [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
     [[nodiscard]] std::string text() const;
 
 private:
@@ -47,10 +57,12 @@ private:
     [[nodiscard]] Margin margin_at(std::size_t level, const Place* place) const;
 
     Sample sample_;
-    Condition condition_;
+    PrintedCondition printed_;
+    const Condition& condition_; ///< as printed
     std::optional<Condition> where_;
     unsigned digits_;
     mutable std::array<std::unique_ptr<EvaluatedScene>, levels> scene_values_;
+    mutable SampleInBalls in_balls_;
 };
 
 } // namespace edgeproof::audit

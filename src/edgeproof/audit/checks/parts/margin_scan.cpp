@@ -102,6 +102,19 @@ std::size_t MarginScan::unclear() const {
         places_.begin(), places_.end(), [](const MarginAt& p) { return !p.margin.clear; }));
 }
 
+bool MarginScan::nearly_holds() const {
+    const Real negligible = pow(Real(10), -6);
+    for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
+        const Real& l = places_[i - 1].margin.difference;
+        const Real& m = places_[i].margin.difference;
+        const Real& r = places_[i + 1].margin.difference;
+        if (m >= l && m >= r && abs(m) <= negligible * std::max(Real(abs(l)), Real(abs(r)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 Real MarginScan::change_between(Real lo, Real hi, bool holds_at_lo) const {
     for (int k = 0; k < 45; ++k) {
         const Real middle = (lo + hi) / 2;

@@ -24,6 +24,9 @@ public:
     [[nodiscard]] const MarginAt* least() const;
     [[nodiscard]] const MarginAt* most() const;
     [[nodiscard]] std::size_t unclear() const;
+    /// Whether, where the condition fails everywhere, the difference of its sides comes so near to
+    /// zero between its neighbours that it may hold at a point.
+    [[nodiscard]] bool nearly_holds() const;
     /// Intervals in which the condition holds (or fails), their ends isolated to 12 digits, one
     /// end being a place of the scan where the condition is not asked beyond it.
     [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;

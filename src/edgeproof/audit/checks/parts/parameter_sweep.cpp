@@ -35,19 +35,25 @@ Ledger with_parameter(const Ledger& ledger, const std::string& family, const std
     return fixed;
 }
 
-ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context, unsigned digits)
-    : name_(claim.text("along")) {
+ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context)
+    : claim_(claim), context_(context), name_(claim.text("along")) {
     if (claim.has("where")) {
         claim.reject("where", "a claim along " + name_ + " leaves samples out",
                      "list admissible values only, and leave out `where`");
     }
+    const auto add_step = [&](const std::vector<Sample>& samples) {
+        std::vector<SweptSample>& step = steps_.emplace_back();
+        for (const Sample& sample : samples) {
+            step.push_back({sample, sample.scene.family + ": " + sample.text()});
+        }
+    };
     const std::string& over = claim.text("over");
     if (const auto* values = listed(context.ledger().family(over), name_)) {
+        of_family_ = true;
         for (const formula::Expr& value : *values) {
             values_.push_back(to_text(value));
             const Ledger fixed = with_parameter(context.ledger(), over, name_, value);
-            steps_.push_back(std::make_unique<EvaluatedSamples>(
-                claim, AuditContext(fixed, context.digits()), digits));
+            add_step(AuditContext(fixed, context.digits()).samples(claim));
         }
     } else if (claim.has("vary")) {
         for (const auto& [name, texts] : claim.table("vary")) {
@@ -63,7 +69,7 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context, 
                         list = {text};
                     }
                 }
-                steps_.push_back(std::make_unique<EvaluatedSamples>(at, context, digits));
+                add_step(context.samples(at));
             }
         }
     }
@@ -71,6 +77,22 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context, 
         claim.reject("along", "'" + name_ + "' does not take three values",
                      "name a parameter of the family, or a name of `vary`, with a list of values");
     }
+}
+
+const formula::Exact& ParameterSweep::value_at(std::size_t value, std::size_t sample) const {
+    const Sample& at = sample_at(value, sample).sample;
+    return of_family_ ? at.scene.parameter(name_) : at.variables.find(name_)->second;
+}
+
+Sample ParameterSweep::sample_with(const formula::Exact& value, std::size_t sample) const {
+    if (of_family_) {
+        const Ledger fixed =
+            with_parameter(context_.ledger(), claim_.text("over"), name_, value.expr());
+        return AuditContext(fixed, context_.digits()).samples(claim_)[sample];
+    }
+    Sample at = sample_at(0, sample).sample;
+    at.variables.insert_or_assign(name_, value);
+    return at;
 }
 
 } // namespace edgeproof::audit

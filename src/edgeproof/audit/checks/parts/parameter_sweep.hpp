@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/sample/audit_context.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,24 +13,39 @@ namespace edgeproof::audit {
 [[nodiscard]] Ledger with_parameter(const Ledger& ledger, const std::string& family,
                                     const std::string& parameter, const formula::Expr& value);
 
+/// A sample of a sweep, and its text.
+struct SweptSample {
+    Sample sample;
+    std::string text;
+};
+
 /// A claim's samples, each at every value of the name that `along` gives: a parameter of the
-/// family, or a name of `vary`. The values are those listed there, in the order listed.
+/// family, or a name of `vary`. The values are those listed there, in the order listed. Refers to
+/// the claim and to the context.
 class ParameterSweep {
 public:
-    ParameterSweep(const Claim& claim, const AuditContext& context, unsigned digits);
+    ParameterSweep(const Claim& claim, const AuditContext& context);
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] const std::vector<std::string>& values() const noexcept { return values_; }
     /// Samples at one value.
-    [[nodiscard]] std::size_t samples() const noexcept { return steps_.front()->all().size(); }
-    [[nodiscard]] const EvaluatedSample& sample_at(std::size_t value, std::size_t sample) const {
-        return steps_[value]->all()[sample];
+    [[nodiscard]] std::size_t samples() const noexcept { return steps_.front().size(); }
+    [[nodiscard]] const SweptSample& sample_at(std::size_t value, std::size_t sample) const {
+        return steps_[value][sample];
     }
+    /// The value of the name there.
+    [[nodiscard]] const formula::Exact& value_at(std::size_t value, std::size_t sample) const;
+    /// The same sample at a value that is not listed. Throws Error for one that the family does not
+    /// admit.
+    [[nodiscard]] Sample sample_with(const formula::Exact& value, std::size_t sample) const;
 
 private:
+    const Claim& claim_;
+    const AuditContext& context_;
     std::string name_;
+    bool of_family_ = false; ///< else a name of `vary`
     std::vector<std::string> values_;
-    std::vector<std::unique_ptr<EvaluatedSamples>> steps_;
+    std::vector<std::vector<SweptSample>> steps_;
 };
 
 } // namespace edgeproof::audit

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 
+#include "edgeproof/audit/ledger/printed_formula.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -73,15 +76,56 @@ long QuotedFigure::units_off(const Real& computed) const {
     return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
 }
 
-Judgement QuotedFigure::verdict(const Real& computed) const {
-    if (!isfinite(computed)) {
-        return NotRefuted::undecided;
+namespace {
+
+/// From the figure less so many units to the figure and so many units.
+template <class Number>
+std::optional<Confirmation> within(const Number& x, const QuotedFigure& figure,
+                                   const Rational& units) {
+    const auto [lower, upper] = figure.within_units(units);
+    return Confirmation::within(x, lower, upper);
+}
+
+} // namespace
+
+Judgement QuotedFigure::verdict(const Ball& computed) const {
+    if (const auto rounds = within(computed, *this, rounding_units())) {
+        return Judgement(*rounds);
     }
-    const long off = std::labs(units_off(computed));
-    if (off <= 1) {
-        return off == 0 ? NotRefuted::confirmed : NotRefuted::imprecise;
+    const auto [low, high] = within_units(rounding_units());
+    const auto [lowest, highest] = within_units(neighbour_units());
+    const auto ball = [&](const Rational& q) { return Ball(q, computed.bits()); };
+    if (const auto near = within(computed, *this, neighbour_units());
+        near && (certainly_less(computed, ball(low)) || certainly_less(ball(high), computed))) {
+        return Judgement::imprecise(*near);
     }
-    return Judgement(Difference::of(Real(value_), computed, Real(unit_)));
+    if (const auto below = Refutation::less(computed, ball(lowest))) {
+        return Judgement(*below);
+    }
+    const auto above = Refutation::less(ball(highest), computed);
+    return above ? Judgement(*above) : Judgement();
+}
+
+Judgement QuotedFigure::verdict_half_way(const formula::Exact& computed) const {
+    const PrecisionScope scope(digits() + 40);
+    const Rational steps = Rational(
+        floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
+    for (const int beside : {-1, 0, 1}) {
+        const Rational middle = (steps + beside + rounding_units()) * unit_;
+        if (formula::proved_zero(computed.expr() - formula::Expr::number(middle))) {
+            return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
+        }
+    }
+    return {};
+}
+
+unsigned QuotedFigure::digits() const {
+    Rational steps = abs(Rational(value_ / unit_));
+    unsigned count = 1;
+    for (; steps >= 10; steps /= 10) {
+        ++count;
+    }
+    return count;
 }
 
 std::string QuotedFigure::rounded(const Real& computed) const {

@@ -25,8 +25,14 @@ public:
     /// How many units of the last quoted place the computed value, rounded to it, is above. A half
     /// is rounded up.
     [[nodiscard]] long units_off(const Real& computed) const;
-    /// Rounds to it: confirmed. One unit off: imprecise. More: refuted. Not finite: undecided.
-    [[nodiscard]] Judgement verdict(const Real& computed) const;
+    /// All numbers in the ball round to it: confirmed. All are one unit off: imprecise. All are
+    /// farther off: refuted. Else undecided.
+    [[nodiscard]] Judgement verdict(const Ball& computed) const;
+    /// The same of a constant that exact algebra proves to lie half-way between two numbers of so
+    /// many places; undecided for others.
+    [[nodiscard]] Judgement verdict_half_way(const formula::Exact& computed) const;
+    /// Decimal digits of the figure, counted from the first one that is not zero.
+    [[nodiscard]] unsigned digits() const;
     /// The numbers from so many units of the last quoted place below to so many above: with 1/2
     /// those that round to it.
     [[nodiscard]] std::pair<Rational, Rational> within_units(const Rational& units) const {

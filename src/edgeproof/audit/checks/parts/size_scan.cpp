@@ -56,6 +56,11 @@ void add_extrema(const SizeScan::Function& f, const Float128& level, std::vector
 
 } // namespace
 
+SceneSpec with_size(SceneSpec scene, const Float128& a) {
+    scene.parameters.insert_or_assign("a", formula::Exact::of(Rational(a)));
+    return scene;
+}
+
 SizeSet intersection(const SizeSet& x, const SizeSet& y) {
     SizeSet both;
     for (const SizeInterval& i : x) {

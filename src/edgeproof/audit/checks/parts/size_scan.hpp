@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/ledger/family.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
@@ -18,6 +19,9 @@ struct SizeInterval {
     bool open_below = false; ///< it begins where the search began
     bool open_above = false; ///< it ends where the search ended
 };
+
+/// The scene with another right edge a; all its other parameters stay.
+[[nodiscard]] SceneSpec with_size(SceneSpec scene, const Float128& a);
 
 /// Disjoint and ascending.
 using SizeSet = std::vector<SizeInterval>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/parts/rounded.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "tests/audit/small_ledger.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -46,7 +46,7 @@ TEST_CASE("a printed decimal off by a unit is imprecise, off by more refuted, an
     CHECK(peak_verdict("0.5642*sqrt(P*Es*C)", "decimals = \"exact\"") == "refuted");
 }
 
-TEST_CASE("several decimals, each told by itself") {
+TEST_CASE("several decimals in one formula") {
     const auto verdict = [](const std::string& says) {
         return small_ledger::verdict_of(
             "kind = \"value\"\nover = \"nine\"\nof = \"1/Pi + k/sqrt(2)\"\n"

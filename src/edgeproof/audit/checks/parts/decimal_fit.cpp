@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/decimal_fit.hpp"
+
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+namespace {
+
+constexpr int most_iterations = 60;
+constexpr std::size_t most_boxes = 3000;   ///< of a subdivision
+constexpr std::size_t most_subdivided = 4; ///< decimals of a formula whose box is subdivided
+
+using Row = std::vector<Real>;
+
+Real norm_squared(const Row& r) {
+    Real sum(0);
+    for (const Real& x : r) {
+        sum += x * x;
+    }
+    return sum;
+}
+
+/// The solution of (J^T J + mu I) d = -J^T r by Gaussian elimination; the matrix is positive
+/// definite.
+std::optional<Row> damped_step(const std::vector<Row>& J, const Row& r, const Real& mu) {
+    const std::size_t n = J.front().size();
+    std::vector<Row> A(n, Row(n + 1, Real(0)));
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t i = 0; i < J.size(); ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                A[k][j] += J[i][k] * J[i][j];
+            }
+            A[k][n] -= J[i][k] * r[i];
+        }
+        A[k][k] += mu;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!isfinite(A[k][k]) || A[k][k] == 0) {
+            return std::nullopt;
+        }
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const Real factor = A[i][k] / A[k][k];
+            for (std::size_t j = k; j <= n; ++j) {
+                A[i][j] -= factor * A[k][j];
+            }
+        }
+    }
+    Row d(n, Real(0));
+    for (std::size_t k = n; k-- > 0;) {
+        Real sum = A[k][n];
+        for (std::size_t j = k + 1; j < n; ++j) {
+            sum -= A[k][j] * d[j];
+        }
+        d[k] = sum / A[k][k];
+        if (!isfinite(d[k])) {
+            return std::nullopt;
+        }
+    }
+    return d;
+}
+
+} // namespace
+
+DecimalFit::DecimalFit(std::vector<PrintedDecimal> decimals, std::vector<DecimalEquation> equations,
+                       unsigned digits, long bits)
+    : decimals_(std::move(decimals)), equations_(std::move(equations)), digits_(digits),
+      bits_(bits) {}
+
+std::optional<std::vector<Real>> DecimalFit::residuals(const std::vector<Real>& numbers) const {
+    Decimals at;
+    for (const Real& x : numbers) {
+        at.emplace_back(x, bits_);
+    }
+    Row r;
+    for (const DecimalEquation& e : equations_) {
+        const Ball off = (e.printed(at) - e.exact) / e.scale;
+        if (!off.is_finite()) {
+            return std::nullopt;
+        }
+        r.push_back(off.midpoint());
+    }
+    return r;
+}
+
+std::optional<Confirmation> DecimalFit::agrees(const std::vector<Real>& numbers) const {
+    Decimals at;
+    for (const Real& x : numbers) {
+        at.emplace_back(x, bits_);
+    }
+    std::vector<Decision> all;
+    for (const DecimalEquation& e : equations_) {
+        const auto holds = Confirmation::agreement(e.printed(at), e.exact, e.scale, digits_);
+        if (!holds) {
+            return std::nullopt;
+        }
+        all.emplace_back(*holds);
+    }
+    return all.empty() ? std::nullopt
+                       : std::optional<Confirmation>(std::get<Confirmation>(all.front()));
+}
+
+/// In units of half the last place, from what is printed; `fixed` are decimals that stay. A
+/// difference quotient stands for a derivative: an iteration that does not converge finds nothing,
+/// and what it finds is proved afterwards.
+std::optional<std::vector<Real>>
+DecimalFit::search(const std::optional<Rational>& units,
+                   const std::vector<std::optional<Real>>& fixed) const {
+    const std::size_t n = decimals_.size();
+    Row y(n, Real(0));
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < n; ++k) {
+        if (fixed[k]) {
+            y[k] = *fixed[k];
+        } else {
+            free.push_back(k);
+        }
+    }
+    const auto numbers = [&](const Row& at) {
+        Row c;
+        for (std::size_t k = 0; k < n; ++k) {
+            c.push_back(from_rational<Real>(decimals_[k].value) +
+                        at[k] * from_rational<Real>(decimals_[k].unit));
+        }
+        return c;
+    };
+    auto r = residuals(numbers(y));
+    if (!r) {
+        return std::nullopt;
+    }
+    const Real enough = pow(Real(10), -2 * static_cast<int>(digits_ + 5));
+    const Real step = pow(Real(10), -static_cast<int>(digits_ / 2 + 5));
+    const Real most = units ? from_rational<Real>(*units) : Real(0);
+    for (int i = 0; i < most_iterations && norm_squared(*r) > enough; ++i) {
+        check_interruption();
+        if (free.empty()) {
+            return std::nullopt;
+        }
+        std::vector<Row> J(r->size(), Row(free.size(), Real(0)));
+        for (std::size_t f = 0; f < free.size(); ++f) {
+            Row moved = y;
+            moved[free[f]] += step;
+            const auto there = residuals(numbers(moved));
+            if (!there) {
+                return std::nullopt;
+            }
+            for (std::size_t j = 0; j < r->size(); ++j) {
+                J[j][f] = ((*there)[j] - (*r)[j]) / step;
+            }
+        }
+        const auto d = damped_step(J, *r, norm_squared(*r));
+        if (!d) {
+            return std::nullopt;
+        }
+        for (std::size_t f = 0; f < free.size(); ++f) {
+            y[free[f]] += (*d)[f];
+        }
+        r = residuals(numbers(y));
+        if (!r) {
+            return std::nullopt;
+        }
+    }
+    if (norm_squared(*r) > enough) {
+        return std::nullopt;
+    }
+    if (units) {
+        // A decimal beyond its interval is held at the interval's end, the others being free.
+        std::vector<std::optional<Real>> held = fixed;
+        bool beyond = false;
+        for (const std::size_t k : free) {
+            if (abs(y[k]) > most) {
+                held[k] = y[k] > 0 ? most : Real(-most);
+                beyond = true;
+            }
+        }
+        if (beyond) {
+            return search(units, held);
+        }
+    }
+    return numbers(y);
+}
+
+std::optional<FittedDecimals> DecimalFit::find(const std::optional<Rational>& units) const {
+    const PrecisionScope scope(2 * digits_ + 30);
+    try {
+        const auto numbers =
+            search(units, std::vector<std::optional<Real>>(decimals_.size(), std::nullopt));
+        if (!numbers) {
+            return std::nullopt;
+        }
+        for (std::size_t k = 0; units && k < numbers->size(); ++k) {
+            const Ball off = Ball((*numbers)[k], bits_) - Ball(decimals_[k].value, bits_);
+            const Ball most(Rational(*units * decimals_[k].unit), bits_);
+            if (certainly_less(most, abs(off))) {
+                return std::nullopt;
+            }
+        }
+        const auto holds = agrees(*numbers);
+        return holds ? std::optional(FittedDecimals{*numbers, *holds}) : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt; // no enclosure for these numbers
+    }
+}
+
+std::optional<Refutation> DecimalFit::excluded(const Decimals& box, std::size_t& first) const {
+    for (std::size_t k = 0; k < equations_.size(); ++k) {
+        const std::size_t i = (first + k) % equations_.size();
+        try {
+            if (const auto apart =
+                    Refutation::disjoint(equations_[i].printed(box), equations_[i].exact)) {
+                first = i;
+                return apart;
+            }
+        } catch (const Error&) {
+            continue; // no enclosure over this box
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Refutation> DecimalFit::exclude() const {
+    Decimals whole;
+    for (const PrintedDecimal& d : decimals_) {
+        whole.push_back(d.interval(rounding_units(), bits_));
+    }
+    std::size_t first = 0;
+    if (auto apart = excluded(whole, first)) {
+        return apart;
+    }
+    if (decimals_.size() > most_subdivided) {
+        return std::nullopt;
+    }
+    std::vector<Decimals> open{whole};
+    std::optional<Refutation> last;
+    for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
+        check_interruption();
+        if (looked_at == most_boxes) {
+            return std::nullopt;
+        }
+        const Decimals box = std::move(open.back());
+        open.pop_back();
+        if (auto apart = excluded(box, first)) {
+            last = apart;
+            continue;
+        }
+        // Halved where it is widest, in units of the last place.
+        std::size_t widest = 0;
+        Real width(0);
+        for (std::size_t k = 0; k < box.size(); ++k) {
+            const Real w = Real(box[k].radius() / Real(decimals_[k].unit));
+            if (w > width) {
+                width = w;
+                widest = k;
+            }
+        }
+        const Ball middle(box[widest].midpoint(), bits_);
+        for (const Real& end : {box[widest].lower(), box[widest].upper()}) {
+            Decimals part = box;
+            part[widest] = Ball::hull(Ball(end, bits_), middle);
+            open.push_back(std::move(part));
+        }
+    }
+    return last;
+}
+
+namespace {
+
+struct Described {
+    std::string right; ///< decimals that the number found rounds to
+    std::string off;   ///< the others
+};
+
+Described describe(const std::vector<PrintedDecimal>& decimals, const std::vector<Real>& numbers,
+                   std::size_t comparisons, unsigned digits, Outcome& outcome) {
+    const PrecisionScope scope(digits + 20);
+    std::vector<EvidenceItem> list;
+    Described all;
+    for (std::size_t k = 0; k < decimals.size(); ++k) {
+        const PrintedDecimal& printed = decimals[k];
+        const Real off =
+            (numbers[k] - from_rational<Real>(printed.value)) / from_rational<Real>(printed.unit);
+        const bool rounds = abs(off) <= Real(1) / 2;
+        Evidence one;
+        one.add("printed", printed.text)
+            .add("stands_for", to_decimal(numbers[k], digits))
+            .add("units_off", to_decimal(off, 3))
+            .add("rounds_to_it", rounds);
+        list.emplace_back(std::move(one));
+        const std::size_t known = printed.significant_digits();
+        const std::string exactly = to_decimal(numbers[k], static_cast<unsigned>(known) + 5);
+        std::string& text = rounds ? all.right : all.off;
+        text += text.empty() ? "" : ", ";
+        text += rounds ? std::to_string(known) + " printed digits of " + printed.text +
+                             " (exactly " + exactly + "...)"
+                       : printed.text + " should be " + printed.in_its_place(numbers[k]) +
+                             " (exactly " + exactly + "...)";
+    }
+    Evidence e;
+    e.add("constants", std::move(list)).add("samples", comparisons).add("digits", digits);
+    outcome.evidence.add("rounded", std::move(e));
+    return all;
+}
+
+} // namespace
+
+Judgement judge_decimals(const std::vector<PrintedDecimal>& decimals, const DecimalFit& fit,
+                         const std::function<std::string(const std::vector<Real>&)>& text_with,
+                         std::size_t comparisons, unsigned digits, Outcome& outcome) {
+    if (const auto found = fit.find(rounding_units())) {
+        const Described d = describe(decimals, found->numbers, comparisons, digits, outcome);
+        outcome.note = "right to the " + d.right + ", at " + std::to_string(comparisons) +
+                       (comparisons == 1 ? " sample" : " samples") + "; a rounded formula";
+        return Judgement(found->agrees);
+    }
+    const auto excluded = fit.exclude();
+    if (!excluded) {
+        outcome.note = "it is not decided whether numbers that round to the printed decimals fit";
+        return {};
+    }
+    auto found = fit.find(neighbour_units());
+    const bool near = found.has_value();
+    if (!found) {
+        found = fit.find(std::nullopt);
+    }
+    if (!found) {
+        outcome.note = "no numbers that round to the printed decimals fit";
+        return Judgement(*excluded);
+    }
+    const Described d = describe(decimals, found->numbers, comparisons, digits, outcome);
+    outcome.correct = text_with(found->numbers);
+    outcome.note = d.off + (d.right.empty() ? "" : "; right to the " + d.right);
+    return near ? Judgement::imprecise(found->agrees) : Judgement(*excluded);
+}
+
+} // namespace edgeproof::audit

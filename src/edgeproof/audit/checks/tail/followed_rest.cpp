@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/tail/followed_rest.hpp"
+
+#include "edgeproof/audit/checks/tail/hidden_terms.hpp"
+#include "edgeproof/audit/checks/tail/sweep_target.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace edgeproof::audit {
+namespace {
+
+using formula::Exact;
+using formula::Expr;
+
+/// By which the small variable is multiplied.
+constexpr std::array<unsigned, 3> sizes{0, 6, 12};
+/// Decades of the distance. Those at which growth is measured are powers of two.
+constexpr std::array<unsigned, 20> main_rungs{1,  2,  3,  4,   6,   8,   12,  16,  24,  32,
+                                              48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+constexpr double bounded_margin = 8; ///< decades by which the last steps are below the rest
+constexpr double most_hidden = 390;
+constexpr std::size_t doublings = 3;
+constexpr long rest_bits = 30;
+
+Expr power_of_ten(long exponent) {
+    const Rational power(
+        boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
+    return Expr::number(exponent < 0 ? Rational(1 / power) : power);
+}
+
+/// At the second, at least half as much again as at the first.
+bool certainly_half_more(const Ball& first, const Ball& second) {
+    return certainly_less(first * 3, second * 2);
+}
+bool certainly_tenfold(const Ball& first, const Ball& second) {
+    return certainly_positive(first) && certainly_less(first * 10, second);
+}
+
+double decades_of_size(const Sample& sample, const std::string& small) {
+    const auto decades = decades_of(formula::ball_of(sample.variables.find(small)->second, 256));
+    return decades ? std::max(0.0, -*decades) : 0;
+}
+
+/// The rungs up to `least_end`, at least, and the distances small^(1/2), small, small^(3/2),
+/// small^2.
+std::vector<unsigned> rungs_to(double least_end, double small) {
+    std::vector<unsigned> rungs;
+    for (const unsigned rung : main_rungs) {
+        rungs.push_back(rung);
+        const bool power_of_two = (rung & (rung - 1)) == 0;
+        if (power_of_two && rung >= least_end) {
+            break;
+        }
+    }
+    for (int k = 1; k <= 4; ++k) {
+        const auto layer = static_cast<unsigned>(std::lround(k * small / 2));
+        if (layer > 0 && layer < rungs.back()) {
+            rungs.push_back(layer);
+        }
+    }
+    std::sort(rungs.begin(), rungs.end());
+    rungs.erase(std::unique(rungs.begin(), rungs.end()), rungs.end());
+    return rungs;
+}
+
+/// With what cancels taken out, where that is found by symbols.
+Expr simplified(const Expr& e) {
+    try {
+        return derive(e, SymbolicCase());
+    } catch (const Error&) {
+        return e;
+    }
+}
+
+} // namespace
+
+Expr ExpansionToFollow::rest() const {
+    return (of - approximation) / pow(Expr::symbol(small), Expr::number(Rational(order)));
+}
+
+Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, unsigned decades,
+                   bool exactly) {
+    // Not a power of ten: formulas such as sin(Pi/s) are special there.
+    const Rational factor = exactly ? Rational(1) : Rational(7919, 7001);
+    const Expr off = Expr::number(factor) * power_of_ten(-static_cast<long>(decades));
+    const Expr& end = expansion.towards.expr();
+    const auto own = sample.variables.find(expansion.variable);
+    const bool from_above =
+        own != sample.variables.end() && Exact(own->second.expr() - end).sign() > 0;
+    Sample at = sample;
+    at.variables.insert_or_assign(expansion.variable, Exact(from_above ? end + off : end - off));
+    return at;
+}
+
+Ball FollowedRest::largest_of(const Run& run) {
+    Ball most = run.rungs.front().rest;
+    for (const Rung& r : run.rungs) {
+        most = max(most, r.rest);
+    }
+    return most;
+}
+
+FollowedRest::FollowedRest(const Sample& sample, const ExpansionToFollow& expansion,
+                           unsigned digits)
+    : expansion_(expansion), rest_(expansion.rest()), simplified_(simplified(rest_)),
+      digits_(digits) {
+    for (const unsigned size : sizes) {
+        Sample smaller = sample;
+        Exact& small = smaller.variables.find(expansion.small)->second;
+        small = Exact(power_of_ten(-static_cast<long>(size)) * small.expr());
+        if (!add_run(smaller)) {
+            return;
+        }
+    }
+    course_ = judge();
+    if (course_ == Course::unknown && problem_.empty()) {
+        problem_ = "what is left neither settles nor certainly grows, down to the distance " +
+                   last_distance();
+    }
+}
+
+const Ball& FollowedRest::before_last() const {
+    const std::vector<Rung>& rungs = runs_.front().rungs;
+    return course_ == Course::wrong_order ? *runs_.front().far : rungs[rungs.size() - 2].rest;
+}
+const Ball& FollowedRest::last() const {
+    return course_ == Course::wrong_order ? *runs_.back().far : runs_.front().rungs.back().rest;
+}
+Ball FollowedRest::largest() const { return largest_of(runs_.front()); }
+std::string FollowedRest::last_distance() const {
+    return "10^-" + std::to_string(runs_.front().rungs.back().decades);
+}
+
+std::optional<FollowedRest::Rung> FollowedRest::rung(const Sample& at, unsigned decades,
+                                                     double small) {
+    const double lost = (expansion_.order + 1) * small + decades;
+    std::optional<Rung> found;
+    SampleInBalls sample(at, digits_ + static_cast<unsigned>(lost));
+    // What is smaller than the small variable to twice the order is nothing.
+    const auto nothing_below = -static_cast<long>(2 * expansion_.order * small + decades + digits_);
+    (void)sample.until([&](const EnclosedSample& in) {
+        Rung here{decades, abs(in.evaluate(rest_)), false};
+        if (!here.rest.is_finite()) {
+            return false;
+        }
+        const Ball value =
+            abs(in.evaluate(expansion_.of)) + abs(in.evaluate(expansion_.approximation));
+        const Ball left = here.rest * pow_int(in.evaluate(Expr::symbol(expansion_.small)),
+                                              static_cast<long>(expansion_.order));
+        here.nothing = contains_zero(here.rest) &&
+                       (arb_is_zero(here.rest.data()) != 0 ||
+                        certainly_less(left, pow_int(Ball(10, 64), nothing_below) * value));
+        const bool known = here.nothing || here.rest.relative_accuracy_bits() >= rest_bits;
+        found = std::move(here);
+        return known;
+    });
+    if (!found) {
+        problem_ = "no enclosure: " + sample.problem();
+    }
+    return found;
+}
+
+bool FollowedRest::add_run(const Sample& sample) {
+    const double small = decades_of_size(sample, expansion_.small);
+    Run run{sample, std::nullopt, {}, 0};
+    try {
+        const long bits = 2 * formula::bits_for(digits_ + static_cast<unsigned>(8 * small) + 40);
+        const EnclosedSample before(at_distance(sample, expansion_, main_rungs[3]), bits);
+        const EnclosedSample after(at_distance(sample, expansion_, main_rungs[5]), bits);
+        // Its smaller sizes hide nothing more: the small variable is followed beyond its powers.
+        run.hidden =
+            runs_.empty() ? hidden_decades(simplified_, {before, after}) : runs_.front().hidden;
+        if (!(run.hidden < most_hidden)) {
+            problem_ = "the formula has numbers beyond the range that is followed";
+            return false;
+        }
+        if (sample.variables.contains(expansion_.variable)) {
+            if (const auto far = rung(sample, 0, small)) {
+                run.far = far->rest;
+            }
+        }
+        // The last three steps begin at 3/8 of the end.
+        const double end = std::max({64.0, 3 * (bounded_margin + run.hidden), 10 * small});
+        for (const unsigned decades : rungs_to(end, small)) {
+            const auto here = rung(at_distance(sample, expansion_, decades), decades, small);
+            if (!here) {
+                return false;
+            }
+            run.rungs.push_back(*here);
+        }
+    } catch (const Error& error) {
+        problem_ = std::string("no enclosure: ") + error.what();
+        return false;
+    }
+    runs_.push_back(std::move(run));
+    return true;
+}
+
+/// The last three steps are far below the rest, and do not grow.
+bool FollowedRest::is_bounded(const Run& run) {
+    const std::size_t n = run.rungs.size();
+    const Ball tolerance =
+        pow_int(Ball(10, 64), -static_cast<long>(std::ceil(bounded_margin + run.hidden)));
+    const Ball most = largest_of(run);
+    const auto step = [&](std::size_t i) { return abs(run.rungs[i].rest - run.rungs[i - 1].rest); };
+    for (std::size_t i = n - 3; i < n; ++i) {
+        if (!certainly_less(step(i), tolerance * most) || certainly_less(step(i - 1), step(i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool FollowedRest::is_growing(const Run& run) {
+    unsigned decades = run.rungs.back().decades;
+    const Ball* later = nullptr;
+    for (std::size_t k = 0; k <= doublings; ++k, decades /= 2) {
+        const auto at = std::find_if(run.rungs.begin(), run.rungs.end(),
+                                     [&](const Rung& r) { return r.decades == decades; });
+        if (at == run.rungs.end() || (later != nullptr && !certainly_half_more(at->rest, *later))) {
+            return false;
+        }
+        later = &at->rest;
+    }
+    return true;
+}
+
+bool FollowedRest::sums_settle(const Run& run) const {
+    const unsigned last = run.rungs.back().decades;
+    try {
+        const double lost = 8 * decades_of_size(run.sample, expansion_.small) + 4.0 * last;
+        const long bits = 2 * formula::bits_for(digits_ + static_cast<unsigned>(lost));
+        const EnclosedSample before(at_distance(run.sample, expansion_, last / 2), bits);
+        const EnclosedSample after(at_distance(run.sample, expansion_, last), bits);
+        return sums_have_settled(simplified_, {before, after});
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+FollowedRest::Course FollowedRest::judge() {
+    const auto all = [&](auto&& test) { return std::all_of(runs_.begin(), runs_.end(), test); };
+    if (all([](const Run& run) {
+            return std::all_of(run.rungs.begin(), run.rungs.end(),
+                               [](const Rung& r) { return r.nothing; });
+        })) {
+        return Course::nothing;
+    }
+    if (!all([&](const Run& run) { return sums_settle(run); })) {
+        problem_ = "the terms of the formula have not found their order at the distance " +
+                   last_distance();
+        return Course::unknown;
+    }
+    const Run& first = runs_[0];
+    const Run& second = runs_[1];
+    const Run& third = runs_[2];
+    if (first.far && second.far && third.far && certainly_tenfold(*first.far, *second.far) &&
+        certainly_tenfold(*second.far, *third.far)) {
+        return Course::wrong_order;
+    }
+    if (all(is_growing)) {
+        return Course::grows;
+    }
+    std::vector<Ball> most;
+    for (const Run& run : runs_) {
+        most.push_back(largest_of(run));
+    }
+    if (certainly_tenfold(most[0], most[1]) && certainly_tenfold(most[1], most[2]) && first.far &&
+        third.far && certainly_less(*third.far, *first.far * 3)) {
+        return Course::grows;
+    }
+    const bool maximum_settles = certainly_less(abs(most[2] - most[1]) * 10000, most[1]) &&
+                                 certainly_less(abs(most[1] - most[0]) * 100, most[0]);
+    return all(is_bounded) && maximum_settles ? Course::bounded : Course::unknown;
+}
+
+bool certainly_grows(const Expr& e, const Sample& sample, const ExpansionToFollow& expansion,
+                     unsigned digits) {
+    std::optional<Ball> before;
+    for (unsigned decades = 8; decades <= 64; decades *= 2) {
+        std::optional<Ball> here;
+        SampleInBalls in_balls(at_distance(sample, expansion, decades), digits + 2 * decades);
+        const bool known = in_balls.until([&](const EnclosedSample& in) {
+            here = abs(in.evaluate(e));
+            return here->is_finite() && here->relative_accuracy_bits() >= rest_bits;
+        });
+        if (!known || (before && !certainly_half_more(*before, *here))) {
+            return false;
+        }
+        before = here;
+    }
+    return true;
+}
+
+} // namespace edgeproof::audit

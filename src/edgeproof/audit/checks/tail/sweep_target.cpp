@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/tail/sweep_target.hpp"
+
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace edgeproof::audit {
+namespace {
+
+using formula::Exact;
+using formula::Expr;
+
+constexpr long target_bits = 4000;
+constexpr long most_height = 1000; ///< of the simplest multiple of a unit
+/// A multiple is no coincidence where its height times the relative width of the interval that it
+/// must lie in is below this.
+constexpr double most_coincidence = 0.1;
+
+/// 0 < lo <= hi: the rational number of least height between them; nothing beyond `most_height`.
+std::optional<Rational> simplest_between(const Real& lo, const Real& hi) {
+    const Real whole = floor(lo);
+    if (whole > most_height) {
+        return std::nullopt;
+    }
+    const Rational floor_of_lo(whole.convert_to<long>());
+    if (whole == lo) {
+        return floor_of_lo;
+    }
+    if (whole + 1 <= hi) {
+        return Rational(floor_of_lo + 1);
+    }
+    const auto rest = simplest_between(Real(1 / (hi - whole)), Real(1 / (lo - whole)));
+    if (!rest) {
+        return std::nullopt;
+    }
+    const Rational q = floor_of_lo + 1 / *rest;
+    return numerator(q) * denominator(q) > most_height ? std::nullopt : std::optional(q);
+}
+
+/// The values in balls, in the order listed.
+std::vector<Ball> enclosed_values(const std::vector<Exact>& listed) {
+    std::vector<Ball> values;
+    values.reserve(listed.size());
+    for (const Exact& value : listed) {
+        values.push_back(formula::ball_of(value, target_bits));
+    }
+    return values;
+}
+
+/// Whether each of them is certainly at most (`twice`: at least twice) half of the one before.
+bool each_halves(const std::vector<Ball>& d, bool twice) {
+    for (std::size_t i = 0; i + 1 < d.size(); ++i) {
+        const Ball& larger = twice ? d[i + 1] : d[i];
+        const Ball& smaller = twice ? d[i] : d[i + 1];
+        const bool of_one_sign = certainly_positive(larger * smaller);
+        // Balls of a ratio that is exactly 2 overlap.
+        const Ball slack = Ball(Rational(2001, 1000), target_bits) * abs(smaller) - abs(larger) * 1;
+        const Ball excess = abs(smaller) * 2 - abs(larger);
+        if (!of_one_sign || (!certainly_negative(excess) && !contains_zero(excess)) ||
+            (contains_zero(excess) && !certainly_positive(slack))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool halves_towards(const Expr& at, const std::vector<Ball>& values) {
+    const Ball target = formula::ball_of(Exact(at), target_bits);
+    std::vector<Ball> distances;
+    distances.reserve(values.size());
+    for (const Ball& value : values) {
+        distances.push_back(value - target);
+    }
+    return each_halves(distances, false);
+}
+
+struct Candidate {
+    Expr at;
+    Ball value;
+    double height = 0;
+};
+
+/// The simplest multiple of the unit that the values can tend to: as far beyond the last of them,
+/// at most, as that is from the one before.
+std::optional<Candidate> multiple_of(const Expr& unit, const std::vector<Ball>& values) {
+    const Ball u = formula::ball_of(Exact(unit), target_bits);
+    if (contains_zero(u)) {
+        return std::nullopt;
+    }
+    const Ball last = values.back() / u;
+    const Ball step = last - values[values.size() - 2] / u;
+    const Ball end = last + step;
+    const bool negative = certainly_negative(last);
+    if (!certainly_positive(last * end)) {
+        return std::nullopt;
+    }
+    const Real lo = std::min(abs(last).lower(), abs(end).lower());
+    const Real hi = std::max(abs(last).upper(), abs(end).upper());
+    const auto q = simplest_between(lo, hi);
+    const double height = q ? Rational(numerator(*q) * denominator(*q)).convert_to<double>() : 0;
+    if (!q || height * Real((hi - lo) / lo).convert_to<double>() > most_coincidence) {
+        return std::nullopt;
+    }
+    const Rational factor = negative ? Rational(-*q) : *q;
+    const Rational* known = unit.rational();
+    const Expr at = known != nullptr ? Expr::number(factor * *known)
+                    : factor == 1    ? unit
+                                     : Expr::number(factor) * unit;
+    if (!halves_towards(at, values)) {
+        return std::nullopt;
+    }
+    return Candidate{at, u * Ball(factor, target_bits), height};
+}
+
+std::optional<Expr> finite_target(const std::vector<Ball>& values,
+                                  const std::vector<Exact>& units) {
+    std::vector<Candidate> found;
+    const auto take = [&](const Expr& unit) {
+        if (auto candidate = multiple_of(unit, values)) {
+            found.push_back(std::move(*candidate));
+        }
+    };
+    take(Expr::number(1));
+    take(Expr::pi());
+    for (const Exact& unit : units) {
+        take(unit.expr());
+    }
+    if (found.empty()) {
+        return std::nullopt;
+    }
+    const auto best =
+        std::min_element(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
+            return x.height < y.height;
+        });
+    // Two numbers, and no reason to prefer one of them.
+    constexpr double as_simple = 4;
+    const bool doubtful = std::any_of(found.begin(), found.end(), [&](const Candidate& other) {
+        return disjoint(other.value, best->value) && other.height <= as_simple * best->height;
+    });
+    return doubtful ? std::nullopt : std::optional(best->at);
+}
+
+/// A factor between 1/2 and 1 without a meaning in any formula.
+Rational irregular(std::size_t which) {
+    static constexpr std::array<std::array<long, 2>, 7> factors{{{7001, 7919},
+                                                                 {6007, 7013},
+                                                                 {6101, 8059},
+                                                                 {5003, 6863},
+                                                                 {8111, 9973},
+                                                                 {6271, 8243},
+                                                                 {5309, 7477}}};
+    const auto& [over, under] = factors.at(which % factors.size());
+    return {over, under};
+}
+
+} // namespace
+
+std::optional<double> decades_of(const Ball& x) {
+    if (!x.is_finite() || contains_zero(x)) {
+        return std::nullopt;
+    }
+    const Ball ten(10, x.bits());
+    const Ball decades = log(abs(x)) / log(ten);
+    return decades.is_finite() ? std::optional(decades.midpoint().convert_to<double>())
+                               : std::nullopt;
+}
+
+SweepTarget::SweepTarget(Kind kind, Expr at, const Exact& last)
+    : kind_(kind), at_(std::move(at)), last_(last) {
+    const Ball end = formula::ball_of(last, target_bits);
+    const Ball off = kind == Kind::finite ? end - formula::ball_of(Exact(at_), target_bits) : end;
+    decades_ = std::abs(decades_of(off).value_or(0));
+}
+
+std::optional<SweepTarget> SweepTarget::of(const std::vector<Exact>& listed,
+                                           const std::vector<Exact>& units) {
+    const PrecisionScope scope(target_bits * 3 / 10);
+    const std::vector<Ball> values = enclosed_values(listed);
+    if (each_halves(values, false)) {
+        return SweepTarget(Kind::zero, Expr::number(0), listed.back());
+    }
+    if (each_halves(values, true)) {
+        return SweepTarget(Kind::infinity, Expr::number(0), listed.back());
+    }
+    const auto at = finite_target(values, units);
+    return at ? std::optional(SweepTarget(Kind::finite, *at, listed.back())) : std::nullopt;
+}
+
+std::string SweepTarget::text() const {
+    return kind_ == Kind::infinity ? "infinity" : to_text(at_);
+}
+
+Exact SweepTarget::beyond(unsigned decades, std::size_t which) const {
+    Rational power(boost::multiprecision::pow(Integer(10), decades));
+    if (kind_ != Kind::infinity) {
+        power = 1 / power;
+    }
+    const Rational factor = irregular(which) * power;
+    const Rational* last = last_.expr().rational();
+    if (kind_ != Kind::finite) {
+        return last != nullptr ? Exact::of(factor * *last)
+                               : Exact(Expr::number(factor) * last_.expr());
+    }
+    const Rational* at = at_.rational();
+    if (last != nullptr && at != nullptr) {
+        return Exact::of(*at + factor * (*last - *at));
+    }
+    return Exact(at_ + Expr::number(factor) * (last_.expr() - at_));
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
+
+namespace edgeproof::audit {
+namespace {
+
+std::optional<Confirmation> equal(const Relation& r, const Ball& lhs, const Ball& rhs,
+                                  const EnclosedSample& sample, double digits) {
+    try {
+        const Ball scale = scale_of_terms(r.lhs, sample) + scale_of_terms(r.rhs, sample);
+        return Confirmation::agreement(lhs, rhs, scale, digits);
+    } catch (const Error&) {
+        return std::nullopt; // a part without an enclosure
+    }
+}
+
+} // namespace
+
+Decision decide(const Relation& r, const EnclosedSample& sample, double digits) {
+    using Op = Relation::Op;
+    const Ball lhs = sample.evaluate(r.lhs);
+    const Ball rhs = sample.evaluate(r.rhs);
+    if (r.op == Op::equal) {
+        return decision(Refutation::disjoint(lhs, rhs), equal(r, lhs, rhs, sample, digits));
+    }
+    const bool below = r.op == Op::less || r.op == Op::less_equal;
+    const Ball& lesser = below ? lhs : rhs;
+    const Ball& greater = below ? rhs : lhs;
+    const Decision strict =
+        decision(Refutation::less(greater, lesser), Confirmation::less(lesser, greater));
+    const bool or_equal = r.op == Op::less_equal || r.op == Op::greater_equal;
+    if (!or_equal || !std::holds_alternative<std::monostate>(strict)) {
+        return strict;
+    }
+    return decision(std::nullopt, equal(r, lhs, rhs, sample, digits));
+}
+
+Decision decide(const Condition& condition, const EnclosedSample& sample, double digits) {
+    Decision all;
+    bool open = false;
+    for (const Relation& r : condition) {
+        const Decision one = decide(r, sample, digits);
+        if (refutes(one)) {
+            return one;
+        }
+        open = open || !confirms(one);
+        all = one;
+    }
+    return open ? Decision() : all;
+}
+
+Decision decide(const Condition& condition, SampleInBalls& sample, double digits) {
+    Decision found;
+    static_cast<void>(sample.until([&](const EnclosedSample& at) {
+        found = decide(condition, at, digits);
+        return !std::holds_alternative<std::monostate>(found);
+    }));
+    return found;
+}
+
+} // namespace edgeproof::audit

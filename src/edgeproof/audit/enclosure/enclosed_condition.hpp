@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
+
+namespace edgeproof::audit {
+
+/// Whether a relation holds, by the enclosures of both sides. Sides that are equal to `digits`
+/// digits, relative to the sizes of their terms, satisfy =, <= and >=.
+[[nodiscard]] Decision decide(const Relation& relation, const EnclosedSample& sample,
+                              double digits);
+/// The same for all relations of a condition: one that fails decides.
+[[nodiscard]] Decision decide(const Condition& condition, const EnclosedSample& sample,
+                              double digits);
+/// At as many bits as it takes, to `digits` digits. Nothing where the enclosures do not decide.
+[[nodiscard]] Decision decide(const Condition& condition, SampleInBalls& sample, double digits);
+
+} // namespace edgeproof::audit

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace edgeproof::audit {
+
+/// A sample in ball arithmetic at more and more bits, until a question about it is decided.
+class SampleInBalls {
+public:
+    /// Begins with twice the bits of `digits`.
+    SampleInBalls(Sample sample, unsigned digits, unsigned integral_digits = 0)
+        : sample_(std::move(sample)), digits_(digits),
+          integral_digits_(integral_digits != 0 ? integral_digits : digits + 2) {}
+
+    /// Calls look(EnclosedSample&), at twice the bits each time, until it returns true. False where
+    /// it does not at the most bits, and for what has no enclosure: `problem` names the reason.
+    template <class Look> [[nodiscard]] bool until(const Look& look) {
+        const long first = 2 * formula::bits_for(digits_);
+        const long last = std::max(4 * first, least_last_bits);
+        problem_ = "the enclosures are too wide to decide";
+        for (long bits = first; bits <= last; bits *= 2) {
+            check_interruption();
+            try {
+                if (look(at(bits))) {
+                    problem_.clear();
+                    return true;
+                }
+            } catch (const BudgetError& error) {
+                problem_ = error.what();
+            } catch (const InputError&) {
+                throw;
+            } catch (const Error& error) {
+                problem_ = error.what();
+                return false;
+            }
+        }
+        return false;
+    }
+    /// Why the last question was not decided.
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] const Sample& sample() const { return sample_; }
+
+private:
+    static constexpr long least_last_bits = 4000;
+    [[nodiscard]] EnclosedSample& at(long bits) {
+        const auto it = levels_.find(bits);
+        return it != levels_.end()
+                   ? it->second
+                   : levels_.emplace(bits, EnclosedSample(sample_, bits, integral_digits_))
+                         .first->second;
+    }
+    Sample sample_;
+    unsigned digits_;
+    unsigned integral_digits_;
+    std::string problem_;
+    std::map<long, EnclosedSample> levels_;
+};
+
+/// The scale of the errors of a formula at a sample: the sum of the sizes of its terms, an integral
+/// being the sum of two parts, M having the scale P*L, and the coefficient c_k that of c_0/L^k.
+[[nodiscard]] Ball scale_of_terms(const formula::Expr& e, const EnclosedSample& sample);
+
+} // namespace edgeproof::audit

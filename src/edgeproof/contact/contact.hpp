@@ -27,12 +27,14 @@
 ///   slip/stick_zone.hpp               ZoneSolver: its stick zone, under any force and tilt
 ///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are good
 ///   curved/integrated_contact.hpp     IntegratedContact: curved g', by rigorous integration
+///   curved/proved_slip.hpp            ProvedSlip: partial slip of any profile in balls
 ///   curved/slope_monotonicity.hpp     whether g' is proved not to decrease, for that
 ///   curved/pressure_disk.hpp          its Taylor series, the remainder bounded by Cauchy
 ///   design/design.hpp                 where an approximation reaches farthest
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/integrated_zones.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_edges.hpp"

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
@@ -15,6 +16,7 @@
 #include <charconv>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -41,6 +43,11 @@ constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
 bool holds_function(const formula::Expr& e) {
     return (e.kind() == formula::Expr::Kind::call && e.builtin() == formula::Builtin::none) ||
            std::any_of(e.args().begin(), e.args().end(), holds_function);
+}
+
+bool holds_traction(const formula::Expr& e) {
+    return (e.kind() == formula::Expr::Kind::call && e.name() == "q") ||
+           std::any_of(e.args().begin(), e.args().end(), holds_traction);
 }
 
 } // namespace
@@ -106,7 +113,11 @@ struct EnclosedSample::State {
 
     /// A constant of the scene as it stands in a formula, if that is what e is.
     [[nodiscard]] std::optional<formula::Exact> constant(const formula::Expr& e) const {
-        return exact_value(e, sample);
+        const std::set<std::string> names_in_e = free_symbols(e);
+        return std::any_of(overridden.begin(), overridden.end(),
+                           [&](const std::string& name) { return names_in_e.contains(name); })
+                   ? std::nullopt
+                   : exact_value(e, sample);
     }
     /// The distance from an edge of the place that an argument names.
     [[nodiscard]] Ball distance(contact::Edge edge, const formula::Expr& written,
@@ -116,13 +127,38 @@ struct EnclosedSample::State {
         }
         return edge == contact::Edge::right ? contact().a() - at : at + contact().b();
     }
-    [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
+    /// The edge to count from: the sample's own for its place, else the nearer one of a contact
+    /// that is about symmetric.
+    [[nodiscard]] contact::Edge edge_near(const formula::Expr& written, const Ball& at) const {
         if (u && written == formula::Expr::symbol("x")) {
-            return contact().pressure(sample.edge, *u);
+            return sample.edge;
         }
-        const contact::Edge edge =
-            certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
+        return certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
+    }
+    [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
+        const contact::Edge edge = edge_near(written, at);
         return contact().pressure(edge, distance(edge, written, at));
+    }
+    [[nodiscard]] Ball traction(const formula::Expr& written, const Ball& at) const {
+        if (sample.scene.slips()) {
+            const contact::Edge edge = edge_near(written, at);
+            return partial_slip().traction(edge, distance(edge, written, at));
+        }
+        const contact::Edge edge = u ? sample.edge : contact::Edge::right;
+        return full_stick_traction(length(), load(), edge, distance(edge, written, at));
+    }
+    /// Of a scene with friction.
+    [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
+        if (!slip) {
+            slip = std::make_unique<contact::ProvedSlip>(
+                profile, sample.scene.parameter("Es"),
+                contact::Load::right_edge(sample.scene.parameter("a")), load(), symbol("friction"),
+                bits);
+        }
+        if (!slip->admissible()) {
+            throw Error("no partial slip: the contact slides, or the stick zone leaves it");
+        }
+        return *slip;
     }
     /// g'(x): where the ball of x meets a knot, the values of the pieces on both of its sides.
     [[nodiscard]] Ball slope(const Ball& at) const {
@@ -187,6 +223,8 @@ struct EnclosedSample::State {
     std::optional<contact::IntegratedContact> curved;
     std::optional<Ball> u;
     std::map<std::string, Ball, std::less<>> names;
+    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< as it is needed
+    std::set<std::string> overridden; ///< names whose exact value in the sample no longer holds
 };
 
 Ball EnclosedSample::State::symbol(std::string_view name) const {
@@ -226,6 +264,17 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
             return full_stick_expansion(length(), load(), edge, *k + 1).back();
         }
     }
+    if (sample.scene.slips()) {
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+            const bool right = edge == contact::Edge::right;
+            if (name == (right ? "right_d" : "left_d")) {
+                return partial_slip().slip().size(edge);
+            }
+            if (name == (right ? "stick_a" : "stick_b")) {
+                return partial_slip().slip().stick().at(edge);
+            }
+        }
+    }
     throw Error("'" + std::string(name) + "' has no enclosure");
 }
 
@@ -235,8 +284,7 @@ Ball EnclosedSample::State::call(const formula::Expr& node, std::span<const Ball
         return pressure(node.arg(0), args[0]);
     }
     if (name == "q") {
-        const contact::Edge edge = u ? sample.edge : contact::Edge::right;
-        return full_stick_traction(length(), load(), edge, distance(edge, node.arg(0), args[0]));
+        return traction(node.arg(0), args[0]);
     }
     if (name == "g1") {
         return slope(args[0]);
@@ -281,6 +329,9 @@ template <class State> struct Renamed {
 
 Ball EnclosedSample::State::integral(const formula::Expr& node,
                                      const std::function<Ball(std::string_view)>& symbol_of) const {
+    if (sample.scene.slips() && holds_traction(node)) {
+        throw Error("q of partial slip has no enclosure inside an integral");
+    }
     const bool renamed =
         std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
                     [&](const char* name) {
@@ -304,7 +355,9 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
     // Limits such as k*a with k = 1 are compared with the edges by symbols.
     formula::Expr with_values = node;
     for (const auto& [name, value] : sample.variables) {
-        with_values = substitute(with_values, name, value.expr());
+        if (!overridden.contains(name)) {
+            with_values = substitute(with_values, name, value.expr());
+        }
     }
     const Renamed<State> scope{*this, with_formulas};
     IntegralSurroundings around;
@@ -330,9 +383,8 @@ Ball EnclosedSample::evaluate(const formula::Expr& e) const {
 
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->names.insert_or_assign(name, value);
-    // Its exact value is no longer that of the sample.
-    state_->sample.variables.erase(name);
-    state_->sample.scene.parameters.erase(name);
+    state_->overridden.insert(name);
+    state_->slip.reset();
 }
 
 void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {

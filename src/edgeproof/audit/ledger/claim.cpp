@@ -122,6 +122,11 @@ formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocab
     formula::Expr result = e;
     for (int round = 0; round < 20; ++round) {
         if (!holds_defined_name(result, vocabulary)) {
+            for (const std::string& name : free_symbols(result)) {
+                if (const auto it = vocabulary.refused.find(name); it != vocabulary.refused.end()) {
+                    throw InputError(it->second.problem, it->second.instead);
+                }
+            }
             return result;
         }
         result = expand_once(result, vocabulary);

@@ -35,6 +35,12 @@ struct Vocabulary {
         formula::Expr body;
     };
     std::vector<Definition> definitions;
+    /// Names that have no meaning in the family of the claim: what is wrong, and what to write.
+    struct Refusal {
+        std::string problem;
+        std::string instead;
+    };
+    std::map<std::string, Refusal, std::less<>> refused = {};
 };
 
 /// "lhs < rhs", with <, <=, >, >= or =.
@@ -133,7 +139,8 @@ private:
 /// Throws FormulaError.
 [[nodiscard]] formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
 [[nodiscard]] Condition parse_condition(std::string_view text, const Vocabulary& vocabulary);
-/// The expression with all definitions put in. Throws InputError for definitions in a circle.
+/// The expression with all definitions put in. Throws InputError for definitions in a circle and
+/// for names that the vocabulary refuses.
 [[nodiscard]] formula::Expr expand_definitions(const formula::Expr& e,
                                                const Vocabulary& vocabulary);
 

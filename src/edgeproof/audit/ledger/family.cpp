@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/family.hpp"
 
+#include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -46,7 +49,124 @@ resolved(const Family& family, const std::map<std::string, formula::Expr>& chose
     return parameters;
 }
 
+using contact::Profile;
+
+/// How a scene's profile is made, and from which parameters.
+struct ProfileMaker {
+    std::string_view name;
+    std::vector<std::string_view> keys;
+    std::function<Profile(const SceneSpec&)> make;
+};
+
+const std::vector<ProfileMaker>& profile_makers() {
+    static const std::vector<ProfileMaker> makers{
+        {"power-law",
+         {"m", "C"},
+         [](const SceneSpec& s) { return Profile::power_law(s.parameter("C"), s.parameter("m")); }},
+        {"flat-and-rounded",
+         {"t", "R"},
+         [](const SceneSpec& s) {
+             return Profile::flat_and_rounded(s.parameter("t"), s.parameter("R"));
+         }},
+        {"tilted-wedge",
+         {"phi", "alpha"},
+         [](const SceneSpec& s) {
+             return Profile::tilted_wedge(s.parameter("phi"), s.parameter("alpha"));
+         }},
+        {"tilted-flat-and-rounded",
+         {"alpha", "t", "R"},
+         [](const SceneSpec& s) {
+             return Profile::tilted_flat_and_rounded(s.parameter("alpha"), s.parameter("t"),
+                                                     s.parameter("R"));
+         }},
+        {"piecewise", {}, [](const SceneSpec& s) { return Profile::piecewise(s.knots, s.slopes); }},
+        {"piecewise-symmetric",
+         {},
+         [](const SceneSpec& s) { return Profile::piecewise_symmetric(s.knots, s.slopes); }},
+    };
+    return makers;
+}
+
+const ProfileMaker& maker_of(std::string_view profile) {
+    for (const ProfileMaker& maker : profile_makers()) {
+        if (maker.name == profile) {
+            return maker;
+        }
+    }
+    throw InputError("unknown profile '" + std::string(profile) + "'",
+                     "write power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded, "
+                     "piecewise or piecewise-symmetric");
+}
+
+constexpr long first_slip_bits = 128;
+constexpr long last_slip_bits = 2048;
+constexpr long last_curved_slip_bits = 512;
+constexpr int shown_slip_digits = 8;
+
+std::string shown(const Real& x) { return x.str(shown_slip_digits); }
+
+/// Throws InputError where the slip is proved not to be partial.
+void refuse_slip(const SceneSpec& scene, const contact::ProvedSlip& found) {
+    const contact::BallSlip& slip = found.slip();
+    if (slip.sliding()) {
+        throw InputError("the contact slides in the scene " + scene.text() +
+                             ": |Q| is not less than friction*P = " +
+                             shown(Ball(slip.friction() * slip.force()).midpoint()),
+                         "give a smaller Q, or a greater friction, so that |Q| < friction*P");
+    }
+    if (!found.admissible()) {
+        const bool right = certainly_negative(slip.size(contact::Edge::right));
+        const Real one = slip.tension_limit(contact::Edge::right).midpoint();
+        const Real other = slip.tension_limit(contact::Edge::left).midpoint();
+        throw InputError("sig0 draws the stick zone beyond the " +
+                             std::string(right ? "right" : "left") + " edge in the scene " +
+                             scene.text() + ": that edge would slip against Q",
+                         "give a sig0 between " + shown(std::min(one, other)) + " and " +
+                             shown(std::max(one, other)) + ", the bounds for this Q");
+    }
+}
+
 } // namespace
+
+const std::vector<std::string_view>& profile_keys(const std::string& profile) {
+    return maker_of(profile).keys;
+}
+
+bool is_piecewise(std::string_view profile) { return profile.starts_with("piecewise"); }
+
+void require_partial_slip(const SceneSpec& scene) {
+    if (scene.parameter("friction").sign() <= 0) {
+        throw InputError("friction = " + scene.parameter("friction").text() + " is not positive",
+                         "give a coefficient of friction > 0, or leave it out: the contact sticks "
+                         "everywhere then");
+    }
+    if (scene.parameter("Q").sign() == 0) {
+        throw InputError("Q = 0 in a scene with friction: no partial slip is defined",
+                         "give a Q that is not zero, or leave friction out");
+    }
+    const bool closed = contact::BallContact::has_closed_form(scene.make_profile());
+    const long last = closed ? last_slip_bits : last_curved_slip_bits;
+    for (long bits = first_slip_bits; bits <= last; bits *= 2) {
+        try {
+            const contact::ProvedSlip found = scene.partial_slip(bits);
+            refuse_slip(scene, found);
+            if (certainly_positive(found.slip().size(contact::Edge::right)) &&
+                certainly_positive(found.slip().size(contact::Edge::left))) {
+                return;
+            }
+        } catch (const BudgetError&) {
+            continue; // with more bits
+        } catch (const DomainError&) {
+            continue;
+        }
+    }
+    throw InputError(
+        "no stick zone inside the contact is enclosed by " + std::to_string(last) +
+            " bits in the scene " + scene.text() +
+            ": |Q| may be friction*P, the stick zone may reach an edge of the contact, "
+            "or end on a corner",
+        "give another Q, sig0 or friction");
+}
 
 const formula::Exact& SceneSpec::parameter(std::string_view name) const {
     const auto it = parameters.find(name);
@@ -57,29 +177,15 @@ const formula::Exact& SceneSpec::parameter(std::string_view name) const {
     return it->second;
 }
 
-contact::Profile SceneSpec::make_profile() const {
-    if (profile == "power-law") {
-        return contact::Profile::power_law(parameter("C"), parameter("m"));
-    }
-    if (profile == "flat-and-rounded") {
-        return contact::Profile::flat_and_rounded(parameter("t"), parameter("R"));
-    }
-    if (profile == "tilted-wedge") {
-        return contact::Profile::tilted_wedge(parameter("phi"), parameter("alpha"));
-    }
-    if (profile == "tilted-flat-and-rounded") {
-        return contact::Profile::tilted_flat_and_rounded(parameter("alpha"), parameter("t"),
-                                                         parameter("R"));
-    }
-    if (profile == "piecewise") {
-        return contact::Profile::piecewise(knots, slopes);
-    }
-    if (profile == "piecewise-symmetric") {
-        return contact::Profile::piecewise_symmetric(knots, slopes);
-    }
-    throw InputError("unknown profile '" + profile + "'",
-                     "write power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded, "
-                     "piecewise or piecewise-symmetric");
+contact::Profile SceneSpec::make_profile() const { return maker_of(profile).make(*this); }
+
+contact::ProvedSlip SceneSpec::partial_slip(long bits) const {
+    return {make_profile(),
+            parameter("Es"),
+            contact::Load::right_edge(parameter("a")),
+            {formula::ball_of(parameter("Q"), bits), formula::ball_of(parameter("sig0"), bits)},
+            formula::ball_of(parameter("friction"), bits),
+            bits};
 }
 
 std::string SceneSpec::text() const {
@@ -134,6 +240,9 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         scene.family = family.name;
         scene.profile = family.profile;
         scene.parameters = resolved(family, chosen, &others);
+        if (scene.slips()) {
+            scene.parameters.try_emplace("sig0");
+        }
         for (std::size_t k = 0; k < others.size(); ++k) {
             if (k < family.knots.size()) {
                 scene.knots.emplace_back(others[k]);

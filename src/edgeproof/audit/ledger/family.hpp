@@ -11,6 +11,10 @@
 #include <utility>
 #include <vector>
 
+namespace edgeproof::contact {
+class ProvedSlip;
+}
+
 namespace edgeproof::audit {
 
 /// One scene of a family: exact.
@@ -25,6 +29,10 @@ struct SceneSpec {
 
     [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
     [[nodiscard]] contact::Profile make_profile() const;
+    /// There is friction, so that the contact slips at its edges and q(x) is the traction of that.
+    [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
+    /// That partial slip, enclosed. Throws as ProvedSlip does.
+    [[nodiscard]] contact::ProvedSlip partial_slip(long bits) const;
     /// "a = 3/7, m = 5/8": the parameters in the order of their names.
     [[nodiscard]] std::string text() const;
 };
@@ -43,14 +51,27 @@ struct Family {
     std::size_t points = 1; ///< places in each scene
     std::vector<std::string> union_of;
     std::size_t line = 0;
+    std::map<std::string, std::size_t, std::less<>> lines; ///< of the parameters
+
+    [[nodiscard]] bool has(std::string_view parameter) const { return lines.contains(parameter); }
 };
+
+/// The parameters that a profile needs. Throws InputError for a profile that does not exist.
+[[nodiscard]] const std::vector<std::string_view>& profile_keys(const std::string& profile);
+/// Its slope is given piece by piece, by `knots` and `slopes`.
+[[nodiscard]] bool is_piecewise(std::string_view profile);
+
+/// Throws InputError where the scene has no partial slip as docs/partial-slip.md defines it: the
+/// contact slides, or the bulk tension draws the stick zone to an edge.
+void require_partial_slip(const SceneSpec& scene);
 
 /// A deterministic walk through a list of `size` values for sample i: every value comes up before
 /// any comes again, in an order that the name decides (SplitMix64; the same on every machine).
 [[nodiscard]] std::size_t stratified_index(std::string_view name, std::size_t size, std::size_t i);
 
 /// `family.count` scenes (for a union: those of all members). Throws InputError for parameters
-/// that refer to each other in a circle or that no profile admits.
+/// that refer to each other in a circle or that no profile admits. A scene with friction and
+/// without sig0 has sig0 = 0.
 [[nodiscard]] std::vector<SceneSpec> draw_scenes(const Family& family,
                                                  const std::vector<Family>& all);
 

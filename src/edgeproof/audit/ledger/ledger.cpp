@@ -87,6 +87,9 @@ public:
         for (const io::TomlSection& later : top_.sections_or_none("later")) {
             io::at_place(file_, later.line(), [&] { read_later(later); });
         }
+        if (ledger_.errors.empty()) { // a claim that was not read may use any parameter
+            refuse_unused_parameters(ledger_);
+        }
         return std::move(ledger_);
     }
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger_family.hpp"
 
+#include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/audit/ledger/scene_names.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace edgeproof::audit {
 namespace {
@@ -53,9 +59,18 @@ private:
 
     void read_own() {
         family_.profile = table_.written("profile");
+        static_cast<void>(profile_keys(family_.profile)); // refuses an unknown profile
         const std::size_t longest = read_parameters();
+        read_shear();
         formula::Symbols with_x = names_;
         with_x.add("x");
+        for (const char* key : {"knots", "slopes"}) {
+            if (table_.has(key) && !is_piecewise(family_.profile)) {
+                table_.reject(
+                    key, std::string(key) + " have no effect: the profile is " + family_.profile,
+                    "leave them out, or write profile = \"piecewise\"");
+            }
+        }
         family_.knots = formulas("knots", names_);
         family_.slopes = formulas("slopes", with_x);
         read_fractions();
@@ -73,6 +88,8 @@ private:
             } catch (const InputError& error) {
                 throw error.at(file_, parameters.line(name));
             }
+            refuse_computed(parameters, name);
+            family_.lines.emplace(name, parameters.line(name));
         }
         std::size_t longest = 1;
         for (const std::string& name : parameters.keys()) {
@@ -96,6 +113,29 @@ private:
             }
         }
         return longest;
+    }
+
+    /// A parameter of such a name would hide the value that the scene computes.
+    static void refuse_computed(const io::TomlSection& parameters, const std::string& name) {
+        const bool given = name == "a" || name == "Es";
+        const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
+                              std::ranges::find(slip_symbols(), name) != slip_symbols().end();
+        if (computed && !given) {
+            parameters.reject(name,
+                              name + " is computed from the other parameters and the place: a "
+                                     "parameter of this name has no effect on the contact",
+                              "leave it out, or give it another name");
+        }
+    }
+
+    void read_shear() const {
+        if (family_.has("friction") && !family_.has("Q")) {
+            throw InputError(
+                "the family " + family_.name + " has friction and no Q: nothing slips",
+                "add Q = [\"...\"], the shear force per unit length, or leave friction "
+                "out")
+                .at(file_, family_.lines.at("friction"));
+        }
     }
 
     void read_fractions() {
@@ -146,8 +186,10 @@ Family read_family(const io::TomlSection& table, const std::string& file,
 }
 
 void try_drawing(const Family& family, const std::string& file, const std::vector<Family>& all) {
+    std::vector<SceneSpec> scenes;
     try {
-        for (const SceneSpec& scene : draw_scenes(family, all)) {
+        scenes = draw_scenes(family, all);
+        for (const SceneSpec& scene : scenes) {
             static_cast<void>(scene.make_profile());
             for (const char* positive : {"a", "Es"}) {
                 if (scene.parameter(positive).sign() <= 0) {
@@ -159,6 +201,152 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
         }
     } catch (const Error&) {
         io::rethrow_at(file, family.line);
+    }
+    if (!family.has("friction")) {
+        return; // the members of a union were tried by themselves
+    }
+    std::set<std::string> tried;
+    for (const SceneSpec& scene : scenes) {
+        if (tried.insert(scene.text()).second) {
+            io::at_place(file, family.lines.at("friction"), [&] { require_partial_slip(scene); });
+        }
+    }
+}
+
+namespace {
+
+/// The families whose scenes the claims over `name` take, members of unions included.
+void collect_families(const Ledger& ledger, const std::string& name, std::set<std::string>& into) {
+    const auto it = std::ranges::find(ledger.families, name, &Family::name);
+    if (it != ledger.families.end() && into.insert(name).second) {
+        for (const std::string& member : it->union_of) {
+            collect_families(ledger, member, into);
+        }
+    }
+}
+
+/// All identifiers of a text.
+void collect_words(std::string_view text, std::set<std::string>& into) {
+    const auto of_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    for (auto it = text.begin(); it != text.end();) {
+        const auto end = std::find_if_not(it, text.end(), of_word);
+        into.emplace(it, end);
+        it = std::find_if(end, text.end(), of_word);
+    }
+}
+
+/// The names that a claim uses, those in the bodies of its definitions included. A name that
+/// occurs in a field that is no formula counts as used.
+std::set<std::string> names_used(const Claim& claim) {
+    std::set<std::string> names;
+    for (const auto& [key, field] : claim.fields) {
+        if (key == "remark" || key == "over") {
+            continue;
+        }
+        if (const auto* text = std::get_if<std::string>(&field.value)) {
+            collect_words(*text, names);
+        } else if (const auto* list = std::get_if<Field::List>(&field.value)) {
+            std::ranges::for_each(*list, [&](const auto& item) { collect_words(item, names); });
+        } else {
+            for (const auto& [name, texts] : std::get<Field::Table>(field.value)) {
+                std::ranges::for_each(texts, [&](const auto& item) { collect_words(item, names); });
+            }
+        }
+    }
+    for (std::size_t before = 0; before != names.size();) {
+        before = names.size();
+        for (const auto& definition : claim.vocabulary.definitions) {
+            if (names.contains(definition.name)) {
+                names.merge(free_symbols(definition.body));
+            }
+        }
+    }
+    return names;
+}
+
+/// Names by which other programs, or scenes, call a parameter of a family.
+constexpr std::pair<std::string_view, std::string_view> other_names[] = {{"mu", "friction"},
+                                                                         {"f", "friction"},
+                                                                         {"bulk_tension", "sig0"},
+                                                                         {"tension", "sig0"},
+                                                                         {"contact_modulus", "Es"}};
+
+std::string instead_of_unused(const Family& family, const std::string& name) {
+    if ((name == "Q" || name == "sig0") && !family.has(name == "Q" ? "sig0" : "Q")) {
+        return "add " + std::string(name == "Q" ? "sig0" : "Q") +
+               ", without which there is no shear traction, or leave " + name + " out";
+    }
+    for (const auto& [other, own] : other_names) {
+        if (name == other) {
+            return "write " + std::string(own) + " if it is meant, or leave " + name + " out";
+        }
+    }
+    return "leave it out";
+}
+
+/// `names`: used by the claims over the family.
+void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
+    names.insert({"a", "Es"});
+    for (const std::string_view key : profile_keys(family.profile)) {
+        names.emplace(key);
+    }
+    if (family.has("Q") && (family.has("sig0") || family.has("friction"))) {
+        names.insert({"Q", "sig0", "friction"});
+    }
+    for (const auto* formulas : {&family.knots, &family.slopes}) {
+        for (const formula::Expr& e : *formulas) {
+            names.merge(free_symbols(e));
+        }
+    }
+    for (std::size_t before = 0; before != names.size();) {
+        before = names.size();
+        for (const auto& [name, values] : family.parameters) {
+            if (names.contains(name)) {
+                for (const formula::Expr& value : values) {
+                    names.merge(free_symbols(value));
+                }
+            }
+        }
+    }
+    for (const auto& [name, values] : family.parameters) {
+        if (!names.contains(name)) {
+            throw InputError("the parameter " + name + " of family " + family.name +
+                                 " has no effect: neither the profile " + family.profile +
+                                 " nor another parameter nor a claim over the family uses it",
+                             instead_of_unused(family, name))
+                .at(file, family.lines.at(name));
+        }
+    }
+}
+
+} // namespace
+
+void refuse_unused_parameters(const Ledger& ledger) {
+    std::map<std::string, std::set<std::string>> used;
+    const auto add = [&](const Claim& claim, const std::set<std::string>& names) {
+        std::set<std::string> families;
+        if (claim.has("over")) {
+            collect_families(ledger, claim.text("over"), families);
+        }
+        for (const std::string& family : families) {
+            used[family].insert(names.begin(), names.end());
+        }
+    };
+    for (const Claim& claim : ledger.claims) {
+        add(claim, names_used(claim));
+        for (const Claim& reading : claim.readings) {
+            add(reading, names_used(reading));
+        }
+        for (const LaterResult& later : ledger.later) {
+            if (later.claim == claim.id) {
+                add(claim, free_symbols(later.says));
+            }
+        }
+    }
+    for (const Family& family : ledger.families) {
+        if (family.union_of.empty()) {
+            refuse_unused_of(family, used[family.name], ledger.file);
+        }
     }
 }
 

@@ -33,13 +33,65 @@ std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) 
 
 formula::Symbols scene_names() {
     formula::Symbols symbols;
-    for (const std::string& name : scene_symbols()) {
-        symbols.add(name);
+    for (const auto* names : {&scene_symbols(), &slip_symbols()}) {
+        for (const std::string& name : *names) {
+            symbols.add(name);
+        }
     }
     for (const auto& [name, arity] : scene_functions()) {
         symbols.add_function(name, arity);
     }
     return symbols;
+}
+
+/// Whether a scene of the family has friction, and whether every one has.
+struct Friction {
+    bool some = false;
+    bool all = true;
+};
+Friction friction_of(const Ledger& ledger, const Family& family) {
+    Friction friction;
+    if (family.union_of.empty()) {
+        friction.some = friction.all = family.has("friction");
+    }
+    for (const std::string& name : family.union_of) {
+        const Friction of = friction_of(ledger, ledger.family(name));
+        friction.some = friction.some || of.some;
+        friction.all = friction.all && of.all;
+    }
+    return friction;
+}
+
+/// "right.s0": as ledgers write it.
+std::string dotted(std::string name) {
+    if (name.starts_with("right_") || name.starts_with("left_")) {
+        name[name.find('_')] = '.';
+    }
+    return name;
+}
+
+/// Names of full stick in a family with friction, and of slip in one without, unless the ledger
+/// gives them a meaning of its own.
+void refuse_names(Vocabulary& v, const Friction& friction, const std::string& family) {
+    if (friction.some) {
+        for (const std::string& name : scene_symbols()) {
+            if (is_full_stick_symbol(name)) {
+                v.refused[name] = {dotted(name) + " is a coefficient of q under full stick, and " +
+                                       "family " + family + " has friction",
+                                   "use a family without friction, or write q(x), right.d, left.d, "
+                                   "stick_a, stick_b, which are those of partial slip"};
+            }
+        }
+    }
+    if (!friction.all) {
+        for (const std::string& name : slip_symbols()) {
+            v.refused[name] = {
+                dotted(name) + " is a quantity of partial slip, and family " + family +
+                    " has no friction",
+                "add friction = [\"...\"] and Q = [\"...\"] to the parameters of the "
+                "family"};
+        }
+    }
 }
 
 /// "F(s)" is a function of one argument, "gam" a name.
@@ -117,6 +169,7 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
     Vocabulary v;
     v.symbols = scene_names();
     v.definitions = ledger.definitions;
+    std::set<std::string> parameters;
     if (claim.has("over")) {
         const std::string& over = claim.text("over");
         const auto it = std::find_if(ledger.families.begin(), ledger.families.end(),
@@ -127,7 +180,9 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
         }
         for (const std::string& name : parameters_of(ledger, *it)) {
             add_name(v.symbols, name);
+            parameters.insert(name);
         }
+        refuse_names(v, friction_of(ledger, *it), over);
     }
     const auto add = [&](std::string_view key, const std::string& name) {
         try {
@@ -138,11 +193,19 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
     };
     if (claim.has("vary")) {
         for (const auto& [name, values] : claim.table("vary")) {
+            if (parameters.contains(name)) {
+                claim.reject("vary",
+                             name + " is a parameter of family " + claim.text("over") +
+                                 ": values in `vary` have no effect on the contact",
+                             "give its values in the parameters of the family");
+            }
             add("vary", name);
+            v.refused.erase(name);
         }
     }
     for (const std::string& name : claim.undefined) {
         add("undefined", name);
+        v.refused.erase(name);
     }
     for (const auto& d : v.definitions) {
         add("", d.argument ? d.name + "(" + *d.argument + ")" : d.name);

@@ -21,6 +21,16 @@ const std::vector<std::string>& scene_symbols() {
     return names;
 }
 
+const std::vector<std::string>& slip_symbols() {
+    static const std::vector<std::string> names{"right_d", "left_d", "stick_a", "stick_b"};
+    return names;
+}
+
+bool is_full_stick_symbol(std::string_view name) {
+    return (name.starts_with("right_s") && name.size() == 8) ||
+           (name.starts_with("left_s") && name.size() == 7);
+}
+
 const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
     static const std::vector<std::pair<std::string, unsigned>> functions{
         {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},

@@ -58,10 +58,18 @@ InputError with_scope(const InputError& error) {
         }
         const std::string name =
             problem.substr(start.size(), problem.find('\'', start.size()) - start.size());
-        if (const auto topic = outside_of_scope(name)) {
+        const auto topic = outside_of_scope(name);
+        if (topic == sliding) {
+            return InputError(problem + ": friction is a parameter of the family",
+                              "add friction and Q to the parameters of the family, and write "
+                              "friction, right.d, left.d, stick_a, stick_b; or define the name if "
+                              "it is something else")
+                .at(error.file(), error.line());
+        }
+        if (topic) {
             return InputError(problem + ": " + std::string(*topic) +
                                   " is outside what Edgeproof computes",
-                              "it computes p(x) and full-stick q(x) of plane contacts, their "
+                              "it computes p(x) and q(x) of plane contacts, their "
                               "edges, forces and expansions at the edges; leave the claim out, or "
                               "define the name if it is something else")
                 .at(error.file(), error.line());

@@ -52,7 +52,9 @@ enum class Effort { screening, full };
 /// coefficients: "right.c0" in a ledger), u and x of the place, `edge` (+1 right, -1 left).
 /// Functions: p(x), g1(x) the slope, Pof(s), P1of(s), bof(s), binv(y) along the family of
 /// contacts, right_local(n, x), left_local(n, x), the n-term approximations, and q(x), the shear
-/// under full stick where the scene has Q and sig0; right_s0, left_s0, ... its coefficients.
+/// under full stick where the scene has Q and sig0; right_s0, left_s0, ... its coefficients. With
+/// `friction` as well q(x) is that of partial slip, right_d and left_d are the sizes of the slip
+/// zones, stick_a and stick_b the edges of the stick zone.
 /// integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are evaluated naively, at a precision that loses
 /// nothing at their end points. One object belongs to one thread.
 class EvaluatedScene {

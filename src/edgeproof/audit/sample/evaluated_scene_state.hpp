@@ -2,10 +2,12 @@
 #pragma once
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/audit/sample/naive_integral.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 
 #include <array>
+#include <functional>
 
 namespace edgeproof::audit {
 
@@ -45,6 +47,9 @@ struct EvaluatedSceneState {
     /// By the distance from the right edge and the left: integrals of p share their nodes.
     std::array<std::map<Real, Real>, 2> pressures;
 
+    /// Of a scene with friction, by bits; null where that number of bits does not enclose it.
+    std::map<long, std::unique_ptr<contact::ProvedSlip>> slips;
+
     /// At the working precision: far from their ends integrands need few digits, and everything
     /// that they are made of has to have as few, for that to be cheap.
     EvaluatedSceneLevel& here();
@@ -63,6 +68,10 @@ struct EvaluatedSceneState {
     [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
     [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
+    /// The middle of an enclosure of a quantity of partial slip, to the digits of plain formulas.
+    Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
+    /// q(x), under partial slip where the scene has friction.
+    Real traction(const Place& at);
 };
 
 } // namespace edgeproof::audit

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace edgeproof::contact {
+
+/// The partial slip of a contact of any profile that balls enclose, at one number of bits: the
+/// contact, the solver of its stick zone and the slip in one object. BallSlip defines the signs.
+class ProvedSlip {
+public:
+    /// Throws BudgetError or DomainError where this number of bits does not enclose the contact or
+    /// its stick zone. Q must not be zero.
+    ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
+               const ShearLoad<Ball>& shear, const Ball& friction, long bits);
+
+    [[nodiscard]] const BallSlip& slip() const { return *slip_; }
+    /// The contact is not proved to slide, and no edge of the stick zone is proved to lie outside
+    /// the contact.
+    [[nodiscard]] bool admissible() const;
+    /// q at the distance u from an edge.
+    [[nodiscard]] Ball traction(Edge edge, const Ball& u) const {
+        return slip_->traction(edge, u, pressure().pressure(edge, u));
+    }
+
+private:
+    [[nodiscard]] const ProvedPressure& pressure() const {
+        return closed_ ? static_cast<const ProvedPressure&>(*closed_) : *curved_;
+    }
+
+    std::unique_ptr<BallContact> closed_;
+    std::unique_ptr<IntegratedContact> curved_; ///< where the slope has no closed form
+    std::unique_ptr<ZoneSolver> zones_;
+    std::optional<BallSlip> slip_; ///< keeps references to the three above
+};
+
+} // namespace edgeproof::contact

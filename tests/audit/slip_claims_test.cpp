@@ -12,8 +12,8 @@
 // The pressures of a symmetric profile under the loads from P - |Q|/f to P add up to q/f (Jaeger
 // 1998, Ciavarella 1998), so that inside the stick zone q = (f/pi) times the integral of
 // P'(s)/sqrt(s^2 - x^2) over stick_a < s < a. Of the flat-and-rounded punch the stick zone ends at
-// z, where P(z) = E* z^2/(4 R) (pi - 2 w - sin(2 w)), sin(w) = t/z: F = (E*/2) times the integral of
-// sqrt(z^2 - x^2) dg' over t < |x| < z.
+// z, where P(z) = E* z^2/(4 R) (pi - 2 w - sin(2 w)), sin(w) = t/z: F = (E*/2) times the integral
+// of sqrt(z^2 - x^2) dg' over t < |x| < z.
 namespace {
 
 const std::string slip_head = R"toml(
@@ -61,6 +61,18 @@ a = ["3/2"]
 Es = ["7/3"]
 friction = ["3/5"]
 Q = ["friction*pi*Es*C*a^2/4*3/4"]
+[[family]]
+name = "wedge-on-the-edge-of-stick"
+profile = "power-law"
+count = 2
+u = ["1/6", "5/6"]
+[family.parameters]
+m = ["0"]
+C = ["1/7"]
+a = ["3/2"]
+Es = ["7/3"]
+friction = ["3/5"]
+Q = ["friction*Es*C*a/3"]
 [[family]]
 name = "wedge"
 profile = "power-law"
@@ -184,21 +196,30 @@ TEST_CASE("partial slip of curved slopes and of a punch, by increments of the pr
     stands("flat-and-rounded", "q(x)", "sgn(Q)*friction*p(x)", "where = \"x > stick_a\"\n");
 }
 
+// x = c for u = (a - c)/(2 a): p* vanishes there, and the formula of a printed line takes the root,
+// or the hyperbolic arc, of a ball about its end.
 TEST_CASE("a place exactly on an edge of the stick zone has an enclosure") {
-    const Ledger ledger = slip_ledger("over = \"on-the-edge-of-stick\"\nof = \"q(x)\"\n"
-                                      "says = \"k(a^2 - x^2) - k(c^2 - x^2)\"");
-    const Claim& claim = ledger.claims[0];
-    const AuditContext context(ledger, 30);
-    for (const Sample& sample : context.samples(claim)) {
-        const Enclosed q = enclosed(claim.formula("of"), sample, 30);
-        const Enclosed says = enclosed(claim.formula("says"), sample, 30);
-        REQUIRE(q.ball);
-        REQUIRE(says.ball);
-        CHECK(q.ball->relative_accuracy_bits() >= 100);
-        CHECK(overlaps(*q.ball, *says.ball));
-        // f p there: p* vanishes. x = a/2.
-        const Enclosed limit =
-            enclosed(parse_formula("friction*Es*C/2*sqrt(a^2-x^2)", claim.vocabulary), sample, 30);
-        CHECK(overlaps(*q.ball, *limit.ball));
+    const std::pair<const char*, const char*> cases[] = {
+        {"on-the-edge-of-stick", "k(a^2 - x^2) - k(c^2 - x^2)"},
+        {"wedge-on-the-edge-of-stick",
+         "friction*Es*C/Pi*(acosh(a/abs(x)) - acosh(max(a*(1 - tau)/abs(x), 1)))"}};
+    for (const auto& [family, says] : cases) {
+        CAPTURE(family);
+        const Ledger ledger = slip_ledger("over = \"" + std::string(family) +
+                                          "\"\nof = \"q(x)\"\nsays = \"" + says + '"');
+        const Claim& claim = ledger.claims[0];
+        const AuditContext context(ledger, 30);
+        for (const Sample& sample : context.samples(claim)) {
+            const Enclosed q = enclosed(claim.formula("of"), sample, 30);
+            const Enclosed printed = enclosed(claim.formula("says"), sample, 30);
+            const Enclosed limit =
+                enclosed(parse_formula("friction*p(x)", claim.vocabulary), sample, 30);
+            REQUIRE(q.ball);
+            REQUIRE(printed.ball);
+            CHECK(q.ball->relative_accuracy_bits() >= 100);
+            CHECK(printed.ball->relative_accuracy_bits() >= 100);
+            CHECK(overlaps(*q.ball, *printed.ball));
+            CHECK(overlaps(*q.ball, *limit.ball));
+        }
     }
 }

@@ -149,3 +149,34 @@ TEST_CASE("escalation doubles until it is enough, and says when it never is") {
     CHECK_THROWS_AS((void)escalate(zero, enough, {128, 4096}), BudgetError);
     CHECK_FALSE(try_escalate(zero, enough, {128, 4096}).reached);
 }
+
+// The ball is 2^-100 or less about the exact number, and holds it.
+TEST_CASE("max and min of a ball about an exact number end at that number exactly") {
+    for (const Rational& limit : {Rational(0), Rational(1), Rational(-3, 8)}) {
+        for (const int side : {-1, 0, 1}) {
+            const Ball exact(limit, 128);
+            const Ball near = Ball::around(Real(exact.midpoint() + side * pow(Real(2), -101)),
+                                           pow(Real(2), -100), 128);
+            const Ball most = max(near, exact);
+            CHECK(most.lower() == exact.midpoint());
+            CHECK(most.upper() >= near.upper());
+            CHECK(most.upper() <= near.upper() + pow(Real(2), -120));
+            CHECK(max(exact, near).lower() == exact.midpoint());
+            const Ball least = min(near, exact);
+            CHECK(least.upper() == exact.midpoint());
+            CHECK(least.lower() <= near.lower());
+            const Ball root = sqrt(Ball(most - exact));
+            CHECK(root.is_finite());
+            CHECK(contains_zero(root));
+            CHECK(root.upper() < pow(Real(2), -49));
+        }
+    }
+    const Ball about_one = Ball::around(Real(1), pow(Real(2), -100), 128);
+    const Ball arc = acosh(max(about_one, Ball(1, 128)));
+    CHECK(arc.is_finite());
+    CHECK(contains_zero(arc));
+    // acosh(1 + t) = sqrt(2 t) (1 - t/12 + ...)
+    CHECK(arc.upper() < pow(Real(2), -49));
+    CHECK(arc.upper() > pow(Real(2), -50));
+    CHECK(!acosh(about_one).is_finite());
+}

@@ -28,6 +28,20 @@ template <class F> Ball apply(const Ball& x, const Ball& y, F f) {
     return r;
 }
 
+/// From `least`, which is exact, to the upper end of `other`: the lower end of the result is
+/// `least` without an error, so that sqrt(max(x, 0)) has a value.
+Ball from_exactly(const Ball& least, const Ball& other) {
+    ArfValue half;
+    arb_get_ubound_arf(half, other.data(), MAG_BITS + other.bits());
+    arf_sub(half, half, arb_midref(least.data()), MAG_BITS, ARF_RND_UP);
+    arf_mul_2exp_si(half, half, -1);
+    Ball r(0, other.bits());
+    arf_get_mag(arb_radref(r.data()), half);
+    arf_set_mag(half, arb_radref(r.data()));
+    arf_add(arb_midref(r.data()), arb_midref(least.data()), half, ARF_PREC_EXACT, ARF_RND_DOWN);
+    return r;
+}
+
 } // namespace
 
 Ball::Ball(const Rational& q, long bits) : bits_(bits) { arb_set_fmpq(x_, to_fmpq(q), bits); }
@@ -118,13 +132,29 @@ Ball sinh(const Ball& x) { return apply(x, arb_sinh); }
 Ball cosh(const Ball& x) { return apply(x, arb_cosh); }
 Ball tanh(const Ball& x) { return apply(x, arb_tanh); }
 Ball asinh(const Ball& x) { return apply(x, arb_asinh); }
-Ball acosh(const Ball& x) { return apply(x, arb_acosh); }
+Ball acosh(const Ball& x) {
+    const Ball value = apply(x, arb_acosh);
+    if (value.is_finite() || !x.is_finite() || x.lower() < 1) {
+        return value;
+    }
+    // From 1 on it grows: between its values at both ends.
+    const Ball least = apply(Ball(x.lower(), x.bits()), arb_acosh);
+    return Ball::hull(least, apply(Ball(x.upper(), x.bits()), arb_acosh));
+}
 Ball atanh(const Ball& x) { return apply(x, arb_atanh); }
 Ball gamma(const Ball& x) { return apply(x, arb_gamma); }
 Ball atan2(const Ball& y, const Ball& x) { return apply(y, x, arb_atan2); }
 Ball hypot(const Ball& x, const Ball& y) { return apply(x, y, arb_hypot); }
-Ball max(const Ball& x, const Ball& y) { return apply(x, y, arb_max); }
-Ball min(const Ball& x, const Ball& y) { return apply(x, y, arb_min); }
+Ball max(const Ball& x, const Ball& y) {
+    if (y.is_exact() && !x.is_exact() && overlaps(x, y)) {
+        return from_exactly(y, x);
+    }
+    if (x.is_exact() && !y.is_exact() && overlaps(x, y)) {
+        return from_exactly(x, y);
+    }
+    return apply(x, y, arb_max);
+}
+Ball min(const Ball& x, const Ball& y) { return -max(-x, -y); }
 Ball pow(const Ball& x, const Ball& y) { return apply(x, y, arb_pow); }
 
 Ball pow(const Ball& x, const Rational& y) {

@@ -223,3 +223,67 @@ TEST_CASE("a place exactly on an edge of the stick zone has an enclosure") {
         }
     }
 }
+
+// P = pi/4 for a = 1, so that Q = 4/10 slides: no scene of the family has both, the sweep does.
+TEST_CASE("a load without partial slip along a sweep is refused at the line of the claim") {
+    const Ledger ledger = parse_ledger(R"toml([ledger]
+name = "sweep"
+[[family]]
+name = "sweep"
+profile = "power-law"
+count = 1
+[family.parameters]
+m = ["1"]
+C = ["1"]
+a = ["1"]
+Es = ["1"]
+friction = ["1/2"]
+Q = ["1/10", "1/5", "3/10", "4/10"]
+[[claim]]
+id = "A"
+kind = "monotone"
+over = "sweep"
+of = "right.d"
+along = "Q"
+sense = "increasing"
+)toml",
+                                       "sweep.toml");
+    std::string refusal;
+    try {
+        static_cast<void>(run_audit(ledger, {}));
+    } catch (const InputError& error) {
+        refusal = error.what();
+    }
+    CHECK(refusal.starts_with("sweep.toml:14: the contact slides in the scene"));
+}
+
+TEST_CASE("a union of families with friction and without: q by the scene, no names of either") {
+    const std::string stick = R"toml([[family]]
+name = "stick"
+profile = "power-law"
+count = 2
+u = ["1/3", "1/50"]
+[family.parameters]
+m = ["1"]
+C = ["3/7"]
+a = ["3/2"]
+Es = ["7/3"]
+Q = ["1/10"]
+sig0 = ["0"]
+[[family]]
+name = "both"
+union = ["on-the-edge-of-stick", "stick"]
+)toml";
+    const auto both = [&](const std::string& of, const std::string& says) {
+        return parse_ledger(slip_head + stick + "[[claim]]\nid = \"A\"\nkind = \"value\"\nover = " +
+                                "\"both\"\nof = \"" + of + "\"\nsays = \"" + says + "\"\n",
+                            "both.toml");
+    };
+    AuditOptions options;
+    options.digits = 30;
+    // The full-stick traction is right in one of the two families only.
+    CHECK(run_audit(both("q(x)", "Q/(Pi*sqrt(a^2 - x^2))"), options).claims[0].outcome.verdict ==
+          Verdict::refuted);
+    CHECK_THROWS_AS(both("right.d", "a"), InputError);
+    CHECK_THROWS_AS(both("right.s0", "a"), InputError);
+}

@@ -25,8 +25,8 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
     }
     try {
         return kind->check(claim, context);
-    } catch (const InputError&) {
-        throw;
+    } catch (const InputError& error) { // such as a scene along a sweep in which the contact slides
+        throw error.file().empty() ? error.at(claim.file, claim.line) : error;
     } catch (const Error& e) { // a budget spent, or a way that does not lead there
         Outcome o;
         o.note = e.what();

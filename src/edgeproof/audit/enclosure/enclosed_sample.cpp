@@ -96,6 +96,32 @@ struct EnclosedSample::State {
         return {Q->second, tension->second};
     }
 
+    /// Of a scene with friction.
+    [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
+        if (!slip) {
+            slip = std::make_unique<contact::ProvedSlip>(
+                profile, sample.scene.parameter("Es"),
+                contact::Load::right_edge(sample.scene.parameter("a")), load(), symbol("friction"),
+                bits);
+        }
+        if (!slip->admissible()) {
+            throw Error("no partial slip: the contact slides, or the stick zone leaves it");
+        }
+        return *slip;
+    }
+    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< as it is needed
+    [[nodiscard]] Ball traction(const formula::Expr& written, const Ball& at) const {
+        if (!sample.scene.slips()) {
+            const contact::Edge edge = u ? sample.edge : contact::Edge::right;
+            return full_stick_traction(length(), load(), edge, distance(edge, written, at));
+        }
+        const bool own_place = u && written == formula::Expr::symbol("x");
+        const contact::Edge edge = own_place                ? sample.edge
+                                   : certainly_negative(at) ? contact::Edge::left
+                                                            : contact::Edge::right;
+        return partial_slip().traction(edge, distance(edge, written, at));
+    }
+
     [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
     [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
     [[nodiscard]] Ball symbol(std::string_view name) const;
@@ -127,38 +153,13 @@ struct EnclosedSample::State {
         }
         return edge == contact::Edge::right ? contact().a() - at : at + contact().b();
     }
-    /// The edge to count from: the sample's own for its place, else the nearer one of a contact
-    /// that is about symmetric.
-    [[nodiscard]] contact::Edge edge_near(const formula::Expr& written, const Ball& at) const {
-        if (u && written == formula::Expr::symbol("x")) {
-            return sample.edge;
-        }
-        return certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
-    }
     [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
-        const contact::Edge edge = edge_near(written, at);
+        if (u && written == formula::Expr::symbol("x")) {
+            return contact().pressure(sample.edge, *u);
+        }
+        const contact::Edge edge =
+            certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
         return contact().pressure(edge, distance(edge, written, at));
-    }
-    [[nodiscard]] Ball traction(const formula::Expr& written, const Ball& at) const {
-        if (sample.scene.slips()) {
-            const contact::Edge edge = edge_near(written, at);
-            return partial_slip().traction(edge, distance(edge, written, at));
-        }
-        const contact::Edge edge = u ? sample.edge : contact::Edge::right;
-        return full_stick_traction(length(), load(), edge, distance(edge, written, at));
-    }
-    /// Of a scene with friction.
-    [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
-        if (!slip) {
-            slip = std::make_unique<contact::ProvedSlip>(
-                profile, sample.scene.parameter("Es"),
-                contact::Load::right_edge(sample.scene.parameter("a")), load(), symbol("friction"),
-                bits);
-        }
-        if (!slip->admissible()) {
-            throw Error("no partial slip: the contact slides, or the stick zone leaves it");
-        }
-        return *slip;
     }
     /// g'(x): where the ball of x meets a knot, the values of the pieces on both of its sides.
     [[nodiscard]] Ball slope(const Ball& at) const {
@@ -223,7 +224,6 @@ struct EnclosedSample::State {
     std::optional<contact::IntegratedContact> curved;
     std::optional<Ball> u;
     std::map<std::string, Ball, std::less<>> names;
-    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< as it is needed
     std::set<std::string> overridden; ///< names whose exact value in the sample no longer holds
 };
 

@@ -5,7 +5,6 @@
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
 #include "edgeproof/audit/sample/evaluated_scene_state.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -119,14 +118,8 @@ std::optional<Real> EvaluatedSceneState::derived_symbol(std::string_view name) {
         value = shear_coefficients(contact::Edge::right, *s + 1).back();
     } else if (const auto t = order_in(name, "left_s")) {
         value = shear_coefficients(contact::Edge::left, *t + 1).back();
-    } else if (spec.slips() && (name == "right_d" || name == "left_d")) {
-        const contact::Edge edge = name == "right_d" ? contact::Edge::right : contact::Edge::left;
-        value =
-            of_slip([edge](const contact::ProvedSlip& found) { return found.slip().size(edge); });
-    } else if (spec.slips() && (name == "stick_a" || name == "stick_b")) {
-        const contact::Edge edge = name == "stick_a" ? contact::Edge::right : contact::Edge::left;
-        value = of_slip(
-            [edge](const contact::ProvedSlip& found) { return found.slip().stick().at(edge); });
+    } else if (const auto quantity = slip_symbol(name)) {
+        value = quantity;
     } else if (const auto right = order_in(name, "right_c")) {
         value = expansion(contact::Edge::right, *right + 1)[*right];
     } else if (const auto left = order_in(name, "left_c")) {
@@ -151,51 +144,6 @@ contact::ShearLoad<Real> EvaluatedSceneState::shear_load() const {
 std::vector<Real> EvaluatedSceneState::shear_coefficients(contact::Edge edge,
                                                           std::size_t terms) const {
     return full_stick_expansion(top().extent.length(), shear_load(), edge, terms);
-}
-
-Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity) {
-    if (slips.empty()) {
-        require_partial_slip(spec);
-    }
-    const long needed = formula::bits_for(precision.integrand());
-    std::optional<Ball> best;
-    for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
-        const auto [it, fresh] = slips.try_emplace(bits);
-        try {
-            if (fresh) {
-                it->second = std::make_unique<contact::ProvedSlip>(spec.partial_slip(bits));
-            }
-            if (it->second == nullptr) {
-                continue;
-            }
-            const Ball value = quantity(*it->second);
-            if (!value.is_finite()) {
-                continue;
-            }
-            best = value;
-            if (value.relative_accuracy_bits() >= needed) {
-                break;
-            }
-        } catch (const BudgetError&) {
-            continue; // with more bits
-        } catch (const DomainError&) {
-            continue;
-        }
-    }
-    if (!best) {
-        throw BudgetError("balls of " + std::to_string(16 * needed) +
-                          " bits do not enclose the partial slip");
-    }
-    return at_working_precision(best->midpoint());
-}
-
-Real EvaluatedSceneState::traction(const Place& at) {
-    if (!spec.slips()) {
-        return full_stick_traction(point_at(top().extent, at.edge, at.u), shear_load());
-    }
-    return of_slip([&](const contact::ProvedSlip& s) {
-        return s.traction(at.edge, Ball(at.u, s.slip().zones().bits()));
-    });
 }
 
 Place EvaluatedSceneState::place_of_x(const Real& x) const {

@@ -70,6 +70,8 @@ struct EvaluatedSceneState {
     [[nodiscard]] Place place_of_x(const Real& x) const;
     /// The middle of an enclosure of a quantity of partial slip, to the digits of plain formulas.
     Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
+    /// right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
+    std::optional<Real> slip_symbol(std::string_view name);
     /// q(x), under partial slip where the scene has friction.
     Real traction(const Place& at);
 };

@@ -121,6 +121,7 @@ def compare(
     tolerance_a: str | None,
     tolerance_P: str | None,
     tolerance_c0: str | None,
+    partial: bool,
     progress: Callable[[int, int], object] | None,
 ) -> Mapping[str, str]: ...
 def design(

@@ -275,7 +275,7 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
             scale: str | Mapping[str, Number] | None = None, origin: Number | None = None,
             tolerance: Number | None = None, of: str = "peak", edge_zone: Number = 0,
             tolerance_a: Number | None = None, tolerance_P: Number | None = None,
-            tolerance_c0: Number | None = None,
+            tolerance_c0: Number | None = None, partial: bool = False,
             progress: Callable[[int, int], object] | None = None) -> Comparison:
     """Holds the results of a mesh, x and p at its nodes, to the exact contact: a Comparison.
 
@@ -284,10 +284,12 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
                two arrays of float; a list of these, of finer and finer meshes, for orders and limits
     columns    {"x": 1, "p": "CPRESS"}: which ones, by number or name; None: by their names
     scale      {"x": "1e-3", "p": "1e6"}: what the numbers of the files are multiplied by
-    origin     the x of the data at the scene's origin; None: 0 unless the data say otherwise
+    origin     the x of the data at the scene's origin; "auto": fitted to the data; None: 0
     tolerance  of p ("1%"; None: 3 %), relative to `of`: the "peak", p itself ("local"), or "L2"
     edge_zone  what is left out beside the edges: "2e" (elements), or a length
     tolerance_a, tolerance_P, tolerance_c0  of a and b, P, c_0 by the data
+    partial    True: the data hold a part of the contact; p is compared at their nodes, though they
+               do not determine a, b, P and the largest p
 
     x and p are in the units of the scene, unless a file says its own. Edges, fits and limits of the
     data are estimates. Raises InputError, with file and line, for malformed files; data that are
@@ -301,7 +303,7 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
         _pairs(scale), text_or_none(origin, "origin"), text_or_none(tolerance, "tolerance"), of,
         _decimal_text(edge_zone, "edge_zone"), text_or_none(tolerance_a, "tolerance_a"),
         text_or_none(tolerance_P, "tolerance_P"), text_or_none(tolerance_c0, "tolerance_c0"),
-        progress)
+        bool(partial), progress)
     told = json.loads(found["json"])
     return Comparison(
         passed=told["passes"], tolerance=told["tolerance"], units=told["units"],

@@ -12,6 +12,7 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr double presses = 0.002;
+constexpr double most_of_rule = 0.1; ///< that a fit of the exact pressure may be off by
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
@@ -27,6 +28,7 @@ public:
                              file_.inside, file_.data.nodes.size(), exact_.b().value,
                              exact_.a().value));
         }
+        coverage();
         pressure();
         shear();
         if (tolerances_.edges) {
@@ -52,16 +54,59 @@ public:
 private:
     void fail(std::string why) { file_.failures.push_back(std::move(why)); }
 
+    /// What the nodes do not determine is not known to be right.
+    void coverage() {
+        const auto is_held = [this](Determined quantity) {
+            return !tolerances_.partial ||
+                   (quantity == Determined::force     ? tolerances_.force.has_value()
+                    : quantity == Determined::largest ? false
+                                                      : tolerances_.edges.has_value());
+        };
+        for (const Undetermined& missing : file_.undetermined) {
+            if (is_held(missing.quantity)) {
+                fail(missing.why + (tolerances_.partial
+                                        ? ""
+                                        : "; give all of the contact, or --partial to compare p at "
+                                          "these nodes alone"));
+            }
+        }
+    }
     void pressure() {
         const Errors& errors = file_.errors;
         if (errors.nodes == 0) {
             fail("the edge zones leave no node");
             return;
         }
+        const auto counted = static_cast<std::size_t>(
+            std::ranges::count_if(file_.data.nodes, [this](const Node& node) {
+                return node.exact.inside() && is_counted(node, tolerances_.zone, file_.contact);
+            }));
+        if (counted < fewest_inside && file_.inside >= fewest_inside) {
+            fail(fmt::format("the edge zones leave {} of {} nodes inside: too few to judge by",
+                             counted, file_.inside));
+        }
+        digits();
         hold("p", errors, tolerances_.pressure,
              exact_.scale().mean ? "of the mean pressure" : "of the peak", [](const Node& node) {
                  return std::pair{node.p, node.exact.p.value_or(0)};
              });
+    }
+    /// Digits may explain errors up to the tolerance, or the usual one: more is not seen at all.
+    void digits() {
+        double explained = 0;
+        for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
+            const Node& node = file_.data.nodes[i];
+            if (is_counted(node, tolerances_.zone, file_.contact)) {
+                explained = std::max(
+                    explained, std::min(std::abs(node.error), file_.table.rows[i].p_rounding));
+            }
+        }
+        explained /= exact_.scale().value;
+        if (!(explained <= std::max(tolerances_.pressure, Tolerances::usual))) {
+            fail(fmt::format("p is written with too few digits: they hide errors of {} {}",
+                             percent(explained),
+                             exact_.scale().mean ? "of the mean pressure" : "of the peak"));
+        }
     }
     void shear() {
         if (!file_.shear || file_.shear->nodes == 0) {
@@ -108,7 +153,7 @@ private:
             return;
         }
         const double error = off(*data, of_exact.value_or(exact), exact);
-        if (error > *tolerances_.edges) {
+        if (!(error <= *tolerances_.edges)) {
             fail(fmt::format("{} = {:.6g} by the data is off by {} of the exact {:.6g}, more than "
                              "{} (of the exact pressure at these nodes: {:.6g})",
                              name, *data, percent(error), exact, percent(*tolerances_.edges),
@@ -124,7 +169,7 @@ private:
         }
         const double exact = exact_.force().value;
         const double error = off(*file_.contact.force, *file_.of_exact.force, exact);
-        if (error > *tolerances_.force) {
+        if (!(error <= *tolerances_.force)) {
             fail(
                 fmt::format("P = {:.6g} by the data is off by {} of the exact {:.6g}, more than {} "
                             "(of the exact pressure at these nodes: {:.6g})",
@@ -142,7 +187,12 @@ private:
         }
         const double of_exact = fit->own_edge ? exact : fit->c0.of_exact;
         const double error = off(fit->c0.value, of_exact, exact);
-        if (error > *tolerances_.c0) {
+        if (!fit->own_edge && !(off(of_exact, exact, exact) <= most_of_rule)) {
+            fail(fmt::format("{} is not determined: the same fit of the exact pressure at these "
+                             "nodes gives {:.6g}, and it is {:.6g}",
+                             name, of_exact, exact));
+        }
+        if (!(error <= *tolerances_.c0)) {
             fail(fmt::format("{} by the data, {:.6g} +- {:.2g}, is off by {} of the exact {:.6g}, "
                              "more than {} (of the exact pressure at these nodes: {:.6g})",
                              name, fit->c0.value, fit->c0.spread, percent(error), exact,
@@ -248,6 +298,7 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
         node.p = node.exact.p.value_or(node.p);
     }
     file.of_exact = contact_of(of_exact, exact);
+    file.undetermined = undetermined(file.data, file.of_exact, exact);
     count_nodes(file);
     find_more(file, exact);
     file.errors = measure(file.data, exact, file.contact, tolerances.zone);

@@ -3,9 +3,11 @@
 /// Results of meshes, a table of x and p with a few right digits, held against the exact contact.
 ///   input/result_table.hpp  ResultTable: what a program wrote, whatever its columns and separators
 ///   exact_contact.hpp       ExactContact: the scene's own solution
-///   alignment.hpp           AlignedResult: sign, origin, nodes with the exact pressure beside them
+///   alignment.hpp           AlignedResult: sign, origin, nodes with their exact pressure
+///   origin.hpp              origin_of(): where the data have the scene's origin
 ///   data_edges.hpp          DataContact: edges, force and elements by the data
 ///   measures.hpp            Errors: relative to the peak, to p itself, in the L2 norm; by distance
+///   coverage.hpp            undetermined(): what the nodes do not determine
 ///   edge_fit.hpp            EdgeFit: c_0 and c_1 by least squares
 ///   causes.hpp              Diagnosis: the mistakes that would explain data which are off
 ///   convergence.hpp         Convergence: orders and extrapolated values of several meshes
@@ -15,6 +17,7 @@
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/convergence.hpp"
+#include "edgeproof/comparison/measures/coverage.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
 #include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
@@ -43,6 +46,9 @@ struct Tolerances {
     std::optional<double> force;
     std::optional<double> c0; ///< at both edges
     std::optional<double> q;  ///< in the norm of `of`; without it, as the pressure
+    /// The data hold a part of the contact: they need not determine a, b, P and the largest p,
+    /// unless they have a tolerance of their own.
+    bool partial = false;
 };
 
 /// Of nodes inside the exact contact: fewer are too few to judge by.
@@ -62,6 +68,7 @@ struct FileComparison {
     std::vector<DistanceErrors> distances;
     std::vector<KnotErrors> knots;
     std::array<std::optional<EdgeFit>, 2> fits; ///< by index_of(edge)
+    std::vector<Undetermined> undetermined;
     std::size_t inside = 0;
     std::size_t outside = 0;
     std::size_t pressing_outside = 0;   ///< of those, with more than 1/500 of the largest pressure
@@ -80,8 +87,9 @@ struct Comparison {
     [[nodiscard]] bool passes() const;
 };
 
-/// Data that do not pass, or are off by more than 3/1000 of the peak, are diagnosed where the
-/// suspects of the scene are given.
+/// `origin`: where the scene's origin lies in the data's x; none: it is fitted, which only a user
+/// can ask for. Data that do not pass, or are off by more than 3/1000 of the peak, are diagnosed
+/// where the suspects of the scene are given.
 [[nodiscard]] FileComparison compare_file(ResultTable table, const ExactContact& exact,
                                           const Tolerances& tolerances,
                                           const std::optional<Rational>& origin,

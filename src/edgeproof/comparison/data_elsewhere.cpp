@@ -86,7 +86,7 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
     std::string instead;
     if (ratio > 1 / like_width && ratio < like_width) {
         instead = fmt::format("write --origin {:.4g}, the x of the data at the scene's origin, or "
-                              "leave --origin out",
+                              "--origin auto",
                               0.5 * (from + to) - 0.5 * (a - b));
     } else if (unit) {
         instead =

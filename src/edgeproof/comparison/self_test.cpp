@@ -148,7 +148,7 @@ private:
         strict.pressure = no_effect;
         const auto compared = [&](double at) {
             return compare_file(parse_result(table_of(data, at, seed_), "self-test.csv"), exact,
-                                strict, {}, &suspects);
+                                strict, Rational(0), &suspects);
         };
         const bool right = mistake.name.empty();
         const Moved effect = moved(clean(mistake, tested, compared), mistake.of_shear, exact);

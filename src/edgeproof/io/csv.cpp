@@ -100,6 +100,7 @@ public:
             }
             if (!blank) {
                 csv.notes.emplace_back(trimmed(line.substr(first + 1)));
+                csv.note_lines.push_back(line_);
             }
             at_ = std::min(end + 1, text_.size());
             ++line_;
@@ -242,6 +243,7 @@ void CsvReader::begin() {
         note = first.starts_with('#');
         if (note) {
             head_.notes.emplace_back(trimmed(std::string_view(first).substr(1)));
+            head_.note_lines.push_back(head_.header.line);
             parser_->again();
         }
     }

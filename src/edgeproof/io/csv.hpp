@@ -26,7 +26,8 @@ struct Csv {
     };
     std::string file;
     char separator = ',';
-    std::vector<std::string> notes; ///< without the #
+    std::vector<std::string> notes;      ///< without the #
+    std::vector<std::size_t> note_lines; ///< of the notes, one each
     Row header;
     std::vector<Row> rows; ///< as many cells as they happen to have
     bool cut = false;      ///< there are more rows than most_rows

@@ -43,8 +43,10 @@ std::optional<double> tolerance_of(const OptionalText& text) {
 
 comparison::Tolerances tolerances_of(const OptionalText& pressure, const std::string& of,
                                      const std::string& edge_zone, const OptionalText& edges,
-                                     const OptionalText& force, const OptionalText& c0) {
+                                     const OptionalText& force, const OptionalText& c0,
+                                     bool partial) {
     comparison::Tolerances t;
+    t.partial = partial;
     if (const auto p = tolerance_of(pressure)) {
         t.pressure = *p;
         t.stated = true;
@@ -74,7 +76,7 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
                  const std::string& columns, const std::string& scale, const OptionalText& origin,
                  const OptionalText& tolerance, const std::string& of, const std::string& edge_zone,
                  const OptionalText& tolerance_a, const OptionalText& tolerance_P,
-                 const OptionalText& tolerance_c0, py::object callback) {
+                 const OptionalText& tolerance_c0, bool partial, py::object callback) {
     Progress progress(std::move(callback));
     std::string json;
     std::string text;
@@ -85,9 +87,11 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             report.scene = name;
             report.title = scene.title;
             report.units = scene.units;
-            report.comparison.tolerances =
-                tolerances_of(tolerance, of, edge_zone, tolerance_a, tolerance_P, tolerance_c0);
-            const auto at = origin ? std::optional(parse_decimal(*origin)) : std::nullopt;
+            report.comparison.tolerances = tolerances_of(tolerance, of, edge_zone, tolerance_a,
+                                                         tolerance_P, tolerance_c0, partial);
+            const auto at = origin == "auto"
+                                ? std::nullopt // fitted, as asked
+                                : std::optional(origin ? parse_decimal(*origin) : Rational(0));
             const comparison::ResultReading reading = reading_of(scene, columns, scale);
             std::vector<comparison::ResultTable> tables; // all are read before any work
             for (const auto& [written, file] : results) {
@@ -125,7 +129,7 @@ void bind_compare(py::module_& module) {
     module.def("compare", &compare, py::arg("scene"), py::arg("name"), py::arg("results"),
                py::arg("columns"), py::arg("scale"), py::arg("origin"), py::arg("tolerance"),
                py::arg("of"), py::arg("edge_zone"), py::arg("tolerance_a"), py::arg("tolerance_P"),
-               py::arg("tolerance_c0"), py::arg("progress"));
+               py::arg("tolerance_c0"), py::arg("partial"), py::arg("progress"));
 }
 
 } // namespace edgeproof::python

@@ -84,6 +84,10 @@ std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string&
     top.allow({"cases"});
     std::vector<HardCase> cases;
     const io::TomlSection all = top.section("cases");
+    if (all.keys().empty()) {
+        all.reject(all.line(), "the file has no cases",
+                   "add a case, such as [cases.hertz-40] with class, reason and quantity");
+    }
     for (const std::string& name : all.keys()) {
         const io::TomlSection section = all.section(name);
         section.allow({"class", "reason", "undecided", "quantity", "edge", "u", "n", "tolerance",

@@ -107,7 +107,11 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml right.csv --edge-zone 1.6", "the edge zones leave none of the 47 nodes");
     CHECK(run(c.folder, "compare scene.toml right.csv --edge-zone 1.4").code == 0);
     c.folder.write("three.csv", "x,p\n-3,0\n-1,0.83853\n0,1.125\n1,0.83853\n3,0\n");
-    CHECK(run(c.folder, "compare scene.toml three.csv").code == 0);
+    const Outcome three = run(c.folder, "compare scene.toml three.csv");
+    CHECK(three.code == 1); // by trapezoids P is 3.64 in place of 2.65
+    CHECK(has(three.out, "FAIL: P is not determined: "));
+    CHECK(run(c.folder, "compare scene.toml three.csv --partial").code == 0);
+    CHECK(run(c.folder, "compare scene.toml three.csv --partial --tolerance-P 1%").code == 1);
     c.folder.write("wide.csv", "x,p\n-3,1\n-1,0.83853\n0,1.125\n1,0.83853\n3,1\n");
     CHECK(run(c.folder, "compare scene.toml wide.csv").code == 1);
     // No folder of figures where there is nothing to draw, and none where it cannot be.
@@ -120,6 +124,49 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml nan.csv", "nan.csv:3: the row holds 'nan'");
     c.folder.write("bad.toml", "[profile]\nkind = \"hertz\"\n");
     refused("bad.toml right.csv", "bad.toml");
+    // Numbers that are not finite in double precision after scaling: the first that is not 0.
+    refused("scene.toml right.csv --scale p=1e309", "right.csv:11: '");
+    refused("scene.toml right.csv --scale x=1e309", "right.csv:2: '");
+    refused("scene.toml right.csv --scale x=1e309", "times its scale is beyond the range");
+    c.folder.write("huge.csv", "x,p\n-1.797e308,0\n0,1\n1.797e308,0\n");
+    refused("scene.toml huge.csv", "huge.csv:2: '-1.797e308' is beyond the range of a double");
+    c.folder.write("nothing.csv", "x,p\n");
+    refused("scene.toml nothing.csv", "nothing.csv");
+    refused("scene.toml", "no result is given");
+}
+
+TEST_CASE("compare: a fitted origin passes only where the user asks for it") {
+    const ComparedFiles c;
+    for (const double part : {0.018, 0.02, 0.05, 0.1, 0.3, -0.05}) {
+        CAPTURE(part);
+        std::string shifted = "x,p\n";
+        for (int i = 0; i <= 96; ++i) {
+            const double x = -3 + 6.0 * i / 96;
+            char row[80];
+            std::snprintf(row, sizeof row, "%.17g,%.17g\n", x + 3 * part,
+                          std::abs(x) < 1.5 ? 0.75 * std::sqrt(2.25 - x * x) : 0);
+            shifted += row;
+        }
+        c.folder.write("shifted.csv", shifted);
+        const Outcome outcome = run(c.folder, "compare scene.toml shifted.csv --json");
+        CHECK(outcome.code == 1);
+        const auto file = nlohmann::json::parse(outcome.out)["files"][0];
+        CHECK(file["passes"] == false);
+        CHECK(file["origin"] == 0.0);
+        CHECK(file["origin_found"] == false);
+        REQUIRE(file["causes"].size() >= 1);
+        CHECK(file["causes"][0]["name"] == "shifted-origin");
+        char shift[80];
+        std::snprintf(shift, sizeof shift, "x is shifted by %.4g: ", 3 * part);
+        CHECK_MESSAGE(has(file["causes"][0]["what"].get<std::string>(), shift), file["causes"]);
+        char origin[80];
+        std::snprintf(origin, sizeof origin, " --origin %.17g", 3 * part);
+        CHECK(run(c.folder, "compare scene.toml shifted.csv --tolerance 1e-6" + std::string(origin))
+                  .code == 0);
+        if (std::abs(part) >= 0.02) { // a smaller shift is an error under a fitted origin, too
+            CHECK(run(c.folder, "compare scene.toml shifted.csv --origin auto").code == 0);
+        }
+    }
 }
 
 TEST_CASE("compare: JSON, JUnit, a page and figures") {

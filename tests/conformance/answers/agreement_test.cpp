@@ -268,6 +268,9 @@ TEST_CASE("a row that repeats another contact, u or tolerance than was asked is 
     // Rounded, as %.8g writes a number, is the same question; another value is not.
     CHECK(faults("1,power-law,1,1.0000000000000001,,,1,1,p,right,0.20000000298,0.3\n") == 0);
     CHECK(faults("1,power-law,1,2,,,1,1,p,right,0.2,0.6\n") == 1);
+    // As pandas writes a column of numbers.
+    CHECK(faults("1,power-law,1.0,1.0,,,1.0,1.0,p,right,0.2,0.3\n2,power-law,1.0,1.0,,,1.0,1.0,P,,,"
+                 "1.0\n") == 0);
     CHECK(faults("1,power-law,1,1,,,1,1.001,p,right,0.2,0.3\n") == 1);
     CHECK(faults("2,power-law,1,1,,,2,1,P,,,1\n") == 1);
     CHECK(faults("1" + hertz_cells + "p,right,0.2001,0.3\n") == 1);
@@ -329,6 +332,51 @@ TEST_CASE("another convention is recognised and said, with how far it holds") {
           "p, left edge: minus ours in 4");
     // Values that are simply wrong have no convention.
     CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
+}
+
+TEST_CASE("inputs are repeated by value: 0.0 for 0, 0.001 for 1e-3; another number is a fault") {
+    const std::string head = "id,kind,alpha,t,R,a,contact_modulus,bulk_tension,Q,quantity,edge,u,"
+                             "value\n";
+    const auto row = [](const char* alpha, const char* u, const char* tension) {
+        return "1,tilted-flat-and-rounded," + std::string(alpha) + ",3/2,1,2,1," + tension +
+               ",1,q,right," + u + ",0.3\n";
+    };
+    const Questions asked =
+        echoed_answers(parse_csv(head + row("0", "1e-3", "0"), "q.csv")).questions;
+    const auto faults = [&](const std::string& given) {
+        return answers_to(asked, parse_csv(head + given, "a.csv")).faults.size();
+    };
+    CHECK(faults(row("0.0", "0.001", "0.0")) == 0);
+    CHECK(faults(row("-0.0", "1.0E-3", "0e5")) == 0);
+    CHECK(faults(row("0.00", "1/1000", "0/3")) == 0);
+    CHECK(faults(row("1e-9", "0.001", "0")) == 1); // a tilt is not no tilt, however small
+    CHECK(faults(row("0", "0.001", "1e-300")) == 1);
+    CHECK(faults(row("0", "0.0011", "0")) == 1);
+}
+
+TEST_CASE("the note of how many questions were asked is read strictly") {
+    const auto faults = [](const std::string& note) {
+        return echoed_answers(parse_csv("# a title\n" + note + "\n" + agreement_header + "1" +
+                                            hertz_cells + "p,right,0.2,0.3\n",
+                                        "a.csv"))
+            .faults.size();
+    };
+    CHECK(faults("# questions: 1") == 0);
+    CHECK(faults("#questions:1") == 0);
+    CHECK(faults("# questions: 2") == 1);
+    CHECK(faults("# questions:  2 ") == 1);
+    CHECK(faults("# questions and answers") == 0); // another note
+    for (const char* const note : {"# questions: 99999999999999999999999", "# questions: 2x",
+                                   "# questions: -1", "# questions: two", "# questions:",
+                                   "# questions: 2.0", "# questions: 0x2", "# questions: 1e3"}) {
+        CAPTURE(note);
+        try {
+            (void)faults(note);
+            FAIL("the note is read");
+        } catch (const InputError& error) {
+            CHECK(std::string(error.what()).starts_with("a.csv:2: '# questions:"));
+        }
+    }
 }
 
 TEST_CASE("answers read in blocks are those read at once, and no more than a block is kept") {

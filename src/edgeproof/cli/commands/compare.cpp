@@ -26,7 +26,7 @@ struct CompareOptions {
     std::vector<std::string> results;
     std::string columns;
     std::string scale;
-    std::string origin = "auto";
+    std::string origin = "0";
     std::string tolerance;
     std::string of = "peak";
     std::string zone = "0";
@@ -34,6 +34,7 @@ struct CompareOptions {
     std::string tolerance_P;
     std::string tolerance_c0;
     std::string tolerance_q;
+    bool partial = false;
     bool json = false;
     bool self_test = false;
     std::string seed = "1";
@@ -73,6 +74,7 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
     t.force = optional_tolerance("--tolerance-P", o.tolerance_P);
     t.c0 = optional_tolerance("--tolerance-c0", o.tolerance_c0);
     t.q = optional_tolerance("--tolerance-q", o.tolerance_q);
+    t.partial = o.partial;
     return t;
 }
 
@@ -179,7 +181,7 @@ void add_compare(CLI::App& app, int& code) {
     sub->add_option("--columns", o->columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
     sub->add_option("--scale", o->scale, "x=1e-3,p=1e6: multiply what the files have");
     sub->add_option("--origin", o->origin,
-                    "x of the data at the scene's origin, or auto: 0 unless the data say otherwise")
+                    "x of the data at the scene's origin, or auto: fitted to the data")
         ->capture_default_str();
     sub->add_option("--tolerance", o->tolerance,
                     "pass with an error of p within this (default: 3%)");
@@ -193,6 +195,9 @@ void add_compare(CLI::App& app, int& code) {
     sub->add_option("--tolerance-c0", o->tolerance_c0, "pass with c_0 within this");
     sub->add_option("--tolerance-q", o->tolerance_q,
                     "pass with an error of q within this (default: as --tolerance)");
+    sub->add_flag("--partial", o->partial,
+                  "the data hold a part of the contact: compare p at their nodes, though they do "
+                  "not determine a, b, P and the largest p");
     sub->add_flag("--json", o->json, "write JSON to standard output");
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--html", o->html, "write a page to this file");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/suspect_maker.hpp"
+#include "edgeproof/comparison/measures/origin.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +8,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace edgeproof::comparison {
 namespace {
 
-/// The shift that fits best, by its derivative: small ones alone, as a large one is an origin.
-void suspect_shift(const SuspectMaker& make) {
+/// The shift that fits best, by its derivative: a small one. Nothing where it is none.
+std::optional<double> small_shift(const SuspectMaker& make) {
     const ExactContact& exact = make.exact();
     const double length = exact.length();
     double shift = 0;
@@ -39,13 +42,38 @@ void suspect_shift(const SuspectMaker& make) {
             }
         }
         shift += bottom > 0 ? top / bottom : 0;
-        if (std::abs(shift) > 0.1 * length) {
-            return;
+        if (!(std::abs(shift) <= 0.1 * length)) {
+            return {};
         }
     }
-    make.add("shifted-origin", fmt::format("x is shifted by {:.4g}", shift),
-             exact.a().value + shift, exact.b().value - shift,
-             [&](std::size_t i) { return make.pressure(exact, make.nodes()[i].x - shift); });
+    return shift;
+}
+
+/// The shift of a fiftieth of a + b or more that fits best.
+std::optional<double> large_shift(const SuspectMaker& make) {
+    std::vector<RoughPoint> points;
+    for (std::size_t i = 0; i < make.nodes().size(); ++i) {
+        points.push_back({make.nodes()[i].x, make.nodes()[i].p});
+    }
+    const auto support = support_of(points);
+    const auto found =
+        support ? origin_of(points, *support, make.nodes().data.half, make.exact()) : std::nullopt;
+    return found ? std::optional(found->exact.convert_to<double>()) : std::nullopt;
+}
+
+void suspect_shift(const SuspectMaker& make) {
+    const ExactContact& exact = make.exact();
+    const double origin = make.nodes().data.origin;
+    const auto large = large_shift(make);
+    const auto shift = large ? large : small_shift(make);
+    if (shift) {
+        make.add(
+            "shifted-origin",
+            fmt::format("x is shifted by {:.4g}: --origin {:.10g} if the data count from there",
+                        *shift, origin + *shift),
+            exact.a().value + *shift, exact.b().value - *shift,
+            [&](std::size_t i) { return make.pressure(exact, make.nodes()[i].x - *shift); });
+    }
 }
 
 /// The place that a program took for x, as the data have it.

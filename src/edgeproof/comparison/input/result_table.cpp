@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace edgeproof::comparison {
@@ -25,6 +26,20 @@ constexpr std::size_t longest_shown_cell = 40;
 
 std::string shown_cell(std::string_view text) {
     return "'" + shortened(printable(text), longest_shown_cell) + "'";
+}
+
+/// Sums and differences of such numbers are finite in double precision.
+const Rational& largest_number() {
+    static const Rational most(Integer(pow(Integer(10), 300U)));
+    return most;
+}
+
+/// Infinite beyond the range of a double.
+double scaled_rounding(double rounding, const Rational& factor) {
+    const Rational product = std::isfinite(rounding) ? Rational(rounding) * factor : Rational(0);
+    return std::isfinite(rounding) && product <= largest_number()
+               ? product.convert_to<double>()
+               : std::numeric_limits<double>::infinity();
 }
 
 class TableReader {
@@ -169,11 +184,17 @@ private:
                                  const Rational& factor) const {
         const auto written = conformance::written_number(text);
         if (written.kind != conformance::WrittenNumber::Kind::number ||
-            !std::isfinite(written.value.convert_to<double>())) {
+            abs(written.value) > largest_number()) {
             reject(line.number, shown_cell(text) + " is beyond the range of a double",
                    "write a number that a result can have");
         }
-        return Rational(written.value * factor);
+        Rational scaled = written.value * factor;
+        if (abs(scaled) > largest_number()) {
+            reject(line.number,
+                   shown_cell(text) + " times its scale is beyond the range of a double",
+                   "give a smaller factor to --scale");
+        }
+        return scaled;
     }
     void keep(const ResultLine& line, const std::vector<Cell>& cells) {
         ResultRow row;
@@ -225,9 +246,9 @@ private:
         const auto p_half = rounding(p_texts_);
         const auto q_half = rounding(q_texts_);
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i].x_rounding = x_half[i] * x_factor_.convert_to<double>();
-            rows[i].p_rounding = p_half[i] * p_factor_.convert_to<double>();
-            rows[i].q_rounding = q_ ? q_half[i] * p_factor_.convert_to<double>() : 0;
+            rows[i].x_rounding = scaled_rounding(x_half[i], x_factor_);
+            rows[i].p_rounding = scaled_rounding(p_half[i], p_factor_);
+            rows[i].q_rounding = q_ ? scaled_rounding(q_half[i], p_factor_) : 0;
         }
         const auto by_x = [](const ResultRow& s, const ResultRow& t) { return s.x < t.x; };
         if (!std::ranges::is_sorted(rows, by_x)) {

@@ -1,141 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/alignment.hpp"
 
+#include "edgeproof/comparison/measures/origin.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace edgeproof::comparison {
 namespace {
-
-constexpr double least_shift = 0.02;     ///< of a + b
-constexpr double loaded_fraction = 0.02; ///< of the largest pressure of the data
-constexpr std::size_t most_fitted = 300;
-constexpr double search_width = 1e-9; ///< of a + b
-
-struct RoughPoint {
-    double x;
-    double p;
-};
-
-/// Where the data press, roughly.
-struct Support {
-    double left = 0;
-    double right = 0;
-    bool left_falls = false; ///< p goes down to nothing there, as it does at an edge
-    bool right_falls = false;
-};
-
-std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
-    double most = 0;
-    for (const RoughPoint& point : points) {
-        most = std::max(most, point.p);
-    }
-    const auto loaded = [&](const RoughPoint& point) { return point.p > loaded_fraction * most; };
-    const auto first = std::ranges::find_if(points, loaded);
-    if (first == points.end()) {
-        return {};
-    }
-    auto last = points.end() - 1;
-    while (!loaded(*last)) {
-        --last;
-    }
-    constexpr double high = 0.4; // an end of the data at such a pressure is no edge
-    Support s;
-    s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
-    s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
-    s.left_falls = first != points.begin() || first->p < high * most;
-    s.right_falls = last + 1 != points.end() || last->p < high * most;
-    return s;
-}
-
-/// The sum of squares of p less the exact one times what fits best, of the data moved by `origin`:
-/// a wrong factor of p is no reason to look for another origin.
-double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin) {
-    std::vector<double> right;
-    double products = 0;
-    double squares = 0;
-    const auto width = [&](std::size_t i) {
-        return 0.5 * ((i + 1 < points.size() ? points[i + 1].x : points[i].x) -
-                      (i > 0 ? points[i - 1].x : points[i].x));
-    };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        check_interruption();
-        right.push_back(exact.pressure(points[i].x - origin));
-        products += width(i) * points[i].p * right[i];
-        squares += width(i) * right[i] * right[i];
-    }
-    const double scale = squares > 0 ? products / squares : 1;
-    double sum = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double difference = points[i].p - scale * right[i];
-        sum += width(i) * difference * difference;
-    }
-    return sum;
-}
-
-double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& exact, double start) {
-    std::vector<RoughPoint> points;
-    const std::size_t step = std::max<std::size_t>(1, all.size() / most_fitted);
-    for (std::size_t i = 0; i < all.size(); i += step) {
-        points.push_back(all[i]);
-    }
-    constexpr double golden = 0.381966011250105;
-    double lower = start - 0.1 * exact.length();
-    double upper = start + 0.1 * exact.length();
-    double s1 = lower + golden * (upper - lower);
-    double s2 = upper - golden * (upper - lower);
-    double f1 = mismatch(points, exact, s1);
-    double f2 = mismatch(points, exact, s2);
-    while (upper - lower > search_width * exact.length()) {
-        if (f1 < f2) {
-            upper = s2;
-            s2 = s1;
-            f2 = f1;
-            s1 = lower + golden * (upper - lower);
-            f1 = mismatch(points, exact, s1);
-        } else {
-            lower = s1;
-            s1 = s2;
-            f1 = f2;
-            s2 = upper - golden * (upper - lower);
-            f2 = mismatch(points, exact, s2);
-        }
-    }
-    return 0.5 * (lower + upper);
-}
-
-/// The power of ten that is a 10^-5 to 10^-4 of the length.
-Rational round_step(double length) {
-    Rational step(1, 100000);
-    for (double unit = 10; unit <= length; unit *= 10) {
-        step *= 10;
-    }
-    for (double unit = 1; unit > length; unit /= 10) {
-        step /= 10;
-    }
-    return step;
-}
-
-Integer floor(const Rational& q) {
-    const Integer n = numerator(q);
-    const Integer d = denominator(q);
-    Integer quotient = n / d; // towards zero
-    return quotient * d > n ? Integer(quotient - 1) : quotient;
-}
-
-/// An origin that a program may have, where the one found is as good as it.
-struct UsualOrigin {
-    double origin;
-    std::string_view what;
-};
-constexpr double same_origin = 1e-4; ///< of a + b
 
 class Aligner {
 public:
@@ -197,61 +73,18 @@ private:
     }
 
     void find_origin(const Support& support) {
-        const double length = exact_.length();
-        const double left = -exact_.b().value;
-        const double right = exact_.a().value;
-        double start = 0.5 * (support.left + support.right) - 0.5 * (left + right);
-        if (result_.half) {
-            start = *result_.half == contact::Edge::right ? points_.front().x : points_.back().x;
-        } else if (!support.left_falls || !support.right_falls) {
-            // The data end inside the contact: the edge that they show is held to the exact one.
-            start = support.right_falls  ? support.right - right
-                    : support.left_falls ? support.left - left
-                                         : 0;
-        }
-        if (std::abs(start) < least_shift * length) {
+        const auto found = origin_of(points_, support, result_.half, exact_);
+        if (!found) {
             return;
         }
-        double found = refined_origin(points_, exact_, start);
-        if (std::abs(found) < least_shift * length) {
-            return; // the middle was misled by the data's own edges
-        }
-        if (mismatch(points_, exact_, found) > 0.5 * mismatch(points_, exact_, 0)) {
-            return; // no better than the origin that stands
-        }
-        const std::array usual{
-            UsualOrigin{-left, ": x counts from the left edge of the contact"},
-            UsualOrigin{-right, ": x counts from the right edge of the contact"},
-            UsualOrigin{-0.5 * (left + right), ": x counts from the middle of the contact"},
-            UsualOrigin{points_.front().x, ": it is at the first node"},
-            UsualOrigin{points_.back().x, ": it is at the last node"},
-        };
-        std::string_view from;
-        for (const UsualOrigin& candidate : usual) {
-            if (from.empty() && std::abs(candidate.origin - found) < same_origin * length &&
-                std::abs(candidate.origin) > least_shift * length) {
-                found = candidate.origin;
-                from = candidate.what;
-            }
-        }
-        exact_origin_ = Real(found);
-        if (from.empty()) {
-            // A round number as near as the search tells is meant; else its last digit is unsure.
-            const Rational step = round_step(length);
-            const Rational units = Rational(found) / step;
-            const Rational round = step * Rational(floor(units + Rational(1, 2)));
-            const bool meant = std::abs((round - Rational(found)).convert_to<double>()) <
-                               10 * search_width * length;
-            exact_origin_ = meant ? Real(round) : exact_origin_;
-            origin_uncertainty_ = meant ? 0 : 2 * search_width * length;
-            found = exact_origin_.convert_to<double>();
-        }
-        result_.origin = found;
+        exact_origin_ = found->exact;
+        origin_uncertainty_ = found->uncertainty;
+        result_.origin = exact_origin_.convert_to<double>();
         result_.origin_found = true;
         result_.findings.push_back(
             fmt::format("the origin of the scene lies at x = {:.10g} of the data, found from the "
-                        "data (--origin says otherwise){}",
-                        found, from));
+                        "data as --origin auto asks{}",
+                        result_.origin, found->what));
     }
 
     void lay_over() {

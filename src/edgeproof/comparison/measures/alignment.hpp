@@ -40,9 +40,9 @@ struct AlignedResult {
     std::vector<std::string> findings;
 };
 
-/// `origin`: where the scene's origin lies in the data's x; without it, 0 unless the data say that
-/// it is another place: by the middle of what they press, refined by least squares of p over all
-/// nodes. A shift of less than a fiftieth of a + b is none: it is an error, and left in.
+/// `origin`: where the scene's origin lies in the data's x; without it, origin_of() the data, or 0
+/// where that finds none. Pass none only where the user asks for a fitted origin: a shift is an
+/// error of the data.
 [[nodiscard]] AlignedResult align(const ResultTable& table, const ExactContact& exact,
                                   const std::optional<Rational>& origin);
 

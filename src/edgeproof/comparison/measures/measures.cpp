@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace edgeproof::comparison {
 namespace {
@@ -19,7 +20,11 @@ struct HeldValue {
     double error = 0;
     double rounding = 0;
 
-    [[nodiscard]] double counted() const { return std::max(0.0, std::abs(error) - rounding); }
+    /// Infinite where it has no finite value: such an error is never small.
+    [[nodiscard]] double counted() const {
+        const double left = std::abs(error) - rounding;
+        return std::isfinite(left) ? std::max(0.0, left) : std::numeric_limits<double>::infinity();
+    }
 };
 
 HeldValue held_pressure(const Node& node) { return {node.exact.p, node.error, node.rounding}; }

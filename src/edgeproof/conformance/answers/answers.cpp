@@ -3,6 +3,7 @@
 
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -141,6 +142,27 @@ AnswerColumns columns_of(const io::Csv& csv) {
     return {*id, *value};
 }
 
+/// How many questions were asked by the note "questions: N"; nothing of another note. Throws
+/// InputError where N is no whole number, as nothing is then known of rows that are missing.
+std::optional<std::size_t> asked_by_note(const io::Csv& csv, std::size_t i) {
+    constexpr std::string_view begins = "questions:";
+    const std::string& note = csv.notes[i];
+    if (!note.starts_with(begins)) {
+        return {};
+    }
+    const std::size_t from = std::min(note.find_first_not_of(" \t", begins.size()), note.size());
+    const char* const end = note.data() + note.size();
+    std::size_t asked = 0;
+    const auto read = std::from_chars(note.data() + from, end, asked);
+    if (read.ec != std::errc{} || read.ptr != end) {
+        throw InputError("'# " + shortened(printable(note), longest_shown) +
+                             "' gives no number of questions",
+                         "write the line as `edgeproof points` does, such as # questions: 65")
+            .at(csv.file, csv.note_lines[i]);
+    }
+    return asked;
+}
+
 /// Points for decimal commas where commas do not separate: a spreadsheet of such a country writes
 /// all numbers so. Ids and texts stay as they are.
 void put_decimal_points(const io::Csv& head, std::size_t id, io::Csv::Row& row) {
@@ -177,10 +199,8 @@ bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>
 /// at worst.
 bool same_number(const formula::Exact& echoed, const formula::Exact& asked) {
     constexpr double rounding = 1e-6;
-    if (echoed.text() == asked.text()) {
-        return true;
-    }
-    return abs(Real(echoed.to<Real>() / asked.to<Real>() - 1)) <= rounding;
+    const Real difference = abs(Real(echoed.to<Real>() - asked.to<Real>()));
+    return echoed.text() == asked.text() || difference <= rounding * abs(asked.to<Real>());
 }
 
 bool same_parameter(const Parameter& echoed, const Parameter& asked) {
@@ -280,14 +300,10 @@ std::set<std::size_t> AnswerReader::maybe_twice() {
 }
 
 void AnswerReader::add_missing(std::vector<std::string>& faults) const {
-    constexpr std::string_view note_begins = "questions: ";
-    for (const std::string& note : head_.notes) {
-        std::size_t asked = 0;
-        const char* const end = note.data() + note.size();
-        if (note.starts_with(note_begins) &&
-            std::from_chars(note.data() + note_begins.size(), end, asked).ec == std::errc{} &&
-            asked > answered_) {
-            faults.push_back(place(head_, head_.header.line) + std::to_string(asked) +
+    for (std::size_t i = 0; i < head_.notes.size(); ++i) {
+        const auto asked = asked_by_note(head_, i);
+        if (asked && *asked > answered_) {
+            faults.push_back(place(head_, head_.header.line) + std::to_string(*asked) +
                              " questions were asked and " + std::to_string(answered_) +
                              " are answered (--recipe says which are missing)");
         }

@@ -262,6 +262,7 @@ std::string tolerance_text(const comparison::Tolerances& t) {
     add("P", t.force);
     add("c_0", t.c0);
     add("q", t.q);
+    out += t.partial ? ", a part of the contact" : "";
     return out + (t.stated ? "" : " (none is stated: --tolerance)");
 }
 

@@ -54,6 +54,7 @@ ExactContact::ExactContact(const Profile& profile, const formula::Exact& contact
 void ExactContact::read_power_law() {
     const auto m = formula::ExactNumber::of(profile_.parameters().at("m").expr()).rational();
     power_factor_ = formula::ExactNumber::unknown();
+    exponent_ = m;
     if (!m || denominator(*m) != 1 || *m > most_whole_exponent) {
         return;
     }
@@ -202,9 +203,12 @@ formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumbe
 }
 
 std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t terms) const {
-    const std::vector<formula::ExactNumber> none(terms, formula::ExactNumber::unknown());
     using S = series::Series<formula::ExactNumber>;
     const auto sign = a_.sign();
+    if (terms > 0 && terms <= most_exact_coefficients && exponent_ && !whole_exponent_) {
+        return vanishing_coefficients(terms);
+    }
+    const std::vector<formula::ExactNumber> none(terms, formula::ExactNumber::unknown());
     if (terms == 0 || terms > most_exact_coefficients || !profile_.symmetric() || !sign ||
         *sign <= 0 || (power_law_ ? !whole_exponent_ : !placed_)) {
         return none;
@@ -226,6 +230,27 @@ std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t term
     }
     return coefficients_of(right_edge_brackets(LawSeries<formula::ExactNumber>{rate, a}, a_),
                            length());
+}
+
+/// With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1, which has an exact
+/// form.
+std::vector<formula::ExactNumber> ExactContact::vanishing_coefficients(std::size_t terms) const {
+    using formula::ExactNumber;
+    using S = series::Series<ExactNumber>;
+    const S a = S::variable(ExactNumber(1), terms);
+    S rate(ExactNumber(0), terms);
+    ExactNumber binomial(1); // of m and k
+    for (std::size_t k = 0; k < terms; ++k) {
+        rate[k] = binomial;
+        binomial *=
+            ExactNumber(Rational((*exponent_ - static_cast<long>(k)) / (static_cast<long>(k) + 1)));
+    }
+    std::vector<ExactNumber> list = coefficients_of(
+        right_edge_brackets(LawSeries<ExactNumber>{rate, a}, ExactNumber(1)), ExactNumber(2));
+    for (ExactNumber& c : list) {
+        c = c.is_zero() ? c : ExactNumber::unknown();
+    }
+    return list;
 }
 
 } // namespace edgeproof::contact

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::vector<formula::ExactNumber> expansion(Edge edge, std::size_t terms) const;
 
 private:
+    /// Of a power law of a rational exponent: 0 where c_k vanishes, else unknown.
+    [[nodiscard]] std::vector<formula::ExactNumber> vanishing_coefficients(std::size_t terms) const;
     void read_power_law();
     void place_knots();
     void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
@@ -53,6 +55,7 @@ private:
     Profile profile_;
     formula::ExactNumber modulus_;
     bool power_law_ = false;
+    std::optional<Rational> exponent_; ///< of a power law
     std::optional<unsigned> whole_exponent_;
     formula::ExactNumber power_factor_; ///< P = power_factor a^(m+1)
     LinearSlope<formula::ExactNumber> slope_;

@@ -14,6 +14,8 @@ namespace edgeproof {
 namespace {
 
 constexpr long max_exponent = 100000;
+/// Of a result: relative errors of many terms have powers of what is given.
+constexpr long most_result_exponent = 100 * max_exponent;
 constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up", "enclosure"};
 
 [[noreturn]] void not_a_number(std::string_view text) {
@@ -83,9 +85,9 @@ struct Scaled {
     long scale = 0;
 };
 Scaled scaled(const Decimal& d) {
-    if (std::abs(d.exponent) > max_exponent) {
-        throw InputError("a value has an exponent beyond 100000",
-                         "ask for numbers between 1e-100000 and 1e100000");
+    if (std::abs(d.exponent) > most_result_exponent) {
+        throw InputError("a value has an exponent beyond 10000000",
+                         "ask for fewer terms, or for numbers nearer to 1");
     }
     Scaled s{Integer(d.digits), d.exponent - static_cast<long>(d.digits.size())};
     if (d.negative) {

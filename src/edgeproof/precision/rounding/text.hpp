@@ -46,7 +46,7 @@ struct Decimal {
     bool negative = false;
     std::string digits;
     long exponent = 0;
-    /// Exactly. Throws InputError for exponents beyond 100,000.
+    /// Exactly. Throws InputError for exponents beyond 10,000,000.
     [[nodiscard]] Rational value() const;
     /// The same in a ball of so many bits. Throws as value() does.
     [[nodiscard]] Ball enclosure(long bits) const;

@@ -87,8 +87,13 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     } else if (digits.rounding == Rounding::enclosure) {
         const Rounded r = round_ball(x.value, digits.count, Rounding::enclosure);
         p = {r.text, bound_of(r), r.complete, false, {}, {}};
+    } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest &&
+               x.value.is_exact()) {
+        p = {"0", bound_text(Real(0)), true, false, {}, {}};
     } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
-        p = {"0", bound_text(farthest(x.value, Decimal())), x.value.is_exact(), false, {}, {}};
+        constexpr unsigned digits_of_ends = 2;
+        const Rounded r = round_ball(x.value, digits_of_ends, Rounding::enclosure);
+        p = {r.text, bound_of(r), false, x.proved, {}, {}};
     } else if (const auto seen = rounded_at_a_glance(x.value, digits.count, digits.rounding)) {
         p.text = layout(seen->value, digits.count);
         p.bound = seen->bound.empty() ? bound_text(farthest(x.value, seen->value)) : seen->bound;

@@ -31,7 +31,8 @@ struct Digits {
 /// A value as it is printed.
 struct PrintedValue {
     std::string text;       ///< rounded correctly at the digits asked for, or at those certain;
-                            ///< "[lower, upper]" where the rounding of a proved value is undecided
+                            ///< "[lower, upper]" where the rounding of a proved value is
+                            ///< undecided, and where the value may be zero
     std::string bound;      ///< |text - exact| is at most this; of an enclosure, its width
     bool complete = false;  ///< all the digits that were asked for
     bool undecided = false; ///< no bits tried tell on which side of a limit of rounding it lies
@@ -50,8 +51,8 @@ struct PrintedValue {
 /// the value may be exactly that, and then no number of bits tells. `has_them`: has_digits of it.
 [[nodiscard]] bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them);
 
-/// A value that its ball does not tell from zero is "0", rounded to nearest. Any other proved value
-/// of which the ball does not decide the rounding is its enclosure.
+/// "0" is a value that is known to be zero. One whose ball contains zero and other numbers, and any
+/// other proved value of which the ball does not decide the rounding, is its enclosure.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
 /// Its text alone.
 [[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);

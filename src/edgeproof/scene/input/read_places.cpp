@@ -49,7 +49,7 @@ public:
         const Place place = told(item, [&] { return Place::parse(item.text, from_, names_); });
         const auto number = told(item, [&] { return place.number(); });
         return from_ == Place::From::edge && number
-                   ? inside({*number, item.line})
+                   ? inside({*number, item.line, {}, item.text})
                    : AskedPoint{formula::Exact(), item.line, place};
     }
     /// An end of a range.

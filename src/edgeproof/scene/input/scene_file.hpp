@@ -27,12 +27,15 @@ struct AskedPoint {
     formula::Exact u; ///< the distance from the edge, unless `place` tells it
     std::size_t line = 0;
     std::optional<Place> place = {};
+    std::string written = {}; ///< as the scene writes it, where that is no plain number
 
     [[nodiscard]] Distance distance(contact::Edge edge) const {
         return place ? place->distance(edge) : Distance(u);
     }
     /// As it was asked: "1e-3", "a/2", "x = 0".
-    [[nodiscard]] std::string text() const { return place ? place->text() : u.text(); }
+    [[nodiscard]] std::string text() const {
+        return place ? place->text() : written.empty() ? u.text() : written;
+    }
 };
 
 struct Ask {

@@ -9,6 +9,7 @@
 #include "edgeproof/contact/slip/cycle_energy.hpp"
 #include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/scene/route/omitted_terms.hpp"
 #include "edgeproof/scene/route/peak.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
@@ -182,6 +183,21 @@ public:
         arb_indeterminate(x.data());
         return x;
     }
+    /// 1 - (the sum of n terms)/p, or of q. Where that cancels to nothing, by the terms that are
+    /// left out.
+    [[nodiscard]] Ball relative_error(contact::Edge edge, const Distance& u, std::size_t n,
+                                      bool shear) {
+        const Ball value = shear ? q(edge, u) : p(edge, u);
+        const Ball difference = 1 - sum(edge, u, n, shear) / value;
+        if (!difference.is_finite() || !contains_zero(difference)) {
+            return difference;
+        }
+        const Ball at = distance(u);
+        const Ball left_out = omitted_terms(shear ? q_series(edge) : p_series(edge), n, at);
+        const Ball error =
+            (shear && !together() ? Ball(left_out / sqrt(at)) : Ball(left_out * sqrt(at))) / value;
+        return error.is_finite() ? error : difference;
+    }
     /// The sum of n terms of p, or of q.
     [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
         const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
@@ -194,6 +210,39 @@ public:
     }
 
 private:
+    /// p/sqrt(u) at an edge.
+    [[nodiscard]] BoundedSeries p_series(contact::Edge edge) const {
+        const contact::ProvedPressure& pressure = proved_pressure();
+        const Ball radius = Ball(pressure.reach(edge).lower(), bits_) / 2;
+        return {[&pressure, edge](std::size_t n) { return pressure.expansion(edge, n); },
+                certainly_positive(radius) ? pressure.majorant(edge, radius) : not_known(), radius};
+    }
+    /// q sqrt(u) under full stick, or q/sqrt(u) where q goes with p. In the first case q =
+    /// (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 - u/L)^(-1/2) lie
+    /// between 0 and 1.
+    [[nodiscard]] BoundedSeries q_series(contact::Edge edge) {
+        if (together()) {
+            BoundedSeries series = p_series(edge);
+            const Ball ratio = shear_ratio();
+            series.most *= abs(ratio);
+            series.coefficients = [of_p = series.coefficients, ratio](std::size_t n) {
+                std::vector<Ball> c = of_p(n);
+                for (Ball& x : c) {
+                    x *= ratio;
+                }
+                return c;
+            };
+            return series;
+        }
+        const Ball L = length();
+        const contact::ShearLoad<Ball> given = load();
+        const Ball most =
+            (abs(given.Q) / Ball::pi(bits_) + abs(given.bulk_tension) * L * 3 / 8) / sqrt(L);
+        return {[L, given, edge](std::size_t n) {
+                    return contact::full_stick_expansion(L, given, edge, n);
+                },
+                most, L};
+    }
     /// `stick`: the stick zone, where it is known.
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;

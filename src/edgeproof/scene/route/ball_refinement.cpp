@@ -9,8 +9,10 @@
 namespace edgeproof::scene {
 namespace {
 
-/// A value within 1e-400 of zero beside the contact's own scale counts as zero.
+/// Within 1e-400 of zero on the contact's own scale, a value that is not known to cancel is left
+/// undecided.
 constexpr long zero_bits = 1330;
+constexpr long most_lost_bits = 1L << 17;
 /// A value that is still infinite at so many bits is left to the routes in Real to refuse.
 constexpr long least_last_bits = 1L << 14;
 
@@ -20,11 +22,16 @@ BallRefinement::BallRefinement(const Scene& scene, const Plan& plan, contact::Wo
     : scene_(scene), plan_(plan), work_(work), last_bits_(std::max(least_last_bits, 8 * plan.bits)),
       last_curved_bits_(8 * plan.bits) {}
 
-std::optional<BallRefinement::Found>
-BallRefinement::refine(const InBalls& f, const Exactly& exactly, const Digits& digits, long first) {
+std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
+                                                            const Exactly& exactly,
+                                                            const Digits& digits, long first,
+                                                            long lost) {
     std::optional<Found> best;
     bool looked = false;
-    for (long bits = first != 0 ? first : plan_.bits; bits <= last_bits(); bits = after(bits)) {
+    const long zero_from =
+        plan_.bits + zero_bits + std::min(std::max(lost, lost_bits_), most_lost_bits);
+    const long last = closed() ? std::max(last_bits(), 2 * zero_from) : last_bits();
+    for (long bits = first != 0 ? first : plan_.bits; bits <= last; bits = after(bits)) {
         BallLevel* level = at_level(bits);
         if (level == nullptr) {
             continue;
@@ -42,8 +49,7 @@ BallRefinement::refine(const InBalls& f, const Exactly& exactly, const Digits& d
             looked = true;
             best->exactly = exact_value(exactly, *level, best->value);
         }
-        if (best->exactly || told ||
-            (contains_zero(best->value) && bits >= plan_.bits + zero_bits)) {
+        if (best->exactly || told || (contains_zero(best->value) && bits >= zero_from)) {
             break;
         }
     }

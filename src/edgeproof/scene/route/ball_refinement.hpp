@@ -25,11 +25,14 @@ public:
         std::optional<Rational> exactly = {};
     };
     /// f at more and more bits (from `first`, or those of the plan), until it has its digits,
-    /// or it cannot be told from zero, or the bits are used up. Nothing where it has no finite
+    /// or it is zero to 1e-400 and `lost` bits more (at least those of expect_lost()), or the bits
+    /// are used up. Nothing where it has no finite
     /// value. Where the ball has the digits and yet does not round alike, more bits cannot help if
     /// the value lies exactly on the limit: so the exact form is looked at first.
     [[nodiscard]] std::optional<Found> refine(const InBalls& f, const Exactly& exactly,
-                                              const Digits& digits, long first = 0);
+                                              const Digits& digits, long first = 0, long lost = 0);
+    /// That values of the scene lose so many bits by cancellation.
+    void expect_lost(long bits) { lost_bits_ = bits; }
     /// The rational number that the value is by its exact form, if it is known to be one.
     [[nodiscard]] std::optional<Rational> exact_value(const Exactly& exactly,
                                                       const BallLevel& level, const Ball& near);
@@ -50,6 +53,7 @@ private:
     contact::Work& work_;
     long last_bits_;
     long last_curved_bits_; ///< integrals cost more
+    long lost_bits_ = 0;
     std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::optional<contact::ExactEdges> edges_; ///< where a level proved them
     std::optional<ExactValues> exact_;

@@ -236,10 +236,7 @@ private:
                           [&](ExactValues& exact) { return exact.sum(edge, exact.u(u), n, shear); },
                           plan_.digits);
         const auto error = balls_.refine(
-            [&](BallLevel& level) {
-                const Ball value = shear ? level.q(edge, u) : level.p(edge, u);
-                return abs(Ball(1 - level.sum(edge, u, n, shear) / value));
-            },
+            [&](BallLevel& level) { return abs(level.relative_error(edge, u, n, shear)); },
             [&](ExactValues& exact) { return abs(exact.error(edge, exact.u(u), n, shear)); },
             plan_.error_digits());
         if (!local || !error) {

@@ -60,6 +60,7 @@ void BallSlips::check() {
                    false);
         }
         level_ = level;
+        balls_.expect_lost(lost_by(0));
         if (certainly_positive(right) && certainly_positive(left)) {
             return;
         }
@@ -88,10 +89,19 @@ void BallSlips::refuse_exactly_sliding(const BallLevel& level) {
 }
 
 std::optional<BoundedValue> BallSlips::bounded(const BallRefinement::InBalls& f,
-                                               const Digits& digits, const char* route) {
-    auto found = balls_.refine(f, no_exact_form, digits);
+                                               const Digits& digits, const char* route, long lost) {
+    auto found = balls_.refine(f, no_exact_form, digits, 0, lost);
     return found ? std::optional(BoundedValue{std::move(found->value), true, route, {}})
                  : std::nullopt;
+}
+
+long BallSlips::lost_by(std::size_t n) const {
+    if (level_ == nullptr) {
+        return 0;
+    }
+    const Ball& ratio = level_->slip()->load_ratio();
+    return static_cast<long>(n + 1) *
+           std::max<long>(0, -arf_abs_bound_lt_2exp_si(arb_midref(ratio.data())));
 }
 
 std::optional<contact::SlipState> BallSlips::state(contact::Edge edge, const Distance& u) {
@@ -146,7 +156,7 @@ std::optional<SlipTerms> BallSlips::terms(contact::Edge edge, std::size_t n) {
     auto size = bounded(of_series, plan_.digits, "series");
     auto error = bounded(
         [&](BallLevel& level) { return abs(Ball(1 - of_series(level) / level.slip_size(edge))); },
-        plan_.error_digits(), "series");
+        plan_.error_digits(), "series", lost_by(n));
     if (!size || !error) {
         return {};
     }

@@ -29,7 +29,10 @@ public:
 
 private:
     [[nodiscard]] std::optional<BoundedValue> bounded(const BallRefinement::InBalls& f,
-                                                      const Digits& digits, const char* route);
+                                                      const Digits& digits, const char* route,
+                                                      long lost = 0);
+    /// The bits that n + 1 powers of the load ratio lose beside 1.
+    [[nodiscard]] long lost_by(std::size_t n) const;
     void refuse_exactly_sliding(const BallLevel& level);
     void find_reach(contact::Edge edge, SlipTerms& t);
 

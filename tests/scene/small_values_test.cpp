@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/scene/scene_text.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+std::string error_text(const Approximation& a) { return printed(a.relative_error, {20}).text; }
+
+/// rel_1, rel_2, rel_3 at one point.
+std::vector<std::string> errors_at(const std::string& profile, const std::string& u,
+                                   bool of_shear) {
+    const Scene scene =
+        parsed("[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n" +
+               (of_shear ? "[shear]\nQ = \"0.1\"\nbulk_tension = \"0.2\"\n" : "") +
+               "[ask]\nterms = [1, 2, 3]\nu = [\"" + u + "\"]\nquantities = [\"" +
+               (of_shear ? "shear" : "pressure") + "\"]\n");
+    std::vector<std::string> texts;
+    const SceneResult result = run_scene(scene);
+    for (const Approximation& a :
+         of_shear ? result.points[0].values.q_local : result.points[0].values.p_local) {
+        CHECK(a.relative_error.proved);
+        texts.push_back(error_text(a));
+    }
+    return texts;
+}
+
+/// Digits and exponent of a text such as 3.125e-802.
+std::pair<std::string, long> parts(const std::string& text) {
+    const std::size_t e = text.find('e');
+    return {text.substr(0, e), e == std::string::npos ? 0 : std::stol(text.substr(e + 1))};
+}
+
+} // namespace
+
+TEST_CASE("relative errors far below binary64 are no zeros: Hertz by hand") {
+    // p = c_0 sqrt(u) sqrt(1 - u/2), a = 1: what n terms leave out is u/4, u^2/32, u^3/128, ...
+    for (const long k : {400L, 1000L, 90000L}) {
+        CAPTURE(k);
+        const auto texts =
+            errors_at("kind = \"hertz\"\nR = \"1\"", "1e-" + std::to_string(k), false);
+        CHECK(texts ==
+              std::vector<std::string>{"2.5000000000000000000e-" + std::to_string(k + 1),
+                                       "3.1250000000000000000e-" + std::to_string(2 * k + 2),
+                                       "7.8125000000000000000e-" + std::to_string(3 * k + 3)});
+    }
+}
+
+TEST_CASE("the omitted terms give the digits that the difference gives at a larger distance") {
+    // rel_n = K u^n (1 + O(u)): at 1e-30 by the difference of p and its terms, at 1e-700 by the
+    // terms that are left out.
+    for (const char* const profile : {"kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
+                                      "kind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"",
+                                      "kind = \"power-law\"\nm = \"5/2\"\nC = \"1\"",
+                                      "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
+                                      "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]"}) {
+        for (const bool of_shear : {false, true}) {
+            CAPTURE(std::string(profile));
+            CAPTURE(of_shear);
+            const auto near = errors_at(profile, "1e-30", of_shear);
+            const auto nearer = errors_at(profile, "1e-700", of_shear);
+            for (std::size_t n = 0; n < 3; ++n) {
+                CHECK(parts(near[n]).first == parts(nearer[n]).first);
+                CHECK(parts(near[n]).second - parts(nearer[n]).second ==
+                      670 * static_cast<long>(n + 1));
+            }
+        }
+    }
+}
+
+TEST_CASE("slip loads of 1e-300 and 1e-1000: d, and what n terms leave out") {
+    // d = a (1 - sqrt(1 - tau)), tau = Q/(f P): a (tau/2 + tau^2/8 + tau^3/16 + 5 tau^4/128 + ...)
+    // with tau = 2 Q here, so that rel_n = tau/4, tau^2/8, 5 tau^3/64.
+    for (const long k : {300L, 1000L}) {
+        const Scene scene =
+            parsed("[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
+                   "contact_modulus = \"1\"\n[shear]\nQ = \"1e-" +
+                   std::to_string(k) +
+                   "\"\nfriction = \"1/2\"\n[ask]\nterms = [1, 2, 3]\nquantities = [\"slip\"]\n");
+        const SceneResult result = run_scene(scene);
+        const SlipValues& slip = result.slips.at(0);
+        CHECK(printed(slip.size, {20}).text == // a = 2/sqrt(pi)
+              "1.1283791670955125739e-" + std::to_string(k));
+        const std::vector<std::string> expected{
+            "5.0000000000000000000e-" + std::to_string(k + 1),
+            "5.0000000000000000000e-" + std::to_string(2 * k + 1),
+            "6.2500000000000000000e-" + std::to_string(3 * k + 1)};
+        for (std::size_t n = 0; n < 3; ++n) {
+            CHECK(printed(slip.terms.at(n).relative_error, {20}).text == expected[n]);
+        }
+    }
+}
+
+TEST_CASE("0 is printed of what is known to be 0, and of nothing else") {
+    const PrecisionScope scope(60);
+    const Digits digits{20};
+    CHECK(printed({Ball(0, 128), true, "r"}, digits).text == "0");
+    CHECK(printed({Ball(0, 128), true, "r"}, digits).complete);
+    CHECK(printed({Ball::around(Real(0), Real(1), 64), true, "r", Rational(0)}, digits).text ==
+          "0");
+    for (const bool proved : {false, true}) {
+        const BoundedValue maybe{Ball::around(Real(0), Real("1e-400"), 64), proved, "r"};
+        CHECK(printed(maybe, digits).text == "[-1.1e-400, 1.1e-400]");
+        CHECK(printed_text(maybe, digits) == printed(maybe, digits).text);
+        CHECK_FALSE(printed(maybe, digits).complete);
+    }
+    // c_1 of m = 5/8 vanishes (moore-hills.tex, line 182), and that is proved; c_0 does not, and
+    // c_1 of an exponent as near to it as 1e-500 does not either.
+    const auto c1 = [](const std::string& m) {
+        const SceneResult result =
+            run_scene(parsed("[profile]\nkind = \"power-law\"\nm = \"" + m +
+                             "\"\nC = \"1\"\n[load]\na = "
+                             "\"pi\"\ncontact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = "
+                             "[\"coefficients\"]\n"));
+        return result.coefficients[0].c[1];
+    };
+    REQUIRE(c1("5/8").exactly);
+    CHECK(*c1("5/8").exactly == 0);
+    CHECK_FALSE(c1("5/8 + 1e-500").exactly);
+    CHECK(printed(c1("5/8 + 1e-500"), digits).text != "0");
+}
+
+TEST_CASE("a point is shown as it is asked for") {
+    const SceneResult result =
+        run_scene(parsed(hertz("2", "u = [\"a/2\", \"50%\", \"pi/4\", \"1e-3\"]\nx = [\"a/2\", "
+                                    "\"-1/3\"]\n")));
+    std::vector<std::string> asked;
+    for (const PointRow& point : result.points) {
+        asked.push_back(point.asked);
+    }
+    CHECK(asked == std::vector<std::string>{"a/2", "50%", "pi/4", "1e-3", "x = a/2", "x = -1/3"});
+    CHECK(result.points[1].u.text() == "2");
+}

@@ -147,6 +147,7 @@ TEST_CASE("hard cases: one of each class, by ball and by two routes") {
 }
 
 TEST_CASE("hard cases: what is malformed is told with its line") {
+    CHECK(message_of("[cases]\n").find("cases.toml:1: the file has no cases; add a case") == 0);
     CHECK(message_of("[cases.x]\nclass = \"c\"\n").find("cases.toml:1: there is no reason") == 0);
     CHECK(message_of("[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"heat\"\n"
                      "profile = { kind = \"power-law\", m = \"1\", C = \"1\" }\n"

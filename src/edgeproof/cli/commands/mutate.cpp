@@ -96,6 +96,11 @@ int mutate(const MutateOptions& o) {
                                             "run keeps what is done"
                                           : "interrupted: " + kept);
     }
+    if (run.fates.empty()) {
+        throw InputError("no formula of the ledger is confirmed, so that there is no mutant",
+                         "give a ledger with a formula that holds")
+            .at(o.ledger, 0);
+    }
     if (!o.out.empty()) {
         io::write_output(o.out, report::mutation_csv(run.fates));
     }

@@ -155,24 +155,49 @@ Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula
 
 constexpr unsigned enclosed_digits = 15;
 
+/// Where an approximation is within its tolerance, proved, at each size; made once a run.
+std::shared_ptr<const std::vector<EnclosedReach>>
+reaches(const ExtentOf& of, const formula::Exact& tolerance, const SceneSpec& scene,
+        const std::vector<Float128>& sizes, const AuditContext& context) {
+    const std::string key = "size-extent/enclosed/" + scene.family + "/" +
+                            (of.edge == contact::Edge::right ? "right/" : "left/") +
+                            std::to_string(of.terms) + "/" + tolerance.text() + "/" +
+                            to_text(sizes.front()) + "/" + to_text(sizes.back());
+    return context.once<std::vector<EnclosedReach>>(key, [&] {
+        std::vector<EnclosedReach> found;
+        for (const Float128& a : sizes) {
+            check_interruption();
+            found.push_back(enclosed_reach(with_size(scene, a), {of.edge, of.terms, tolerance, {}},
+                                           enclosed_digits));
+        }
+        return found;
+    });
+}
+
+/// What is quoted, at every size that was looked at.
+struct QuotedReaches {
+    std::shared_ptr<const std::vector<EnclosedReach>> of;
+    std::shared_ptr<const std::vector<EnclosedReach>> over; ///< null: no divisor
+};
+
 /// Whether the figure holds at one size under a reading, by enclosures.
-Decision holds_at(const Quoted& q, const SceneSpec& scene, ExtentReading reading) {
-    const auto fraction = [&](const ExtentOf& of) -> std::optional<Ball> {
-        const EnclosedReach found =
-            enclosed_reach(scene, {of.edge, of.terms, q.tolerance, {}}, enclosed_digits);
+Decision holds_at(const Quoted& q, const QuotedReaches& reached, std::size_t i,
+                  const SceneSpec& scene, ExtentReading reading) {
+    const auto fraction = [&](const ExtentOf& of, const EnclosedReach& found) {
         if (!found.extents) {
-            return std::nullopt;
+            return std::optional<Ball>();
         }
         const bool exit = reading == ExtentReading::first_exit_of_side ||
                           reading == ExtentReading::first_exit_of_all;
         const EnclosedSample sample({scene, std::nullopt, of.edge, {}}, found.bits);
         const char* side = of.edge == contact::Edge::right ? "a" : "b";
-        return (exit ? found.extents->first_exit : found.extents->measure) /
-               sample.evaluate(formula::Expr::symbol(is_of_side(reading) ? side : "L"));
+        return std::optional(
+            (exit ? found.extents->first_exit : found.extents->measure) /
+            sample.evaluate(formula::Expr::symbol(is_of_side(reading) ? side : "L")));
     };
-    auto value = fraction(q.of);
+    auto value = fraction(q.of, reached.of->at(i));
     if (value && q.over) {
-        const auto divisor = fraction(*q.over);
+        const auto divisor = fraction(*q.over, reached.over->at(i));
         value = divisor ? std::optional(*value / *divisor) : std::nullopt;
     }
     if (!value) {
@@ -189,11 +214,13 @@ Decision holds_at(const Quoted& q, const SceneSpec& scene, ExtentReading reading
 /// sizes shows no more, and the note says so. `steady`: between neighbouring sizes the figure
 /// varies by less than it is away from what rounds to the quoted one.
 Judgement at_all_sizes(const Quoted& q, const SceneSpec& scene, const std::vector<Float128>& sizes,
-                       ExtentReading reading, bool steady) {
+                       ExtentReading reading, bool steady, const AuditContext& context) {
+    const QuotedReaches reached{reaches(q.of, q.tolerance, scene, sizes, context),
+                                q.over ? reaches(*q.over, q.tolerance, scene, sizes, context)
+                                       : nullptr};
     std::vector<Decision> decisions;
-    for (const Float128& a : sizes) {
-        check_interruption();
-        decisions.push_back(holds_at(q, with_size(scene, a), reading));
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        decisions.push_back(holds_at(q, reached, i, with_size(scene, sizes[i]), reading));
         if (decisions.back().index() == 0 || decisions.back().index() != decisions[0].index() ||
             (refutes(decisions.back()) && !steady)) {
             return {};
@@ -338,7 +365,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         if (is_everything(holds) || holds.empty()) {
             (holds.empty() ? nowhere : everywhere)
                 .push_back(at_all_sizes(quoted, scenes.front(), found->sizes, extent_readings[r],
-                                        found->steady[r]));
+                                        found->steady[r], context));
         }
         jointly = jointly || !all.empty();
         if (fitting.empty() && !holds.empty()) {

@@ -5,6 +5,7 @@
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
@@ -60,6 +61,10 @@ struct EnclosedSample::State {
             closed.emplace(profile, of.scene.parameter("Es"), load, bits);
         } else {
             curved.emplace(profile, of.scene.parameter("Es"), load, bits);
+            if (contact::monotonicity_of_slope(profile, curved->a(), curved->b()).kind !=
+                contact::SlopeMonotonicity::Kind::rises) {
+                throw Error("a slope that is not proved to rise over the contact has no enclosure");
+            }
         }
         for (const auto& [name, value] : of.scene.parameters) {
             names.emplace(name, ball_of(value, bits));

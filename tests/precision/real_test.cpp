@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -9,6 +10,7 @@
 #include <barrier>
 #include <cfloat>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -148,3 +150,12 @@ TEST_CASE("pi and the spacing at 1 follow the working precision") {
 }
 
 } // namespace edgeproof
+
+TEST_CASE("a double is taken exactly, and one that is not finite is refused") {
+    CHECK(exact_rational(0.1) * 36028797018963968 == 3602879701896397); // 0.1 = n/2^55
+    CHECK(exact_rational(-0x1p-1074) < 0);
+    for (const double x : {std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity(), std::nan("")}) {
+        CHECK_THROWS_AS((void)exact_rational(x), DomainError);
+    }
+}

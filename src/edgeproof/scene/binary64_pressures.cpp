@@ -8,6 +8,7 @@
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -100,7 +101,7 @@ struct Binary64Pressures::Contact {
             return true;
         }
         if (exact_length) {
-            return !std::isfinite(u) || Rational(u) >= *exact_length;
+            return !std::isfinite(u) || exact_rational(u) >= *exact_length;
         }
         return !std::isfinite(u) || certainly_less(length, Ball(real_of(u), length.bits()));
     }
@@ -111,8 +112,8 @@ struct Binary64Pressures::Contact {
         for (std::size_t i = 0; end && i < profile->knots().size(); ++i) {
             const auto knot = rational_of(profile->knots()[i]);
             if (profile->has_corner(i) && knot &&
-                Rational(u) == (edge == contact::Edge::right ? Rational(*end - *knot)
-                                                             : Rational(*end + *knot))) {
+                exact_rational(u) == (edge == contact::Edge::right ? Rational(*end - *knot)
+                                                                   : Rational(*end + *knot))) {
                 return true;
             }
         }
@@ -191,14 +192,14 @@ struct Binary64Pressures::Contact {
     [[nodiscard]] double in_full(contact::Edge edge, double u) const {
         Scene one = scene;
         one.ask.edges = {edge};
-        one.ask.u = {{formula::Exact::of(Rational(u)), 0}};
+        one.ask.u = {{formula::Exact::of(exact_rational(u)), 0}};
         one.ask.quantities = {QuantityGroup::pressure};
         one.ask.digits = {batch_digits, Rounding::nearest, true};
         const BoundedValue p = *run_scene(one).points.at(0).values.p;
         const PrintedValue text = printed(p, one.ask.digits);
         if (!text.binary64) {
             throw BudgetError("the binary64 nearest to p is undecided at u = " +
-                              exact_text(Rational(u)));
+                              exact_text(exact_rational(u)));
         }
         return *text.binary64;
     }

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/routes/partial_slip.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 namespace edgeproof::comparison {
@@ -62,7 +63,7 @@ Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
     if (s.slip) {
         const bool right = place.right <= place.left;
         return s.slip->traction(right ? contact::Edge::right : contact::Edge::left,
-                                formula::Exact(formula::Expr::number(Rational(
+                                formula::Exact(formula::Expr::number(exact_rational(
                                     (right ? place.right : place.left).convert_to<double>()))));
     }
     if (s.spec.path == contact::LoadingPath::together) {

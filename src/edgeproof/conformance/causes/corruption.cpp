@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/causes/corruption.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 
@@ -74,8 +75,10 @@ private:
     std::size_t below(std::size_t n) { return random_.below(n); }
     std::size_t row(const io::Csv& csv) { return below(csv.rows.size()); }
     static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-    /// Every digit of it.
-    static std::string text(double x) { return exact_text(Rational(x)); }
+    /// Every digit of it; "inf" where a change leads beyond the range.
+    static std::string text(double x) {
+        return std::isfinite(x) ? exact_text(exact_rational(x)) : fmt::format("{}", x);
+    }
     [[nodiscard]] std::string& value(io::Csv& csv, std::size_t r) const {
         return csv.rows[r].cells[value_];
     }

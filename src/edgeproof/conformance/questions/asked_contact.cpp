@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
@@ -148,7 +149,7 @@ AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::st
 }
 
 formula::Exact rounded_to_binary64(const formula::Exact& x) {
-    return formula::Exact::parse(exact_text(Rational(x.to<double>())));
+    return formula::Exact::parse(exact_text(exact_rational(x.to<double>())));
 }
 
 std::vector<Parameter> rounded_to_binary64(std::vector<Parameter> parameters) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/conditioning.hpp"
 
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <cmath>
@@ -21,7 +22,10 @@ std::optional<formula::Exact> neighbour(const formula::Exact& x, int side) {
         return {};
     }
     const double ulp = std::nextafter(near, std::numeric_limits<double>::infinity()) - near;
-    const Rational half = Rational(ulp) * side / 2;
+    if (!std::isfinite(ulp)) {
+        return {};
+    }
+    const Rational half = exact_rational(ulp) * side / 2;
     if (x.is_rational()) {
         return formula::Exact::of(Rational(x.rational() + half));
     }

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/double_word/double_word_expansion.hpp"
 
 #include "edgeproof/precision/double_word/double_word_ball.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,18 @@ namespace {
 
 constexpr std::size_t next_terms = 32;
 
+/// A power of two near the reach, in the range of binary64 whatever the reach is.
 double unit_of(const BallContact& contact, Edge edge) {
-    return std::ldexp(1.0, std::ilogb(contact.reach(edge).midpoint().convert_to<double>()));
+    constexpr int most = 1000;
+    const int exponent = std::ilogb(contact.reach(edge).midpoint().convert_to<double>());
+    return std::ldexp(1.0, std::clamp(exponent, -most, most));
 }
 
 /// c_k unit^k of k = first, ...
 std::vector<DoubleWord> words_of(const std::vector<Ball>& c, std::size_t first, double unit) {
     std::vector<DoubleWord> words;
     for (std::size_t k = first; k < c.size(); ++k) {
-        const Ball power = pow_int(Ball(Rational(unit), c[k].bits()), static_cast<long>(k));
+        const Ball power = pow_int(Ball(exact_rational(unit), c[k].bits()), static_cast<long>(k));
         words.push_back(to_double_word(c[k] * power));
     }
     return words;
@@ -55,7 +59,7 @@ DoubleWordRelativeError::DoubleWordRelativeError(const Profile& profile, const B
         return;
     }
     // |c_k| <= M/rho^k: beyond the 32 terms, for u <= rho/8, M (unit/rho)^n 8^-32 (1 + 1/8 + ...).
-    const Ball unit(Rational(sum_.unit_), rho.bits());
+    const Ball unit(exact_rational(sum_.unit_), rho.bits());
     const Ball cut = M * 8 / 7 * pow_int(unit / rho, static_cast<long>(n)) /
                      pow_int(Ball(8, rho.bits()), static_cast<long>(next_terms));
     next_ = std::move(next);

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/exact/enclosed_constant.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 
 #include <string>
 
@@ -209,7 +210,7 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
     const Rational moved = right ? away : Rational(-away);
     return RisingLimit{q != nullptr ? formula::Exact::of(Rational(*q + moved))
                                     : formula::Exact(knot + formula::Expr::number(moved)),
-                       Rational(rate > 0 ? rate : 1), piece.slope};
+                       exact_rational(rate > 0 ? rate : 1), piece.slope};
 }
 
 void check_reach(const Profile& profile, const Ball& a, const Ball& b) {

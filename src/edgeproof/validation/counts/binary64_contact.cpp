@@ -3,6 +3,7 @@
 #include "edgeproof/contact/double_word/double_word_shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/validation/counts/binary64_count.hpp"
@@ -170,11 +171,11 @@ public:
     /// so that no algebra tells the corner.
     [[nodiscard]] bool is_limit(DrawnForm form, Edge edge, double u, double value) const {
         if (form == DrawnForm::partial_slip &&
-            slip_->slip->state(edge, Ball(Rational(u), reference_bits)) !=
+            slip_->slip->state(edge, Ball(exact_rational(u), reference_bits)) !=
                 contact::SlipState::slip) {
-            const Rational step = Rational(u) * Rational(0x1p-128);
-            return nearest_binary64(ball(form, 0, edge, Rational(u) - step)) == value &&
-                   nearest_binary64(ball(form, 0, edge, Rational(u) + step)) == value;
+            const Rational step = exact_rational(u) * exact_rational(0x1p-128);
+            return nearest_binary64(ball(form, 0, edge, exact_rational(u) - step)) == value &&
+                   nearest_binary64(ball(form, 0, edge, exact_rational(u) + step)) == value;
         }
         return on_corner(edge, u) &&
                (form == DrawnForm::relative_error ? value == 1 : std::isinf(value));
@@ -189,7 +190,7 @@ private:
             const formula::Expr inset =
                 edge == Edge::right ? end->expr() - knot : end->expr() + knot;
             if (drawn_.profile.has_corner(i) &&
-                contact::certainly_zero(inset - formula::Expr::number(Rational(u)))) {
+                contact::certainly_zero(inset - formula::Expr::number(exact_rational(u)))) {
                 return true;
             }
         }
@@ -286,7 +287,7 @@ Binary64Contact count_binary64_contact(const Binary64Options& options, std::size
             ++cell.undecided;
             continue;
         }
-        const auto right = nearest_binary64(contact.ball(form, n, at.edge, Rational(at.u)));
+        const auto right = nearest_binary64(contact.ball(form, n, at.edge, exact_rational(at.u)));
         if (right ? *right != *value : !contact.is_limit(form, at.edge, at.u, *value)) {
             ++cell.wrong;
             found.findings.push_back(fmt::format(

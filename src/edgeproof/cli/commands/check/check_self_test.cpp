@@ -5,6 +5,7 @@
 #include "edgeproof/conformance/causes/corruption.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
@@ -25,7 +26,8 @@ io::Csv right_answers(const conformance::Questions& asked, const std::string& ti
     csv.header.cells.emplace_back("value");
     for (std::size_t i = 0; i < values.size(); ++i) {
         const scene::PrintedValue value = printed(values[i].value, options.digits);
-        csv.rows[i].cells.push_back(value.binary64 ? exact_text(Rational(*value.binary64)) : "0");
+        csv.rows[i].cells.push_back(value.binary64 ? exact_text(exact_rational(*value.binary64))
+                                                   : "0");
     }
     return csv;
 }

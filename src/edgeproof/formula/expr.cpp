@@ -20,11 +20,16 @@ struct Expr::Node {
     std::optional<Rational> value;
     std::size_t hash = 0;
     std::size_t height = 1;
+    std::size_t size = 1;
     std::size_t offset = 0;
     std::size_t length = 0;
 };
 
 namespace {
+
+/// Nodes of a tree, each counted wherever it stands: definitions put into each other may double at
+/// each step.
+constexpr std::size_t max_size = 1'000'000;
 
 std::size_t mix(std::size_t seed, std::size_t x) {
     return seed ^ (x + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
@@ -101,6 +106,10 @@ Expr Expr::make(Kind kind, std::string name, std::vector<Expr> args, const Ratio
     for (const Expr& x : node->args) {
         node->hash = mix(node->hash, x.hash());
         node->height = std::max(node->height, x.height() + 1);
+        node->size += x.node_->size;
+    }
+    if (node->size > max_size) {
+        throw Error("an expression has more than " + std::to_string(max_size) + " parts");
     }
     if (node->height > max_height) {
         throw Error("an expression is more than " + std::to_string(max_height) + " levels high");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/relations/asked_relations.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/audit/relations/residue.hpp"
 #include "edgeproof/formula/parse.hpp"
@@ -136,4 +137,28 @@ TEST_CASE("relations: what cannot be searched is refused") {
     CHECK_THROWS_AS(
         (void)find_relations(related({"a", "b", "b1", "b2", "b3", "P1", "P2", "P3"}), 10, {}),
         InputError);
+}
+
+TEST_CASE("relations: definitions that go round in a circle, or of what follows, are refused") {
+    const auto problem = [](std::vector<std::pair<std::string, std::string>> given) {
+        RelationQuestion question;
+        question.quantities = {"P2", "right.c1"};
+        question.degree = 1;
+        question.given = std::move(given);
+        try {
+            (void)asked_relations(question);
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return std::string("none");
+    };
+    CHECK(problem({{"P2", "P2"}}) == "the definitions go round in a circle: P2 -> P2");
+    CHECK(problem({{"P2", "P3 + a"}, {"P3", "b1*P2"}}) ==
+          "the definitions go round in a circle: P2 -> P3 -> P2");
+    CHECK(problem({{"b", "L - a"}}) == "given b=L - a: 'L' follows from others");
+    CHECK(problem({{"P1", "right.c0"}}) == "given P1=right.c0: 'right_c0' follows from others");
+    CHECK(problem({{"P2", "a"}, {"P2", "b"}}) == "P2 is given twice");
+    CHECK(problem({{"P2", "2^(2^64)"}}) == "a power beyond 1000 is not worked out by symbols");
+    CHECK(problem({{"P2", "a^(1/10^40)"}}) != "none");
+    CHECK(problem({{"P2", "P3"}, {"P3", "a"}}) == "none");
 }

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/ledger/claim.hpp"
 
 #include "edgeproof/audit/ledger/scope.hpp"
+#include "edgeproof/formula/definitions.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -46,22 +47,18 @@ const Vocabulary::Definition* definition_of(const formula::Expr& e, const Vocabu
     return it == vocabulary.definitions.end() ? nullptr : &*it;
 }
 
-bool holds_defined_name(const formula::Expr& e, const Vocabulary& vocabulary) {
-    return definition_of(e, vocabulary) != nullptr ||
-           std::any_of(e.args().begin(), e.args().end(), [&](const formula::Expr& part) {
-               return holds_defined_name(part, vocabulary);
-           });
-}
-
-/// One round: every defined name replaced by its body.
-formula::Expr expand_once(const formula::Expr& e, const Vocabulary& vocabulary) {
+/// Every defined name replaced by its body, and so those in the body. `replacing`: those around.
+formula::Expr expanded(const formula::Expr& e, const Vocabulary& vocabulary,
+                       std::vector<std::string>& replacing) {
     std::vector<formula::Expr> parts;
     parts.reserve(e.args().size());
     for (const formula::Expr& part : e.args()) {
-        parts.push_back(expand_once(part, vocabulary));
+        parts.push_back(expanded(part, vocabulary, replacing));
     }
     if (const auto* d = definition_of(e, vocabulary)) {
-        return d->argument ? substitute(d->body, *d->argument, parts.at(0)) : d->body;
+        const formula::Replacing now(replacing, d->name);
+        return expanded(d->argument ? substitute(d->body, *d->argument, parts.at(0)) : d->body,
+                        vocabulary, replacing);
     }
     return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
 }
@@ -119,20 +116,14 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
 }
 
 formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocabulary) {
-    formula::Expr result = e;
-    for (int round = 0; round < 20; ++round) {
-        if (!holds_defined_name(result, vocabulary)) {
-            for (const std::string& name : free_symbols(result)) {
-                if (const auto it = vocabulary.refused.find(name); it != vocabulary.refused.end()) {
-                    throw InputError(it->second.problem, it->second.instead);
-                }
-            }
-            return result;
+    std::vector<std::string> replacing;
+    formula::Expr result = expanded(e, vocabulary, replacing);
+    for (const std::string& name : free_symbols(result)) {
+        if (const auto it = vocabulary.refused.find(name); it != vocabulary.refused.end()) {
+            throw InputError(it->second.problem, it->second.instead);
         }
-        result = expand_once(result, vocabulary);
     }
-    throw InputError("the definitions refer to each other in a circle",
-                     "define each name by names that do not need it");
+    return result;
 }
 
 const Field* Claim::find(std::string_view key) const {

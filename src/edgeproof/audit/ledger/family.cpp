@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/definitions.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/split_mix.hpp"
@@ -10,43 +11,18 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <set>
 
 namespace edgeproof::audit {
 namespace {
 
-/// Puts the parameters chosen into each other until none of their names is left.
-std::map<std::string, formula::Exact, std::less<>>
-resolved(const Family& family, const std::map<std::string, formula::Expr>& chosen,
-         std::vector<formula::Expr>* others) {
-    const auto resolve = [&](formula::Expr e, const std::string& what) {
-        for (std::size_t round = 0; round <= chosen.size(); ++round) {
-            const std::set<std::string> free = free_symbols(e);
-            bool changed = false;
-            for (const auto& [name, value] : chosen) {
-                if (free.contains(name)) {
-                    e = substitute(e, name, value);
-                    changed = true;
-                }
-            }
-            if (!changed) {
-                return e;
-            }
-        }
-        throw InputError("the parameters of family " + family.name +
-                             " refer to each other in a circle at " + what,
+/// The parameters chosen, put into each other.
+formula::Definitions resolved(const Family& family, const formula::Definitions& chosen) {
+    try {
+        return put_into_each_other(chosen);
+    } catch (const InputError& error) {
+        throw InputError("the parameters of family " + family.name + ": " + error.problem(),
                          "give at least one of them as a number");
-    };
-    std::map<std::string, formula::Exact, std::less<>> parameters;
-    for (const auto& [name, value] : chosen) {
-        parameters.emplace(name, formula::Exact(resolve(value, name)));
     }
-    if (others != nullptr) {
-        for (formula::Expr& e : *others) {
-            e = resolve(e, "a knot or slope");
-        }
-    }
-    return parameters;
 }
 
 using contact::Profile;
@@ -229,7 +205,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         return scenes;
     }
     for (std::size_t i = 0; i < family.count; ++i) {
-        std::map<std::string, formula::Expr> chosen;
+        formula::Definitions chosen;
         for (const auto& [name, values] : family.parameters) {
             const std::size_t k = stratified_index(family.name + '/' + name, values.size(), i);
             chosen.emplace(name, values[k]);
@@ -239,7 +215,13 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         SceneSpec scene;
         scene.family = family.name;
         scene.profile = family.profile;
-        scene.parameters = resolved(family, chosen, &others);
+        const formula::Definitions parameters = resolved(family, chosen);
+        for (const auto& [name, value] : parameters) {
+            scene.parameters.emplace(name, formula::Exact(value));
+        }
+        for (formula::Expr& e : others) {
+            e = put_in(parameters, e);
+        }
         if (scene.slips()) {
             scene.parameters.try_emplace("sig0");
         }

@@ -3,9 +3,13 @@
 
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/formula/definitions.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
 
 namespace edgeproof::audit {
 namespace {
@@ -23,6 +27,11 @@ Vocabulary names_of(const RelationQuestion& question) {
         vocabulary.symbols.add(name);
     }
     return vocabulary;
+}
+
+/// Names that follow from P1, b1, ...: a + b and the multipliers.
+bool is_derived(std::string_view name) {
+    return name == "L" || name.starts_with("right_") || name.starts_with("left_");
 }
 
 formula::Expr formula_of(const std::string& of, const std::string& text,
@@ -50,13 +59,30 @@ AskedRelations asked_relations(const RelationQuestion& question) {
             throw InputError(fmt::format("{}{}: there is no '{}'", as_given, formula, name),
                              "give P1, P2, ..., b, b1, ... as formulas in what is left free");
         }
-        under.names.emplace(name, formula_of(as_given, formula, vocabulary));
+        formula::Expr e = formula_of(as_given, formula, vocabulary);
+        std::set<std::string> names = free_symbols(e);
+        names.insert(name);
+        if (const auto it = std::ranges::find_if(names, is_derived); it != names.end()) {
+            throw InputError(fmt::format("{}{}: '{}' follows from others", as_given, formula, *it),
+                             "give P1, P2, ..., b, b1, ... as formulas in what is left free");
+        }
+        if (!under.names.emplace(name, std::move(e)).second) {
+            throw InputError(fmt::format("{} is given twice", name), "give each name one formula");
+        }
     }
+    under.names = put_into_each_other(under.names);
     AskedRelations asked;
     for (const std::string& text : question.quantities) {
         asked.quantities.push_back({text, formula_of("", text, vocabulary)});
     }
-    asked.found = find_relations(asked.quantities, static_cast<unsigned>(question.degree), under);
+    try {
+        asked.found =
+            find_relations(asked.quantities, static_cast<unsigned>(question.degree), under);
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(error.what(), "write quotients of polynomials of low degree");
+    }
     return asked;
 }
 

@@ -59,6 +59,17 @@ Rational rational(const GiNaC::numeric& n) {
     return {integer(n.numer()), integer(n.denom())};
 }
 
+/// base^exponent. GiNaC multiplies powers of numbers and of sums out, however long that takes:
+/// throws Error for an exponent that no formula of mechanics has.
+GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+    constexpr long most = 1000;
+    if (GiNaC::is_a<GiNaC::numeric>(exponent) &&
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > most) {
+        throw Error("a power beyond " + std::to_string(most) + " is not worked out by symbols");
+    }
+    return GiNaC::power(base, exponent);
+}
+
 GiNaC::ex call(const formula::Expr& e) {
     const auto x = [&](std::size_t i) { return from_expr(e.arg(i)); };
     switch (e.builtin()) {
@@ -211,7 +222,7 @@ GiNaC::ex from_expr(const formula::Expr& e) {
         return x(0) / under;
     }
     case Kind::pow:
-        return GiNaC::power(x(0), x(1));
+        return power(x(0), x(1));
     case Kind::call:
         return call(e);
     default:

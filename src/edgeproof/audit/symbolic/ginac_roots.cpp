@@ -120,7 +120,7 @@ private:
             if (q.is_integer()) {
                 return GiNaC::pow(rational(base), q);
             }
-            if (q.is_rational() && q.denom().to_int() <= 12) {
+            if (q.is_rational() && q.denom() <= numeric(12)) {
                 return fractional(base, q);
             }
             return atom(GiNaC::power(base, e));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/origin.hpp"
 
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>

@@ -5,7 +5,9 @@
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/message.hpp"
 
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -61,6 +63,24 @@ void check_defined(const Expr& e) {
     }
 }
 
+/// Far smaller or larger numbers take endless work somewhere; this is far beyond any use.
+void check_magnitude(const Expr& e, std::string_view text) {
+    constexpr mpfr_exp_t most_bits_of_magnitude = 332'194; // 10^100000
+    const PrecisionScope scope(30);
+    const Rational* q = e.rational();
+    mpfr_clear_underflow();
+    const Real x = q != nullptr ? from_rational<Real>(*q) : value_at(e, 30);
+    const auto* const raw = x.backend().data();
+    const bool beyond =
+        mpfr_zero_p(raw) != 0
+            ? mpfr_underflow_p() != 0
+            : mpfr_number_p(raw) == 0 || std::abs(mpfr_get_exp(raw)) > most_bits_of_magnitude;
+    if (beyond) {
+        throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",
+                           "write a number between 1e-100000 and 1e100000", 0);
+    }
+}
+
 template <class T> T rounded_to(const Real& x) {
     if constexpr (std::same_as<T, Real>) {
         Real y;
@@ -94,6 +114,7 @@ Exact Exact::parse(std::string_view text) {
     } catch (const Error& error) {
         throw FormulaError(error.what(), "write a constant with a real value", 0);
     }
+    check_magnitude(e, text);
     return {std::string(text), std::move(e)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where output goes: devices, FIFOs, links, descriptors, files with permissions, and places that
 // cannot be written.
+#include "tests/cli/hertz_ledger.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/cli/tilted_recipe.hpp"
 #include "tests/support/namespaces.hpp"
@@ -173,4 +174,49 @@ TEST_CASE("bad input makes no folder for what would have been written; good inpu
     CHECK(fs::exists(folder.path() / "new" / "x.csv"));
     CHECK(fs::exists(folder.path() / "newer" / "deep" / "x.csv"));
     CHECK(folder.files() == before + 2);
+}
+
+TEST_CASE("a standard output that is full or closed is an error of every command, in one line") {
+    const Folder folder;
+    folder.write("in.toml", output_scene);
+    folder.write("recipe.toml", output_recipe);
+    folder.write("mesh.csv", "x,p\n-1,0\n-0.5,0.8660254\n0,1\n0.5,0.8660254\n1,0\n");
+    folder.write("ledger.toml", hertz_head + hertz_claim("right", "Es*C/2*sqrt(a^2-x^2)"));
+    REQUIRE(run(folder, "table recipe.toml --out recipe.csv").code == 0);
+    for (const std::string command : {"--version",
+                                      "--help",
+                                      "pressure in.toml --digits 5",
+                                      "expand in.toml --digits 5",
+                                      "explain in.toml",
+                                      "plot in.toml",
+                                      "relations b1",
+                                      "slip-table --tolerance 50% --digits 3",
+                                      "table recipe.toml",
+                                      "table recipe.toml --check",
+                                      "points recipe.toml",
+                                      "check recipe.csv",
+                                      "compare in.toml mesh.csv",
+                                      "compare in.toml mesh.csv --json",
+                                      "pack pack",
+                                      "pack pack --check",
+                                      "mutate ledger.toml --mutants 1 --digits 10",
+                                      "verify ledger.toml",
+                                      "certify ledger.toml --out theorems",
+                                      "check --ledger ledger.toml",
+                                      "bounds count --values 1 --digits 5",
+                                      "cost in.toml --digits 16 --points 1"}) {
+        for (const char* where : {" > /dev/full", " >&-"}) {
+            CAPTURE(command);
+            CAPTURE(where);
+            const Outcome o = in_shell(folder, called(command) + where);
+            CHECK(o.code == 2);
+            CHECK(lines(o.err).size() == 1);
+            CHECK(has(o.err, "cannot write standard output"));
+        }
+    }
+    // No file takes the place of a closed stream.
+    const Outcome closed =
+        in_shell(folder, called("pressure in.toml --out p.csv") + " <&- >&- 2>&-");
+    CHECK(closed.code == 0);
+    CHECK(file_text(folder.path() / "p.csv").starts_with("# "));
 }

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/manual.hpp"
 #include "edgeproof/cli/signals.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -21,10 +22,21 @@ std::string shown(std::string_view message) {
 void say(std::string_view message) {
     edgeproof::cli::say_at_the_end("edgeproof: " + shown(message));
 }
+
+/// Runs the command, and sees that all it printed is written.
+void run_command(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) { // --help and --version
+        (void)app.exit(asked);
+    }
+    edgeproof::io::finish_standard_output();
+}
 } // namespace
 
 int main(int argc, char** argv) {
     using namespace edgeproof;
+    cli::open_standard_streams();
     cli::take_aborts();
     cli::take_signals();
     int code = 0;
@@ -60,12 +72,9 @@ int main(int argc, char** argv) {
             cli::write_manual(app, std::string(report::program_version), argv[2]);
             return 0;
         }
-        app.parse(argc, argv);
+        run_command(app, argc, argv);
         return code;
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) {
-            return app.exit(e); // --help and --version
-        }
         const std::string unknown = cli::unknown_on_command_line(app, argc, argv);
         say(unknown.empty() ? std::string(e.what()) + "; see edgeproof --help" : unknown);
         return 2;

@@ -380,8 +380,13 @@ void emit(const report::Table& table, const SceneOptions& o) {
     const bool shown = o.out.empty() || o.out == "-";
     const std::string text =
         write_table(table, format_of(o.format), shown ? width_to_wrap_at() : 0);
+    if (!shown) {
+        io::write_output(o.out, text); // where that fails, its message is all that is said
+    }
     show_as_file(o);
-    io::write_output(shown ? "-" : o.out, text);
+    if (shown) {
+        io::write_output("-", text);
+    }
 }
 
 } // namespace edgeproof::cli

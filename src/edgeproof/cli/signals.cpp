@@ -4,6 +4,7 @@
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <fcntl.h>
 #include <flint/flint.h>
 #include <gmp.h>
 #include <stdio_ext.h>
@@ -173,6 +174,14 @@ void say_at_the_end(const std::string& line) {
         }
     }
     std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void open_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) { // the lowest free number is this one
+            (void)!::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
 }
 
 void take_signals() {

@@ -5,6 +5,10 @@
 
 namespace edgeproof::cli {
 
+/// Sees that no file that is opened later becomes a standard stream that the caller has closed:
+/// such a stream is one on which every read or write fails. To be called first.
+void open_standard_streams();
+
 /// From here on SIGINT, SIGTERM and SIGHUP (unless it is ignored, as by nohup) end the program in
 /// two seconds at most, whatever it does: they request an interruption, which the work notices at
 /// its next look (precision/interruption.hpp). Where it does not come to a look within a second, or

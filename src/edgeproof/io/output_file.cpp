@@ -18,6 +18,16 @@ namespace {
                      give_writable_folder);
 }
 
+/// `errno` is 0 or that of what was just printed: of an earlier error the stream keeps only that
+/// there was one.
+void flush_printed() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw InputError("cannot write standard output" +
+                             (errno != 0 ? std::string(": ") + std::strerror(errno) : ""),
+                         "make room where it is sent");
+    }
+}
+
 } // namespace
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
@@ -35,10 +45,16 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& text
 void write_output(const std::filesystem::path& file, const std::string& text) {
     if (file != "-") {
         write_whole(file, text);
-    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-               std::fflush(stdout) != 0) {
-        cannot("write", "standard output", errno);
+        return;
     }
+    errno = 0;
+    (void)std::fwrite(text.data(), 1, text.size(), stdout);
+    flush_printed();
+}
+
+void finish_standard_output() {
+    errno = 0;
+    flush_printed();
 }
 
 void check_output(const std::filesystem::path& file) {

@@ -16,6 +16,10 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& text
 /// To the file, or for "-" to standard output.
 void write_output(const std::filesystem::path& file, const std::string& text);
 
+/// Sends what was printed to standard output on its way. Throws InputError where some of it, now or
+/// before, could not be written.
+void finish_standard_output();
+
 /// Throws InputError where the file could not be written, as far as can be told beforehand: to be
 /// called before the work that it waits for. Makes nothing. "-" is standard output, and an empty
 /// name none.

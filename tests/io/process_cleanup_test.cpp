@@ -2,6 +2,8 @@
 #include "edgeproof/io/process_cleanup.hpp"
 
 #include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -128,6 +130,24 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
     CHECK(WEXITSTATUS(leader.wait(&seconds)) == 7);
     CHECK(seconds >= 0);
     CHECK(seconds < 5);
+    ::close(ends[1]);
+    pollfd end{ends[0], POLLIN, 0};
+    CHECK(::poll(&end, 1, 20'000) == 1);
+    CHECK((end.revents & POLLHUP) != 0);
+    ::close(ends[0]);
+}
+
+TEST_CASE("what a program leaves behind ends with it, also in a session of its own") {
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0); // held by all that descends from the program
+    const Scratch folder;
+    // Ends only when the other has left its group.
+    ProgramCall call = shell_call("setsid sh -c 'echo x > started; exec sleep 100' & "
+                                  "until test -s started; do sleep 0.01; done");
+    call.arguments.back().insert(0, "cd '" + folder.path().string() + "' && ");
+    CHECK(run_program(call).ending().empty());
+    call.environment = std::vector<std::string>{"PATH=/usr/bin:/bin"};
+    CHECK(run_program(call).ending().empty());
     ::close(ends[1]);
     pollfd end{ends[0], POLLIN, 0};
     CHECK(::poll(&end, 1, 20'000) == 1);

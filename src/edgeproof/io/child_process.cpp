@@ -90,10 +90,19 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
+std::vector<std::string> own_environment() {
+    std::vector<std::string> variables;
+    for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+        variables.emplace_back(*variable);
+    }
+    return variables;
+}
+
 /// Starts it in a process group of its own, with no signal held back or ignored.
-pid_t start(const ProgramCall& call, int in, int out, int err) {
+pid_t start(const ProgramCall& call, const std::string& mark, int in, int out, int err) {
     std::vector<std::string> arguments = call.arguments;
-    std::vector<std::string> environment = call.environment.value_or(std::vector<std::string>{});
+    std::vector<std::string> environment = call.environment ? *call.environment : own_environment();
+    environment.push_back(mark);
     const std::vector<char*> argv = pointers_to(arguments);
     const std::vector<char*> variables = pointers_to(environment);
     posix_spawn_file_actions_t actions;
@@ -116,8 +125,8 @@ pid_t start(const ProgramCall& call, int in, int out, int err) {
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &usual);
     pid_t pid = 0;
-    const int failed = ::posix_spawn(&pid, argv.front(), &actions, &attributes, argv.data(),
-                                     call.environment ? variables.data() : environ);
+    const int failed =
+        ::posix_spawn(&pid, argv.front(), &actions, &attributes, argv.data(), variables.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) {
@@ -233,9 +242,10 @@ ProgramRun run_program(const ProgramCall& call) {
     Descriptor theirs_err(their_err);
     Descriptor ours_err(our_err);
     // Named anew: clang before 16 captures no structured bindings.
-    ChildGroup child([&call, in = their_in, out = their_out, err = their_err] {
-        return start(call, in, out, err);
-    });
+    const std::string mark = new_mark();
+    ChildGroup child([&call, &mark, in = their_in, out = their_out,
+                      err = their_err] { return start(call, mark, in, out, err); },
+                     mark);
     theirs_in.close();
     theirs_out.close();
     theirs_err.close();

@@ -39,9 +39,8 @@ struct ProgramRun {
 };
 
 /// Runs a program until it ends, or until the seconds are over, the output is too much: then it
-/// is killed. What it started and left behind (its process group) is killed in either
-/// case, and is not waited for. The only place where processes are started. Throws Error where it
-/// cannot be started; Interrupted.
+/// is killed. What it started and left behind is killed in either case, and is not waited for. The
+/// only place where processes are started. Throws Error where it cannot be started; Interrupted.
 [[nodiscard]] ProgramRun run_program(const ProgramCall& call);
 
 } // namespace edgeproof::io

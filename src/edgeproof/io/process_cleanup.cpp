@@ -3,11 +3,18 @@
 
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -20,7 +27,7 @@ constexpr std::chrono::milliseconds longest_wait_for_a_step{250};
 struct Registered {
     std::timed_mutex mutex;
     std::multiset<std::filesystem::path> paths;
-    std::set<pid_t> groups;
+    std::map<pid_t, std::string> groups; ///< with their marks
     std::string note;
 };
 
@@ -28,6 +35,34 @@ struct Registered {
 Registered& registered() {
     static auto* const all = new Registered; // NOLINT(cppcoreguidelines-owning-memory)
     return *all;
+}
+
+/// The number of a process in whose environment the mark is; 0 for other entries of /proc.
+pid_t marked_process(const std::filesystem::path& entry, const std::string& mark) {
+    const std::string name = entry.filename().string();
+    pid_t process = 0;
+    const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+    if (error != std::errc{} || stop != name.data() + name.size() || process == ::getpid()) {
+        return 0;
+    }
+    std::ifstream in(entry / "environ", std::ios::binary);
+    const std::string variables((std::istreambuf_iterator<char>(in)), {});
+    return variables.find(mark + '\0') == std::string::npos ? 0 : process;
+}
+
+/// Again until there is none, as one may start another meanwhile.
+void end_marked(const std::string& mark) {
+    constexpr int most_rounds = 100;
+    bool found = !mark.empty();
+    for (int round = 0; found && round < most_rounds; ++round) {
+        found = false;
+        std::error_code ignored;
+        for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+            if (const pid_t process = marked_process(entry.path(), mark); process != 0) {
+                found = ::kill(process, SIGKILL) == 0 || found;
+            }
+        }
+    }
 }
 
 void forget(const std::filesystem::path& path) {
@@ -62,10 +97,16 @@ void TemporaryPath::keep_locked() noexcept {
     registered_ = false;
 }
 
-ChildGroup::ChildGroup(const std::function<pid_t()>& start) : pid_(-1) {
+std::string new_mark() {
+    static std::atomic<unsigned long> count{0};
+    return "EDGEPROOF_CHILD_" + std::to_string(::getpid()) + "_" + std::to_string(++count) + "=1";
+}
+
+ChildGroup::ChildGroup(const std::function<pid_t()>& start, std::string mark)
+    : pid_(-1), mark_(std::move(mark)) {
     const auto lock = hold_cleanup();
     pid_ = start();
-    registered().groups.insert(pid_);
+    registered().groups.emplace(pid_, mark_);
 }
 
 ChildGroup::~ChildGroup() {
@@ -75,7 +116,10 @@ ChildGroup::~ChildGroup() {
     }
 }
 
-void ChildGroup::end() const { ::kill(-pid_, SIGKILL); }
+void ChildGroup::end() const {
+    ::kill(-pid_, SIGKILL);
+    end_marked(mark_);
+}
 
 bool ChildGroup::ended() const {
     siginfo_t info{};
@@ -123,8 +167,9 @@ std::string clean_up() noexcept {
         Registered& all = registered();
         // Not unlocked again. Where a step hangs, what is registered is removed all the same.
         (void)all.mutex.try_lock_for(longest_wait_for_a_step);
-        for (const pid_t group : all.groups) {
+        for (const auto& [group, mark] : all.groups) {
             ::kill(-group, SIGKILL);
+            end_marked(mark);
         }
         for (const std::filesystem::path& path : all.paths) {
             std::error_code ignored;

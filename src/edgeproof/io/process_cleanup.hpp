@@ -36,25 +36,31 @@ private:
     bool registered_ = true;
 };
 
+/// A variable (NAME=VALUE) that no child has been given before. All that descends from a child has
+/// it in its environment, also what has left the process group (setsid).
+[[nodiscard]] std::string new_mark();
+
 /// A child program that leads a process group of its own, as `start` makes it (its process id). The
-/// group is ended by end(), by clean_up(), and when this is gone.
+/// group, and all processes that have `mark` in their environment, are ended by end() and wait(),
+/// by clean_up(), and when this is gone.
 class ChildGroup {
 public:
-    explicit ChildGroup(const std::function<pid_t()>& start);
+    explicit ChildGroup(const std::function<pid_t()>& start, std::string mark = {});
     ~ChildGroup();
     ChildGroup(const ChildGroup&) = delete;
     ChildGroup& operator=(const ChildGroup&) = delete;
 
-    /// SIGKILL to all of the group.
+    /// SIGKILL to all of them.
     void end() const;
     /// Whether the child has ended; it is still to be waited for.
     [[nodiscard]] bool ended() const;
-    /// Waits for the child, ends what it left behind in its group, and gives its status (as
-    /// waitpid does). `processor_seconds`: set to what it took.
+    /// Waits for the child, ends what it left behind, and gives its status (as waitpid does).
+    /// `processor_seconds`: set to what it took.
     int wait(double* processor_seconds = nullptr);
 
 private:
     pid_t pid_;
+    std::string mark_;
 };
 
 /// What a user is told of work that is kept, where the process ends in the middle; empty: nothing.

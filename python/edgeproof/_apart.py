@@ -21,6 +21,8 @@ from .errors import Error
 
 # Below, no single operation was seen to take as long as a second.
 MOST_DIGITS_HERE = 5000
+# The same of curved slopes, which are integrated: the nodes of a rule are made in one operation.
+MOST_DIGITS_HERE_INTEGRATED = 600
 
 _CHILD = """
 import pickle, sys

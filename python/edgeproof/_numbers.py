@@ -73,6 +73,8 @@ def exact_text(value: Any, name: str) -> str:
     except TypeError:
         pass
     shape = getattr(value, "shape", None)
+    if shape == () and getattr(value, "mask", False):
+        raise InputError(f"{name} is masked", "leave it out, or give a number")
     if shape == () and hasattr(value, "item"):  # a numpy array of one number
         return exact_text(value[()], name)
     raise TypeError(f"{name} is {type(value).__name__}, not a number: give str, int, float, "

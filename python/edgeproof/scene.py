@@ -176,7 +176,9 @@ class Scene:
             raise InputError(f"digits = {count} is out of range",
                              f"give a number from 2 to {_MOST_DIGITS}")
         asked["digits"] = count
-        if count > _apart.MOST_DIGITS_HERE and _apart.can_start():
+        most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
+            _apart.MOST_DIGITS_HERE
+        if count > most and _apart.can_start():
             return _apart.run(self.text, self.file or "", asked)
         return self._native.run(**asked)
 
@@ -288,6 +290,9 @@ class Scene:
         """
         import numpy
 
+        if numpy.ma.is_masked(u):
+            raise InputError("u is an array with masked elements",
+                             "give u.compressed(), or put numbers in their place by u.filled(0.1)")
         places = numpy.asarray(u)
         if places.dtype.kind not in "fiu":
             raise TypeError(f"u is an array of {places.dtype}: give float64, or ask pressure(), "

@@ -116,6 +116,15 @@ def test_nothing_goes_on_unseen(tmp_path):
         wait_for(lambda: not pathlib.Path(f"/proc/{apart[0]}").exists())
 
 
+@pytest.mark.parametrize("digits", [1000, 2000, 5000])
+def test_integrals_of_many_digits_end_soon(digits):
+    """The nodes of a rule are made in one operation, of many seconds at 5000 digits."""
+    code = ALONE.replace("PROFILE", SINH).replace("WORK", f"scene.pressure('0.5', digits={digits})")
+    out, err, seconds = run(code, after=1)
+    assert out.splitlines()[0] in ("interrupted", "finished"), err
+    assert seconds < 2.5
+
+
 def test_what_progress_raises_ends_the_work(source):
     code = f"LEDGER = {str(source / 'verify/moore-hills.toml')!r}\n" + RAISED
     done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,

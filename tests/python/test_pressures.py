@@ -84,6 +84,17 @@ def test_nan_is_refused_with_its_index(hertz):
         hertz.pressures([[0.1, 0.2, 0.3], [0.1, 0.2, np.nan]])
 
 
+def test_masked_elements_are_refused(hertz):
+    masked = np.ma.masked_array([0.1, 0.2], [False, True])
+    for work in (hertz.pressures, hertz.pressure):
+        with pytest.raises(edgeproof.InputError, match="masked"):
+            work(masked)
+    with pytest.raises(edgeproof.InputError, match="masked"):
+        hertz.pressure(np.ma.masked)
+    whole = np.ma.masked_array([0.1, 0.2])
+    assert (hertz.pressures(whole) == hertz.pressures([0.1, 0.2])).all()
+
+
 def test_arrays_that_lose_digits_are_refused(hertz):
     for wrong in (["0.1"], [True], [1j], [None], [2**53 + 1], np.longdouble([1]) / 3):
         with pytest.raises(TypeError):

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
@@ -107,6 +108,12 @@ void bind_scene(py::module_& module) {
         .def_property_readonly("has_shear",
                                [](const NativeScene& s) { return s.scene().shear.has_value(); })
         .def_property_readonly("slips", [](const NativeScene& s) { return s.scene().slips(); })
+        .def_property_readonly("integrated",
+                               [](const NativeScene& s) {
+                                   const auto& profile = s.scene().profile;
+                                   return profile &&
+                                          !contact::BallContact::has_closed_form(*profile);
+                               })
         .def_property_readonly("knots",
                                [](const NativeScene& s) {
                                    Texts knots;

@@ -204,11 +204,20 @@ TEST_CASE("builders refuse what no text could say") {
     CHECK_THROWS_AS(
         [&] {
             for (int i = 0; i < 3000; ++i) {
-                e = e + e;
+                e = e + read("b");
             }
         }(),
         Error);
     CHECK(e.height() == Expr::max_height);
+    Expr doubled = read("a");
+    CHECK_THROWS_AS(
+        [&] {
+            for (int i = 0; i < 100; ++i) {
+                doubled = doubled + doubled;
+            }
+        }(),
+        Error);
+    CHECK(doubled.height() < 25);
 }
 
 TEST_CASE("LaTeX") {

@@ -144,7 +144,7 @@ TEST_CASE("what a program leaves behind ends with it, also in a session of its o
     // Ends only when the other has left its group.
     ProgramCall call = shell_call("setsid sh -c 'echo x > started; exec sleep 100' & "
                                   "until test -s started; do sleep 0.01; done");
-    call.arguments.back().insert(0, "cd '" + folder.path().string() + "' && ");
+    call.arguments.back().insert(0, "cd '" + folder.path().string() + "'; ");
     CHECK(run_program(call).ending().empty());
     call.environment = std::vector<std::string>{"PATH=/usr/bin:/bin"};
     CHECK(run_program(call).ending().empty());

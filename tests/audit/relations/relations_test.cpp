@@ -159,6 +159,8 @@ TEST_CASE("relations: definitions that go round in a circle, or of what follows,
     CHECK(problem({{"P1", "right.c0"}}) == "given P1=right.c0: 'right_c0' follows from others");
     CHECK(problem({{"P2", "a"}, {"P2", "b"}}) == "P2 is given twice");
     CHECK(problem({{"P2", "2^(2^64)"}}) == "a power beyond 1000 is not worked out by symbols");
+    CHECK(problem({{"P2", "gamma(1e9)"}}) ==
+          "gamma of a number beyond 1000 is not worked out by symbols");
     CHECK(problem({{"P2", "a^(1/10^40)"}}) != "none");
     CHECK(problem({{"P2", "P3"}, {"P3", "a"}}) == "none");
 }

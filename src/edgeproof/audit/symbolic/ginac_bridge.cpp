@@ -59,15 +59,27 @@ Rational rational(const GiNaC::numeric& n) {
     return {integer(n.numer()), integer(n.denom())};
 }
 
+constexpr long most_worked_out = 1000;
+
 /// base^exponent. GiNaC multiplies powers of numbers and of sums out, however long that takes:
 /// throws Error for an exponent that no formula of mechanics has.
 GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
-    constexpr long most = 1000;
     if (GiNaC::is_a<GiNaC::numeric>(exponent) &&
-        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > most) {
-        throw Error("a power beyond " + std::to_string(most) + " is not worked out by symbols");
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > most_worked_out) {
+        throw Error("a power beyond " + std::to_string(most_worked_out) +
+                    " is not worked out by symbols");
     }
     return GiNaC::power(base, exponent);
+}
+
+/// The same of gamma at a number: GiNaC multiplies factorials out.
+GiNaC::ex gamma(const GiNaC::ex& x) {
+    if (GiNaC::is_a<GiNaC::numeric>(x) &&
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)) > most_worked_out) {
+        throw Error("gamma of a number beyond " + std::to_string(most_worked_out) +
+                    " is not worked out by symbols");
+    }
+    return GiNaC::tgamma(x);
 }
 
 GiNaC::ex call(const formula::Expr& e) {
@@ -92,7 +104,7 @@ GiNaC::ex call(const formula::Expr& e) {
     case formula::Builtin::atan:
         return GiNaC::atan(x(0));
     case formula::Builtin::gamma:
-        return GiNaC::tgamma(x(0));
+        return gamma(x(0));
     default:
         return opaque(e);
     }

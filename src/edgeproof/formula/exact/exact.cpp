@@ -68,12 +68,12 @@ void check_magnitude(const Expr& e, std::string_view text) {
     constexpr mpfr_exp_t most_bits_of_magnitude = 332'194; // 10^100000
     const PrecisionScope scope(30);
     const Rational* q = e.rational();
-    mpfr_clear_underflow();
+    mpfr_clear_flags();
     const Real x = q != nullptr ? from_rational<Real>(*q) : value_at(e, 30);
     const auto* const raw = x.backend().data();
     const bool beyond =
         mpfr_zero_p(raw) != 0
-            ? mpfr_underflow_p() != 0
+            ? mpfr_underflow_p() != 0 || mpfr_overflow_p() != 0
             : mpfr_number_p(raw) == 0 || std::abs(mpfr_get_exp(raw)) > most_bits_of_magnitude;
     if (beyond) {
         throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",

@@ -59,6 +59,9 @@ public:
         if (row.of_friction() || (scene_.slips() && row.quantity == Quantity::q)) {
             slips_.check();
         }
+        if (const auto given = stated(row)) { // no number of bits rounds its enclosure down or up
+            return {Ball(*given, plan_.bits), true, row.route(scene_, plan_), given};
+        }
         BoundedValue value = bounded(
             balls_.refine([&](BallLevel& level) { return row.ball(level, asked); },
                           [&](ExactValues& exact) {
@@ -67,8 +70,8 @@ public:
                           },
                           plan_.digits, row.cancels_little ? plan_.narrow_bits : plan_.bits),
             row.route(scene_, plan_), [&](ValueRoute& other) { return other.value(asked); });
-        if (const auto known = known_exactly(row)) {
-            value.exactly = known;
+        if (row.distance_of && places_.known(*row.distance_of)) {
+            value.exactly = places_.known(*row.distance_of);
         }
         return value;
     }
@@ -214,11 +217,8 @@ private:
         return x ? BoundedValue{std::move(x->value), true, route, std::move(x->exactly)}
                  : instead(others());
     }
-    /// What the scene states, and where an edge is known to be.
-    [[nodiscard]] std::optional<Rational> known_exactly(const QuantityRow& row) const {
-        if (row.distance_of) {
-            return places_.known(*row.distance_of);
-        }
+    /// What the scene states.
+    [[nodiscard]] std::optional<Rational> stated(const QuantityRow& row) const {
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }

@@ -55,6 +55,24 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
          "leave it out"},
         {"extent s.toml", profile + load + "[ask]\ntolerance = 0\n",
          "s.toml:9: a tolerance of 0 is not positive; give a tolerance > 0, such as 1%"},
+        {"extent s.toml --tolerance 1e-61", profile + load,
+         "edgeproof: --tolerance 1e-61: a tolerance of 1e-61 is out of range; give one from 1e-60 "
+         "to 1e6, such as 1%"},
+        {"extent s.toml --tolerance 1e9%", profile + load,
+         "edgeproof: --tolerance 1e9%: a tolerance of 1e9% is out of range; give one from 1e-60 to "
+         "1e6, such as 1%"},
+        {"slip --power-law --m 1e-40 --C 1 --a 1 --contact-modulus 1 --Q 1 --friction 1", profile,
+         "edgeproof: the power-law exponent m = 1e-40 is out of range; give 0 (a wedge), or a "
+         "number from 1e-10 to 1000000"},
+        {"slip --power-law --m 1001 --C 1 --a 1 --contact-modulus 1 --Q 1 --bulk-tension 1 "
+         "--friction 1",
+         profile,
+         "edgeproof: slip under a bulk tension is not found for an exponent m > 1000; leave "
+         "friction or the bulk tension out, or give a lower m"},
+        {"pressure --tilted-wedge --phi 10^10^10 --alpha 0.1 --P 1 --contact-modulus 1 --u 0.1",
+         profile,
+         "edgeproof: phi = \"10^10^10\": '10^10^10' is beyond the range of numbers; write a number "
+         "between 1e-100000 and 1e100000"},
         {"extent s.toml --tolerance 0", profile + load,
          "edgeproof: --tolerance 0: a tolerance of 0 is not positive; give a tolerance > 0, such "
          "as 1%"},

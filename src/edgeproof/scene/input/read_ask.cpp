@@ -5,6 +5,7 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/read_places.hpp"
 
 #include <algorithm>
@@ -182,7 +183,18 @@ formula::Exact parse_tolerance(std::string_view text) {
         throw InputError("a tolerance of " + std::string(text) + " is not positive",
                          "give a tolerance > 0, such as 1%");
     }
-    return percent ? formula::Exact(given.expr() / formula::Expr::number(Rational(100))) : given;
+    const formula::Exact tolerance =
+        percent ? formula::Exact(given.expr() / formula::Expr::number(Rational(100))) : given;
+    const auto less = [](const formula::Expr& x, const formula::Expr& y) {
+        return formula::Exact(x - y).sign() < 0;
+    };
+    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-60"));
+    static const formula::Expr most = formula::Expr::number(parse_decimal("1e6"));
+    if (less(tolerance.expr(), least) || less(most, tolerance.expr())) {
+        throw InputError("a tolerance of " + std::string(text) + " is out of range",
+                         "give one from 1e-60 to 1e6, such as 1%");
+    }
+    return tolerance;
 }
 
 } // namespace edgeproof::scene

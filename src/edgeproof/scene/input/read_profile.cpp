@@ -5,6 +5,7 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <array>
 #include <functional>
@@ -61,6 +62,19 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
                        "give a positive radius, or a hollow that is flatter than what lies in it");
     }
     return contact::Profile::power_law(C, formula::Exact(whole(1)));
+}
+
+/// Below, the pressure at the apex is that of a wedge to so many digits that no search ends there;
+/// above, the flanks are as steep as walls.
+void check_exponent(const formula::Exact& m) {
+    const auto less = [&](const formula::Expr& x, const formula::Expr& y) {
+        return formula::Exact(x - y).sign() < 0;
+    };
+    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-10"));
+    if (m.sign() > 0 && (less(m.expr(), least) || less(whole(1'000'000), m.expr()))) {
+        throw InputError("the power-law exponent m = " + m.text() + " is out of range",
+                         "give 0 (a wedge), or a number from 1e-10 to 1000000");
+    }
 }
 
 /// Runs a maker; what it refuses is told with the line of the parameter that it names.
@@ -145,8 +159,10 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
                        "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
     }
     if (kind == "power-law") {
-        scene.profile =
-            make({"m", "C"}, [&] { return contact::Profile::power_law(get("C"), get("m")); });
+        scene.profile = make({"m", "C"}, [&] {
+            check_exponent(get("m"));
+            return contact::Profile::power_law(get("C"), get("m"));
+        });
     } else if (kind == "hertz" || kind == "cylinder-on-flat") {
         scene.profile = read_cylinders(section, kind == "hertz", scene.radii);
     } else if (kind == "flat-and-rounded" && section.has("flat_width")) {

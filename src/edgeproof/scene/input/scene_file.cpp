@@ -135,6 +135,18 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
     }
 }
 
+/// The slip zones of unequal size under steep flanks are found by integrals that take endless work.
+void check_exponent_under_tension(const io::TomlSection& shear, const contact::ShearSpec& spec,
+                                  const Scene& scene) {
+    const formula::Expr most = formula::Expr::number(Rational(1000));
+    if (scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law &&
+        spec.bulk_tension.sign() != 0 &&
+        formula::Exact(most - scene.profile->parameters().at("m").expr()).sign() < 0) {
+        shear.reject("friction", "slip under a bulk tension is not found for an exponent m > 1000",
+                     "leave friction or the bulk tension out, or give a lower m");
+    }
+}
+
 void read_friction(const io::TomlSection& shear, contact::ShearSpec& spec, Scene& scene) {
     if (!shear.has("friction")) {
         return;
@@ -185,6 +197,9 @@ void read_shear(const io::TomlSection& shear, const Materials& materials, Scene&
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
     read_friction(shear, spec, scene);
+    if (spec.friction) {
+        check_exponent_under_tension(shear, spec, scene);
+    }
     if (!materials.uncoupled) {
         shear.reject(shear.line(),
                      "bodies of different materials couple the shear to the pressure: "

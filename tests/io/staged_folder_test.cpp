@@ -77,7 +77,45 @@ TEST_CASE("a staged folder: nothing before it is committed, all after it") {
             StagedFolder given_up(own.path() / "other" / name);
             fill(given_up);
         }
-        CHECK_FALSE(fs::exists(own.path() / "other" / "out"));
+        CHECK(own.all() == whole); // neither is the folder above it left
+    }
+}
+
+TEST_CASE("a staged folder whose folders above are missing, too: all of them appear as one") {
+    for (const char* name : {"x/y/out", "x/y/out/", "x/../x/./y/out"}) {
+        CAPTURE(name);
+        const OwnFolder own;
+        {
+            StagedFolder staged(own.path() / name);
+            fill(staged);
+            CHECK_FALSE(fs::exists(own.path() / "x"));
+            staged.commit();
+        }
+        CHECK(own.all() == Names{"x/", "x/y/", "x/y/out/", "x/y/out/a.csv", "x/y/out/figures/",
+                                 "x/y/out/figures/b.svg"});
+    }
+    const OwnFolder own;
+    {
+        StagedFolder staged(own.path() / "x" / "out");
+        fill(staged);
+        fs::create_directories(own.path() / "x"); // by another process
+        write_whole(own.path() / "x" / "mine", "mine");
+        staged.commit();
+    }
+    CHECK(own.all() ==
+          Names{"x/", "x/mine", "x/out/", "x/out/a.csv", "x/out/figures/", "x/out/figures/b.svg"});
+}
+
+TEST_CASE("a staged folder: an error while it is filled names the folder asked for") {
+    const OwnFolder own;
+    const StagedFolder staged(own.path() / "out");
+    try {
+        staged.fill([](const fs::path& folder) {
+            throw InputError("cannot write " + (folder / "a.csv").string(), "x");
+        });
+        FAIL("no error");
+    } catch (const InputError& error) {
+        CHECK(error.problem() == "cannot write " + (own.path() / "out" / "a.csv").string());
     }
 }
 

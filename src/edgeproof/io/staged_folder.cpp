@@ -19,29 +19,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without a slash at its end.
-fs::path without_slash(const fs::path& folder) {
-    return folder.has_filename() || !folder.has_parent_path() ? folder : folder.parent_path();
+/// Without a slash at its end, and without ".." behind a folder that is not there.
+fs::path plain_target(const fs::path& folder) {
+    const fs::path plain =
+        folder.has_filename() || !folder.has_parent_path() ? folder : folder.parent_path();
+    const bool parent_is_there =
+        !plain.has_parent_path() || fs::exists(fs::status(plain.parent_path()));
+    return parent_is_there ? plain : plain.lexically_normal();
 }
 
-fs::path checked(const fs::path& target, bool inside) {
-    // Says what is wrong with it.
-    make_folder(inside ? target : target.has_parent_path() ? target.parent_path() : fs::path("."));
-    return target;
+/// The highest folder on the way to the target that is not there: what commit() is to make.
+fs::path first_missing(const fs::path& target) {
+    fs::path missing = target;
+    while (missing.has_parent_path() && missing.parent_path() != missing &&
+           !fs::exists(fs::status(missing.parent_path()))) {
+        missing = missing.parent_path();
+    }
+    return missing;
+}
+
+/// Where the files of the target are written in the stage, which becomes `top`.
+fs::path in_stage(const fs::path& stage, const fs::path& target, const fs::path& top) {
+    return target == top ? stage : stage / target.lexically_relative(top);
 }
 
 /// What temporary names of this target begin with; the process, and ".tmp", follow.
 fs::path stage_base(const fs::path& target, bool inside) {
-    return inside ? target / ".edgeproof" : target;
+    return inside ? target / ".edgeproof" : first_missing(target);
 }
 
 /// By its name, so that errors name the folder as the user does.
 fs::path make_stage(const fs::path& target, bool inside) {
+    check_folder(target); // its error names the target
     const fs::path base = stage_base(target, inside);
-    remove_left_over(stage_base(target, true));
-    remove_left_over(stage_base(target, false));
+    if (inside) {
+        remove_left_over(base);
+    }
+    remove_left_over(first_missing(target));
     const fs::path stage = base.string() + "." + std::to_string(::getpid()) + ".tmp";
-    make_folder(stage);
+    make_folder(inside ? stage : in_stage(stage, target, base));
     return stage;
 }
 
@@ -52,8 +68,10 @@ fs::path make_stage(const fs::path& target, bool inside) {
 } // namespace
 
 StagedFolder::StagedFolder(const fs::path& target)
-    : target_(without_slash(target)), inside_(fs::exists(fs::status(target_))),
-      stage_([this] { return make_stage(checked(target_, inside_), inside_); }),
+    : target_(plain_target(target)), inside_(fs::exists(fs::status(target_))),
+      top_(inside_ ? target_ : first_missing(target_)),
+      stage_([this] { return make_stage(target_, inside_); }),
+      path_(in_stage(stage_.path(), target_, top_)),
       lock_(::open(stage_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (lock_ >= 0) {
         (void)::flock(lock_, LOCK_SH | LOCK_NB);
@@ -65,7 +83,15 @@ StagedFolder::~StagedFolder() {
         ::close(lock_);
     }
     std::error_code ignored;
-    fs::remove_all(path(), ignored);
+    fs::remove_all(stage_.path(), ignored);
+}
+
+void StagedFolder::fill(const std::function<void(const fs::path&)>& write) const {
+    try {
+        write(path());
+    } catch (const InputError& error) {
+        throw told(error);
+    }
 }
 
 InputError StagedFolder::told(const InputError& error) const {
@@ -83,12 +109,15 @@ void StagedFolder::commit() {
     check_interruption();
     std::error_code failed;
     if (!inside_) {
-        fs::rename(path(), target_, failed);
+        fs::rename(stage_.path(), top_, failed);
         if (!failed) {
             stage_.keep_locked();
             return;
         }
         failed.clear(); // somebody has made it meanwhile
+    }
+    if (fs::create_directories(target_, failed); failed) {
+        cannot_move(target_, failed);
     }
     std::vector<std::pair<fs::path, fs::path>> moves;
     for (const auto& entry : fs::recursive_directory_iterator(path(), failed)) {
@@ -108,7 +137,7 @@ void StagedFolder::commit() {
             cannot_move(to, failed);
         }
     }
-    fs::remove_all(path(), failed);
+    fs::remove_all(stage_.path(), failed);
 }
 
 } // namespace edgeproof::io

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace edgeproof::io {
@@ -24,7 +25,9 @@ public:
     StagedFolder& operator=(const StagedFolder&) = delete;
 
     /// To write into.
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return stage_.path(); }
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+    /// Calls `write` with that path. Errors name the folder that was asked for.
+    void fill(const std::function<void(const std::filesystem::path&)>& write) const;
     /// What a user is told of a file that cannot be written there: the name that it was to have.
     [[nodiscard]] InputError told(const InputError& error) const;
     /// Throws InputError; Interrupted, and then nothing is moved.
@@ -32,8 +35,10 @@ public:
 
 private:
     std::filesystem::path target_;
-    bool inside_; ///< the target was there
-    TemporaryPath stage_;
+    bool inside_;               ///< the target was there
+    std::filesystem::path top_; ///< the highest folder that commit() makes; else the target
+    TemporaryPath stage_;       ///< which becomes top_
+    std::filesystem::path path_;
     int lock_; ///< on the stage: tells other runs that it is in use
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/figures_paper.hpp"
 
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_residual.hpp"
@@ -44,7 +43,7 @@ Real relative(const Real& x, const Real& y) { return abs(x - y) / abs(y); }
 
 /// Every row of the panel against closed forms of the right-hand edge with a = 1.
 void expect(const Plot& plot, const Known& known) {
-    CAPTURE(plot.id);
+    CAPTURE(plot.id.text());
     REQUIRE(plot.rows.size() > 100);
     const PrecisionScope scope(digits);
     const Real tolerance("1e-18");
@@ -156,7 +155,7 @@ TEST_CASE("figures 6 and 7: the tilted wedge, its apex left out, both edges") {
     for (const char* id : {"fig6a", "fig6b", "fig7a", "fig7b"}) {
         const Plot plot = plot_of(id);
         CAPTURE(id);
-        const bool left = plot.id.back() == 'a';
+        const bool left = plot.id.text().back() == 'a';
         for (const auto& row : plot.rows) {
             const Real x = *row[column(plot, "x_over_a")];
             const Real fraction = *row[column(plot, "fraction")];
@@ -225,8 +224,7 @@ TEST_CASE("a picture in a file has a white ground; in a page it takes the page's
     for (int k = 1; k < 4; ++k) {
         plot.rows.push_back({Real(k), Real(k)});
     }
-    const Scratch scratch;
-    const std::string file = draw_svg(plot, *gnuplot, scratch.path());
+    const std::string file = draw_svg(plot, *gnuplot);
     const std::string ground = "height=\"400\" fill=\"";
     CHECK(file.find(ground + "#ffffff\"/>") != std::string::npos);
     const std::string part = inline_svg(file, plot);

@@ -7,8 +7,10 @@
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
+#include "edgeproof/io/process_cleanup.hpp"
+#include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/page/comparison_page.hpp"
@@ -16,7 +18,9 @@
 #include "edgeproof/report/tables/self_test_table.hpp"
 
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace edgeproof::cli {
 namespace {
@@ -103,6 +107,57 @@ int test_the_diagnosis(const CompareOptions& o) {
     return result.passes() ? 0 : 1;
 }
 
+/// What of the outputs is written already: for the message of a process that ends in between.
+class WrittenSoFar {
+public:
+    void add(const std::string& name) {
+        names_ += (names_.empty() ? "" : ", ") + name;
+        note_.reset();
+        note_.emplace("written: " + names_);
+    }
+    /// Runs `write`. Where it is interrupted, the message names what is written.
+    void run(const std::function<void()>& write) const {
+        try {
+            write();
+        } catch (const Interrupted&) {
+            throw names_.empty() ? Interrupted() : Interrupted("interrupted: written: " + names_);
+        }
+    }
+
+private:
+    std::string names_;
+    std::optional<io::KeptNote> note_;
+};
+
+/// All outputs but the text on standard output. Everything is made before the first is written.
+void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
+    std::optional<report::DrawnComparison> drawn;
+    if (!o.figures.empty() || !o.html.empty()) {
+        drawn = draw_comparison(report);
+    }
+    const std::string page = o.html.empty() ? "" : comparison_page(report, *drawn);
+    const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
+    std::optional<io::StagedFolder> staged;
+    if (!o.figures.empty()) {
+        if (!drawn->with_gnuplot) {
+            throw InputError("there is no gnuplot to draw figures with", "install gnuplot-nox");
+        }
+        staged.emplace(o.figures);
+        staged->fill([&](const std::filesystem::path& folder) { write_figures(*drawn, folder); });
+    }
+    WrittenSoFar written;
+    if (staged) {
+        staged->commit();
+        written.add(o.figures);
+    }
+    for (const auto& [file, text] : {std::pair(&o.html, &page), std::pair(&o.junit, &junit)}) {
+        if (!file->empty()) {
+            written.run([&] { io::write_output(*file, *text); });
+            written.add(*file);
+        }
+    }
+}
+
 int compare_results(const CompareOptions& o) {
     if (o.self_test) {
         if (!o.scene.empty()) {
@@ -153,15 +208,7 @@ int compare_results(const CompareOptions& o) {
     if (report.comparison.files.size() > 1) {
         report.comparison.convergence = convergence_of(report.comparison.files, exact);
     }
-    if (!o.figures.empty()) {
-        write_comparison_figures(report, o.figures);
-    }
-    if (!o.html.empty()) {
-        io::write_output(o.html, comparison_page(report));
-    }
-    if (!o.junit.empty()) {
-        io::write_output(o.junit, comparison_junit(report));
-    }
+    write_outputs(report, o);
     const std::string text =
         o.json ? comparison_json(report) : printable_lines(comparison_text(report));
     std::fwrite(text.data(), 1, text.size(), stdout);

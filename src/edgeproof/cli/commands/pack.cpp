@@ -85,7 +85,7 @@ int make(const PackCommandOptions& o, const std::string& version) {
     pack::PackOptions options;
     options.threads = threads_of(o.threads);
     if (!o.check) {
-        io::make_folder(o.folder);
+        io::check_folder(o.folder); // made once there is something to write
     } else if (!std::filesystem::is_directory(o.folder)) {
         throw InputError(o.folder + " is no folder",
                          "give the folder of a pack, or leave out --check");
@@ -100,12 +100,14 @@ int make(const PackCommandOptions& o, const std::string& version) {
         return check_pack(o.folder, files);
     }
     io::StagedFolder staged(o.folder);
-    for (const pack::PackFile& file : files) {
-        io::write_whole(staged.path() / file.name, file.text);
-    }
-    io::write_whole(staged.path() / pack::manifest_name,
-                    manifest(files, {version, o.commit, o.date.empty() ? today() : o.date,
-                                     "edgeproof pack " + o.folder}));
+    staged.fill([&](const std::filesystem::path& folder) {
+        for (const pack::PackFile& file : files) {
+            io::write_whole(folder / file.name, file.text);
+        }
+        io::write_whole(folder / pack::manifest_name,
+                        manifest(files, {version, o.commit, o.date.empty() ? today() : o.date,
+                                         "edgeproof pack " + o.folder}));
+    });
     staged.commit();
     std::printf("%s: %zu files\n", o.folder.c_str(), files.size() + 1);
     return 0;

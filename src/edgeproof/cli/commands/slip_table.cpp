@@ -4,7 +4,6 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/slip_figures.hpp"
@@ -27,18 +26,14 @@ struct SlipTableRequest {
 };
 
 void draw_slip_figures(const std::string& folder) {
-    namespace fs = std::filesystem;
     const auto gnuplot = report::find_gnuplot();
     if (!gnuplot) {
         throw InputError("there is no gnuplot to draw figures", "install gnuplot-nox, or leave "
                                                                 "--figures out");
     }
     const PrecisionScope scope(report::figure_digits + 10);
-    const io::Scratch scratch;
     for (const report::Plot& plot : report::slip_plots(slip_paper)) {
-        io::write_whole(fs::path(folder) / (plot.id + ".csv"), to_csv(plot));
-        io::write_whole(fs::path(folder) / (plot.id + ".svg"),
-                        draw_svg(plot, *gnuplot, scratch.path()));
+        write_plot_files(plot, draw_svg(plot, *gnuplot), folder);
     }
 }
 

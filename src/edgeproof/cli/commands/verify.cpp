@@ -5,7 +5,6 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -100,7 +99,6 @@ int verify(const VerifyOptions& o) {
     std::optional<io::StagedFolder> staged; // fails before minutes of work, not after
     if (!o.out.empty()) {
         staged.emplace(o.out);
-        const io::Scratch usable; // the figures need one
     }
     audit::AuditResult result =
         judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only, o.profile);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/comparison_figures.hpp"
 
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
-#include "edgeproof/io/staged_folder.hpp"
+#include "edgeproof/io/file_stem.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace edgeproof::report {
@@ -43,19 +43,22 @@ std::vector<double> curve_places(const comparison::ExactContact& exact) {
     return places;
 }
 
+/// A name for the figures of a file that no other figure has.
 std::string file_id(const std::filesystem::path& file, std::set<std::string>& taken) {
-    std::string id;
-    for (const char c : file.stem().string()) {
-        const bool plain =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-        id += plain ? c : '-';
+    static constexpr std::array<std::string_view, 5> endings{"", "-pressure", "-error", "-shear",
+                                                             "-shear-error"};
+    const std::string stem = io::FileStem(file.stem().string()).text();
+    std::string id = stem;
+    const auto is_taken = [&](std::string_view ending) {
+        return taken.contains(id + std::string(ending));
+    };
+    for (int i = 2; std::ranges::any_of(endings, is_taken); ++i) {
+        id = stem + "-" + std::to_string(i);
     }
-    id = id.empty() ? "result" : id;
-    std::string own = id;
-    for (int i = 2; !taken.insert(own).second; ++i) {
-        own = id + "-" + std::to_string(i);
+    for (const std::string_view ending : endings) {
+        taken.insert(id + std::string(ending));
     }
-    return own;
+    return id;
 }
 
 std::string shown_name(const FileComparison& file) {
@@ -297,22 +300,27 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
     return figures;
 }
 
-void write_comparison_figures(const ComparisonReport& report, const std::filesystem::path& folder) {
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
-        throw InputError("there is no gnuplot to draw figures with", "install gnuplot-nox");
-    }
+DrawnComparison draw_comparison(const ComparisonReport& report) {
     const PrecisionScope scope(figure_digits + 10);
-    const io::Scratch scratch;
-    io::StagedFolder staged(folder);
-    for (const Figure& figure : comparison_figures(report)) {
+    const auto gnuplot = find_gnuplot();
+    DrawnComparison drawn{comparison_figures(report), {}, gnuplot.has_value()};
+    for (const Figure& figure : drawn.figures) {
         for (const Plot& plot : figure.plots) {
-            io::write_whole(staged.path() / (plot.id + ".csv"), to_csv(plot));
-            io::write_whole(staged.path() / (plot.id + ".svg"),
-                            draw_svg(plot, *gnuplot, scratch.path()));
+            if (gnuplot) {
+                drawn.svg.emplace(plot.id.text(), draw_svg(plot, *gnuplot));
+            }
         }
     }
-    staged.commit();
+    return drawn;
+}
+
+void write_figures(const DrawnComparison& drawn, const std::filesystem::path& folder) {
+    const PrecisionScope scope(figure_digits + 10);
+    for (const Figure& figure : drawn.figures) {
+        for (const Plot& plot : figure.plots) {
+            write_plot_files(plot, drawn.svg.at(plot.id.text()), folder);
+        }
+    }
 }
 
 } // namespace edgeproof::report

@@ -4,6 +4,7 @@
 #include "edgeproof/report/tables/comparison_report.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,15 @@ namespace edgeproof::report {
 /// then the errors of several files against the width of an element. Ids by the names of the files.
 [[nodiscard]] std::vector<Figure> comparison_figures(const ComparisonReport& report);
 
-/// ID.csv and ID.svg of each plot. Throws InputError where there is no gnuplot, or nothing can be
-/// written there.
-void write_comparison_figures(const ComparisonReport& report, const std::filesystem::path& folder);
+/// These figures as they are drawn.
+struct DrawnComparison {
+    std::vector<Figure> figures;
+    std::map<std::string, std::string> svg; ///< by the id of a plot
+    bool with_gnuplot = false;              ///< else `svg` is empty
+};
+[[nodiscard]] DrawnComparison draw_comparison(const ComparisonReport& report);
+
+/// ID.csv and ID.svg of each plot. Throws InputError where nothing can be written there.
+void write_figures(const DrawnComparison& drawn, const std::filesystem::path& folder);
 
 } // namespace edgeproof::report

@@ -2,7 +2,9 @@
 #include "edgeproof/report/figures/figures.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
@@ -17,69 +19,70 @@ constexpr std::size_t named_in_a_line = 2;
 constexpr std::size_t line_height = 19;
 constexpr std::size_t text_lines = 26;
 
-constexpr std::array okabe_ito{"#000000", "#E69F00", "#56B4E9", "#009E73",
-                               "#F0E442", "#0072B2", "#D55E00", "#CC79A7"};
+constexpr std::array okabe_ito{GnuplotWords("#000000"), GnuplotWords("#E69F00"),
+                               GnuplotWords("#56B4E9"), GnuplotWords("#009E73"),
+                               GnuplotWords("#F0E442"), GnuplotWords("#0072B2"),
+                               GnuplotWords("#D55E00"), GnuplotWords("#CC79A7")};
 
-/// A double-quoted string of gnuplot; its markup (^, _, @, &) is switched off by `noenhanced`
-/// where the string is set.
-/// gnuplot takes letters, digits and _ only.
-std::string element_name(std::string name) {
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-    return name;
-}
-
-std::string gnuplot_text(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            out += '\\';
-        }
-        out += c == '\n' ? ' ' : c;
-    }
-    return out + '"';
+/// The name of an SVG's elements, which stands in its JavaScript, too.
+GnuplotText element_name(const io::FileStem& id) {
+    std::string name = id.text();
+    std::ranges::replace_if(
+        name, [](char c) { return c == '-' || c == '.'; }, '_');
+    return GnuplotText(name);
 }
 
 std::size_t column_index(const Plot& plot, std::string_view name) {
     const auto found = std::ranges::find(plot.columns, name);
     if (found == plot.columns.end()) {
-        throw Error(fmt::format("figure {} has no column {}", plot.id, name));
+        throw Error(fmt::format("figure {} has no column {}", plot.id.text(), name));
     }
     return static_cast<std::size_t>(found - plot.columns.begin());
 }
 
-std::string row_text(const std::vector<std::optional<Real>>& row, std::string_view separator,
-                     std::string_view missing) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        line += i == 0 ? "" : separator;
-        line += row[i] ? to_decimal(*row[i], figure_digits) : std::string(missing);
+std::optional<std::string> cell_text(const std::optional<Real>& value) {
+    return value && isfinite(*value) ? std::optional(to_decimal(*value, figure_digits))
+                                     : std::nullopt;
+}
+
+void add_data(GnuplotScript& script, const Plot& plot) {
+    script.add("$data << END_OF_DATA\n");
+    for (const auto& row : plot.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            script.add("{}", i == 0 ? GnuplotWords("") : GnuplotWords(" "));
+            if (const auto text = cell_text(row[i])) {
+                script.add("{}", GnuplotNumber(*text));
+            } else {
+                script.add("NaN");
+            }
+        }
+        script.add("\n");
     }
-    return line + '\n';
+    script.add("END_OF_DATA\n");
 }
 
 /// Grey that lets a dark page through, so that it is a shade on either.
-void set_bands(std::string& script, const std::vector<Band>& bands) {
+void set_bands(GnuplotScript& script, const std::vector<Band>& bands) {
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const Band& band = bands[i];
-        script += fmt::format("set object {} rectangle from first {}, graph 0 to first {}, graph 1 "
-                              "behind fillcolor rgb \"#808080\" fillstyle transparent solid {:g} "
-                              "noborder\n",
-                              i + 1, band.from, band.to, band.darkness);
-        script += fmt::format(
-            "set label {} {} at first {}, graph {:g} left offset 0.4, 0 noenhanced "
-            "font \",11\"\n",
-            i + 1, gnuplot_text(band.title), band.from, 0.96 - 0.06 * static_cast<double>(i));
+        const GnuplotNumber from(band.from);
+        script.add("set object {} rectangle from first {}, graph 0 to first {}, graph 1 "
+                   "behind fillcolor rgb \"#808080\" fillstyle transparent solid {:g} noborder\n",
+                   i + 1, from, GnuplotNumber(band.to), band.darkness);
+        script.add("set label {} {} at first {}, graph {:g} left offset 0.4, 0 noenhanced "
+                   "font \",11\"\n",
+                   i + 1, GnuplotText(band.title), from, 0.96 - 0.06 * static_cast<double>(i));
     }
 }
 
-void set_axis(std::string& script, char name, const Axis& axis) {
-    script += fmt::format("set {}label {} noenhanced\n", name, gnuplot_text(axis.label));
+void set_axis(GnuplotScript& script, GnuplotWords name, const Axis& axis) {
+    script.add("set {}label {} noenhanced\n", name, GnuplotText(axis.label));
     if (axis.logarithmic) {
-        script += fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name);
+        script.add("set logscale {}\nset format {} \"10^{{%T}}\"\n", name, name);
     }
     if (axis.range) {
-        script += fmt::format("set {}range [{}:{}]\n", name, axis.range->first, axis.range->second);
+        script.add("set {}range [{}:{}]\n", name, GnuplotNumber(axis.range->first),
+                   GnuplotNumber(axis.range->second));
     }
 }
 
@@ -87,109 +90,132 @@ std::size_t key_lines(const Plot& plot) {
     return plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
 }
 
-/// All but where it is drawn.
-std::string plot_commands(const Plot& plot, PictureKind kind) {
-    std::string script;
-    script += fmt::format("set title {} noenhanced\n", gnuplot_text(plot.title));
-    script += "set key bottom right reverse Left samplen 3 noenhanced\n";
+void set_key(GnuplotScript& script, const Plot& plot, PictureKind kind) {
+    script.add("set key bottom right reverse Left samplen 3 noenhanced\n");
     constexpr std::size_t most_inside = 4; // more would lie on the curves
     if (plot.key_below) {
-        script += fmt::format("set key outside below center horizontal maxcols {} height 0.6 "
-                              "samplen 2 width {} font \",12\"\n",
-                              named_in_a_line, kind == PictureKind::text ? 1 : -4);
+        script.add("set key outside below center horizontal maxcols {} height 0.6 samplen 2 "
+                   "width {} font \",12\"\n",
+                   named_in_a_line, kind == PictureKind::text ? 1 : -4);
     } else if (plot.curves.size() > most_inside) {
-        script += "set key outside right center\n";
+        script.add("set key outside right center\n");
     } else if (plot.y.logarithmic && !plot.x.logarithmic) {
-        script += "set key bottom right\n";
+        script.add("set key bottom right\n");
     } else if (!plot.y.logarithmic) {
-        script += "set key outside below center horizontal\n";
+        script.add("set key outside below center horizontal\n");
     }
-    script += "set grid back lc rgb \"#999999\" lw 0.5 dt 3\n";
-    set_axis(script, 'x', plot.x);
-    set_axis(script, 'y', plot.y);
+}
+
+void add_curve(GnuplotScript& script, const Plot& plot, const Curve& curve) {
+    const bool joined = curve.pen.dash != 0;
+    script.add("$data using 1:{} with {} lw {}", column_index(plot, curve.column) + 1,
+               !joined           ? GnuplotWords("points")
+               : curve.pen.point ? GnuplotWords("linespoints")
+                                 : GnuplotWords("lines"),
+               curve.pen.width);
+    if (joined) {
+        script.add(" dt {}", curve.pen.dash);
+    }
+    script.add(" lc rgb \"{}\"", okabe_ito.at(static_cast<std::size_t>(curve.pen.colour)));
+    if (curve.pen.point) {
+        script.add(" pt {} ps 0.6", *curve.pen.point);
+    }
+    script.add(" title {}", GnuplotText(curve.title));
+}
+
+/// All but the terminal.
+void add_plot(GnuplotScript& script, const Plot& plot, PictureKind kind) {
+    script.add("set title {} noenhanced\n", GnuplotText(plot.title));
+    set_key(script, plot, kind);
+    script.add("set grid back lc rgb \"#999999\" lw 0.5 dt 3\n");
+    set_axis(script, GnuplotWords("x"), plot.x);
+    set_axis(script, GnuplotWords("y"), plot.y);
     set_bands(script, plot.bands);
-    script += "$data << END_OF_DATA\n";
-    for (const auto& row : plot.rows) {
-        script += row_text(row, " ", "NaN");
-    }
-    script += "END_OF_DATA\nplot ";
+    add_data(script, plot);
+    script.add("plot ");
     bool first = true;
     for (const Curve& curve : plot.curves) {
-        const auto colour = okabe_ito[static_cast<std::size_t>(curve.pen.colour)];
-        const bool joined = curve.pen.dash != 0;
-        script += fmt::format("{}$data using 1:{} with {} lw {}{} lc rgb \"{}\"",
-                              first ? "" : ", \\\n     ", column_index(plot, curve.column) + 1,
-                              !joined           ? "points"
-                              : curve.pen.point ? "linespoints"
-                                                : "lines",
-                              curve.pen.width, joined ? fmt::format(" dt {}", curve.pen.dash) : "",
-                              colour);
-        if (curve.pen.point) {
-            script += fmt::format(" pt {} ps 0.6", *curve.pen.point);
-        }
-        script += " title " + gnuplot_text(curve.title);
+        script.add("{}", first ? GnuplotWords("") : GnuplotWords(", \\\n     "));
+        add_curve(script, plot, curve);
         first = false;
     }
     if (plot.level) {
-        script += fmt::format(", \\\n     {} with lines lw 1 dt 3 lc rgb \"#000000\" title {}",
-                              plot.level->first, gnuplot_text(plot.level->second));
+        script.add(", \\\n     {} with lines lw 1 dt 3 lc rgb \"#000000\" title {}",
+                   GnuplotNumber(plot.level->first), GnuplotText(plot.level->second));
     }
-    return script + '\n';
+    script.add("\n");
+}
+
+void set_terminal(GnuplotScript& script, PictureKind kind, std::size_t plots, std::size_t width) {
+    constexpr std::size_t panel_width = 560;
+    constexpr std::size_t panel_height = 440;
+    constexpr double pixels_an_inch = 100;
+    const std::size_t pixels = panel_width * plots;
+    switch (kind) {
+    case PictureKind::svg:
+        script.add("set terminal svg size {},{} dynamic font \"sans-serif,14\" background "
+                   "\"white\"\n",
+                   pixels, panel_height);
+        break;
+    case PictureKind::png:
+        script.add("set terminal pngcairo size {},{} font \"sans,14\" fontscale 1.5 linewidth 2 "
+                   "background \"white\"\n",
+                   2 * pixels, 2 * panel_height);
+        break;
+    case PictureKind::pdf:
+        script.add("set terminal pdfcairo size {:g}in,{:g}in font \"sans,12\"\n",
+                   static_cast<double>(pixels) / pixels_an_inch, panel_height / pixels_an_inch);
+        break;
+    case PictureKind::text:
+        script.add("set terminal dumb mono size {},{}\n", width, text_lines);
+        break;
+    }
 }
 
 } // namespace
 
 std::string to_csv(const Plot& plot) {
-    std::string csv = "# " + plot.title + '\n';
-    csv += "# " + plot.description + '\n';
+    std::string csv = "# " + printable(plot.title) + '\n';
+    csv += "# " + printable(plot.description) + '\n';
     csv += "# program: " + program_line() + '\n';
     for (std::size_t i = 0; i < plot.columns.size(); ++i) {
-        csv += (i == 0 ? "" : ",") + plot.columns[i];
+        csv += i == 0 ? "" : ",";
+        add_csv_cell(csv, plot.columns[i]);
     }
     csv += '\n';
     for (const auto& row : plot.rows) {
-        csv += row_text(row, ",", "");
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            csv += (i == 0 ? "" : ",") + cell_text(row[i]).value_or("");
+        }
+        csv += '\n';
     }
     return csv;
 }
 
-std::string gnuplot_script(const Plot& plot, std::string_view output) {
-    std::string script = "set encoding utf8\n";
-    script += fmt::format("set terminal svg size 560,{} dynamic font \"sans-serif,14\" background "
-                          "\"white\" name {}\n",
-                          400 + line_height * key_lines(plot), gnuplot_text(element_name(plot.id)));
-    return script + fmt::format("set output {}\n", gnuplot_text(output)) +
-           plot_commands(plot, PictureKind::svg);
+GnuplotScript gnuplot_script(const Plot& plot) {
+    GnuplotScript script;
+    script.add("set encoding utf8\nset terminal svg size 560,{} dynamic font \"sans-serif,14\" "
+               "background \"white\" name {}\n",
+               400 + line_height * key_lines(plot), element_name(plot.id));
+    add_plot(script, plot, PictureKind::svg);
+    return script;
 }
 
-std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind, std::size_t width,
-                           std::string_view output) {
-    constexpr std::size_t panel_width = 560;
-    constexpr std::size_t panel_height = 440;
-    constexpr double pixels_an_inch = 100;
-    const std::size_t pixels = panel_width * plots.size();
-    const std::string terminal =
-        kind == PictureKind::svg
-            ? fmt::format("svg size {},{} dynamic font \"sans-serif,14\" background \"white\"",
-                          pixels, panel_height)
-        : kind == PictureKind::png
-            ? fmt::format("pngcairo size {},{} font \"sans,14\" fontscale 1.5 linewidth 2 "
-                          "background \"white\"",
-                          2 * pixels, 2 * panel_height)
-        : kind == PictureKind::pdf ? fmt::format("pdfcairo size {:g}in,{:g}in font \"sans,12\"",
-                                                 static_cast<double>(pixels) / pixels_an_inch,
-                                                 panel_height / pixels_an_inch)
-                                   : fmt::format("dumb mono size {},{}", width, text_lines);
-    std::string script = "set encoding utf8\nset terminal " + terminal + "\n" +
-                         fmt::format("set output {}\n", gnuplot_text(output));
+GnuplotScript gnuplot_script(const std::vector<Plot>& plots, PictureKind kind, std::size_t width) {
+    GnuplotScript script;
+    script.add("set encoding utf8\n");
+    set_terminal(script, kind, plots.size(), width);
     if (plots.size() == 1) {
-        return script + plot_commands(plots.front(), kind);
+        add_plot(script, plots.front(), kind);
+        return script;
     }
-    script += fmt::format("set multiplot layout 1,{}\n", plots.size());
+    script.add("set multiplot layout 1,{}\n", plots.size());
     for (const Plot& plot : plots) {
-        script += "reset\n" + plot_commands(plot, kind);
+        script.add("reset\n");
+        add_plot(script, plot, kind);
     }
-    return script + "unset multiplot\n";
+    script.add("unset multiplot\n");
+    return script;
 }
 
 } // namespace edgeproof::report

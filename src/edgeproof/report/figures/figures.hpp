@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/io/file_stem.hpp"
 #include "edgeproof/precision/real.hpp"
+#include "edgeproof/report/figures/gnuplot_script.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -44,7 +46,7 @@ struct Band {
 
 /// One panel: a table, and which of its columns are drawn. Nothing in it depends on how.
 struct Plot {
-    std::string id;          ///< "fig2a": the name of its files
+    io::FileStem id;         ///< "fig2a": the name of its files
     std::string title;       ///< "a) wedge, m = 0"
     std::string description; ///< says in words what is seen, for those who do not see it
     Axis x;
@@ -73,15 +75,15 @@ inline constexpr unsigned figure_digits = 20;
 /// The table as CSV: notes behind #, a line of names, values at `figure_digits`.
 [[nodiscard]] std::string to_csv(const Plot& plot);
 
-/// A complete gnuplot script (data included) that writes the plot as SVG to `output`.
-/// Deterministic: no date, no path but `output`.
-[[nodiscard]] std::string gnuplot_script(const Plot& plot, std::string_view output);
+/// A complete gnuplot script (data included) that writes the plot as SVG to standard output.
+/// Deterministic: no date, no path.
+[[nodiscard]] GnuplotScript gnuplot_script(const Plot& plot);
 
 /// What a picture is made as. `text`: of letters, `width` columns wide.
 enum class PictureKind { svg, png, pdf, text };
 
 /// The same of several plots side by side.
-[[nodiscard]] std::string gnuplot_script(const std::vector<Plot>& plots, PictureKind kind,
-                                         std::size_t width, std::string_view output);
+[[nodiscard]] GnuplotScript gnuplot_script(const std::vector<Plot>& plots, PictureKind kind,
+                                           std::size_t width);
 
 } // namespace edgeproof::report

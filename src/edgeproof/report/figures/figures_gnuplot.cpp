@@ -3,8 +3,8 @@
 
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -21,11 +19,7 @@ namespace edgeproof::report {
 namespace {
 
 constexpr std::size_t most_messages = 10'000;
-
-std::string read_all(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+constexpr std::size_t most_message_bytes = 200;
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
@@ -43,12 +37,27 @@ void replace_element(std::string& text, std::string_view open, std::string_view 
     }
 }
 
-/// Runs gnuplot on a script with no shell in between. Environment: only what finds fonts, so that a
-/// user's settings change no figure. What it says on either stream, and how it ended.
-std::pair<std::string, std::string> run_gnuplot(const std::filesystem::path& program,
-                                                const std::filesystem::path& script) {
+/// The last line that is not empty: what gnuplot could not do. The lines before it repeat the
+/// script.
+std::string last_line(std::string_view messages) {
+    const std::size_t end = messages.find_last_not_of(" \t\r\n");
+    if (end == std::string_view::npos) {
+        return "no message";
+    }
+    const std::size_t begin = messages.find_last_of('\n', end);
+    const std::string_view line =
+        messages.substr(0, end + 1).substr(begin == std::string_view::npos ? 0 : begin + 1);
+    return printable(shortened(line.substr(line.find_first_not_of(" \t")), most_message_bytes));
+}
+
+/// What gnuplot draws by a script. The script goes in and the picture comes out through pipes: no
+/// shell and no file name takes part. Environment: only what finds fonts; no settings of the user
+/// (-d): they change no figure.
+std::string drawn(const io::FileStem& id, const GnuplotScript& script,
+                  const std::filesystem::path& program) {
     io::ProgramCall call;
-    call.arguments = {program.string(), script.string()};
+    call.arguments = {program.string(), "-d", "-"};
+    call.input = script.text();
     call.environment = {"LC_ALL=C.UTF-8"};
     for (const char* variable : {"PATH", "HOME", "LD_LIBRARY_PATH"}) {
         if (const char* value = std::getenv(variable)) {
@@ -59,26 +68,12 @@ std::pair<std::string, std::string> run_gnuplot(const std::filesystem::path& pro
     call.said = [&](std::string_view text) {
         messages += text.substr(0, most_messages - std::min(messages.size(), most_messages));
     };
-    const io::ProgramRun run = run_program(call);
-    return {messages + run.output, run.ending()};
-}
-
-/// What a script writes to the file `picture`, beside which it is put.
-std::string drawn(const std::string& id, const std::string& text,
-                  const std::filesystem::path& picture, const std::filesystem::path& gnuplot) {
-    const auto script = picture.parent_path() / (id + ".gp");
-    std::ofstream(script, std::ios::binary) << text;
-    const auto [said, ending] = run_gnuplot(gnuplot, script);
-    std::string bytes = read_all(picture);
-    std::error_code ignored;
-    for (const auto& file : {script, picture}) {
-        std::filesystem::remove(file, ignored);
+    io::ProgramRun run = run_program(call);
+    if (!run.ending().empty() || run.output.empty()) {
+        throw Error("gnuplot did not draw " + id.text() + ": " + last_line(messages) +
+                    (run.ending().empty() ? "" : " (gnuplot " + run.ending() + ")"));
     }
-    if (!ending.empty() || bytes.empty()) {
-        throw Error("gnuplot did not draw " + id + ": " + said.substr(0, said.find('\n')) +
-                    (ending.empty() ? "" : " (gnuplot " + ending + ")"));
-    }
-    return bytes;
+    return std::move(run.output);
 }
 
 } // namespace
@@ -100,12 +95,10 @@ std::optional<std::filesystem::path> find_gnuplot() {
     return std::nullopt;
 }
 
-std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
-                     const std::filesystem::path& scratch) {
-    const auto picture = scratch / (plot.id + ".part.svg");
-    std::string svg = drawn(plot.id, gnuplot_script(plot, picture.string()), picture, gnuplot);
+std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot) {
+    std::string svg = drawn(plot.id, gnuplot_script(plot), gnuplot);
     if (svg.find("</svg>") == std::string::npos) {
-        throw Error("gnuplot did not draw " + plot.id);
+        throw Error("gnuplot did not draw " + plot.id.text());
     }
     replace_element(svg, "<title>", "</title>", "<title>" + escape_html(plot.title) + "</title>");
     replace_element(svg, "<desc>", "</desc>",
@@ -115,11 +108,16 @@ std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
 }
 
 std::string draw_picture(const std::vector<Plot>& plots, PictureKind kind, std::size_t width,
-                         const std::filesystem::path& gnuplot,
-                         const std::filesystem::path& scratch) {
-    const auto picture = scratch / "picture";
-    return drawn(plots.front().id, gnuplot_script(plots, kind, width, picture.string()), picture,
-                 gnuplot);
+                         const std::filesystem::path& gnuplot) {
+    return drawn(plots.front().id, gnuplot_script(plots, kind, width), gnuplot);
+}
+
+void write_plot_files(const Plot& plot, const std::string& svg,
+                      const std::filesystem::path& folder) {
+    io::write_whole(folder / plot.id.with(".csv"), to_csv(plot));
+    if (!svg.empty()) {
+        io::write_whole(folder / plot.id.with(".svg"), svg);
+    }
 }
 
 void write_figure(const Plot& plot, const std::filesystem::path& file) {
@@ -136,14 +134,13 @@ void write_figure(const Plot& plot, const std::filesystem::path& file) {
         throw InputError("there is no gnuplot to draw " + file.string(),
                          "install gnuplot-nox, or write a .csv");
     }
-    const io::Scratch scratch;
-    io::write_whole(file, draw_svg(plot, *gnuplot, scratch.path()));
+    io::write_whole(file, draw_svg(plot, *gnuplot));
 }
 
 std::string inline_svg(const std::string& svg, const Plot& plot) {
     std::string out = svg.substr(svg.find("<svg"));
-    const std::string title = plot.id + "-title";
-    const std::string description = plot.id + "-desc";
+    const std::string title = plot.id.with("-title");
+    const std::string description = plot.id.with("-desc");
     out.replace(0, 4, "<svg role=\"img\" aria-labelledby=\"" + title + ' ' + description + "\"");
     replace_element(out, "<title>", "</title>",
                     "<title id=\"" + title + "\">" + escape_html(plot.title) + "</title>");
@@ -151,7 +148,7 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
                     "<desc id=\"" + description + "\">" + escape_html(plot.description) +
                         "</desc>");
     replace_element(out, "<metadata>", "</metadata>", ""); // the page names the program
-    const std::string own = plot.id + '-';
+    const std::string own = plot.id.with("-");
     replace_all(out, "id=\"gnuplot_canvas\"", "id=\"" + own + "canvas\"");
     replace_all(out, "id='gp", "id='" + own + "gp");
     replace_all(out, "href='#gp", "href='#" + own + "gp");

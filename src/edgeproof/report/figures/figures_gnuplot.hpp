@@ -11,15 +11,17 @@ namespace edgeproof::report {
 /// The program `gnuplot` in the folders of PATH, if there is one that can be run.
 [[nodiscard]] std::optional<std::filesystem::path> find_gnuplot();
 
-/// Draws the plot with `gnuplot` in the folder `scratch` (which must exist) and gives the SVG, with
-/// the plot's title and description as its own. Throws Error if gnuplot fails, with what it said.
-[[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot,
-                                   const std::filesystem::path& scratch);
+/// Draws the plot with `gnuplot` and gives the SVG, with the plot's title and description as its
+/// own. Throws Error if gnuplot fails, with its message.
+[[nodiscard]] std::string draw_svg(const Plot& plot, const std::filesystem::path& gnuplot);
 
 /// Draws the plots side by side; the bytes of the picture. Throws Error as above.
 [[nodiscard]] std::string draw_picture(const std::vector<Plot>& plots, PictureKind kind,
-                                       std::size_t width, const std::filesystem::path& gnuplot,
-                                       const std::filesystem::path& scratch);
+                                       std::size_t width, const std::filesystem::path& gnuplot);
+
+/// PLOT.csv, and PLOT.svg where `svg` is not empty, for each id of a plot, in a folder.
+void write_plot_files(const Plot& plot, const std::string& svg,
+                      const std::filesystem::path& folder);
 
 /// The plot as .svg (gnuplot draws it) or as .csv: the argument of an option --figure. Throws
 /// InputError for another ending, and for .svg where there is no gnuplot.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/scene_figure.hpp"
@@ -19,7 +18,6 @@ std::filesystem::path gnuplot_for_picture() {
 
 std::string page_of(const ScenePicture& picture, const std::string& title) {
     const auto gnuplot = gnuplot_for_picture();
-    const io::Scratch scratch;
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
         "name=\"viewport\" content=\"width=device-width\">\n<title>" +
@@ -31,7 +29,7 @@ std::string page_of(const ScenePicture& picture, const std::string& title) {
         "svg{width:100%;height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
         escape_html(title) + "</h1>\n<div class=\"panels\">\n";
     for (const Plot& plot : picture.plots) {
-        page += inline_svg(draw_svg(plot, gnuplot, scratch.path()), plot) + "\n";
+        page += inline_svg(draw_svg(plot, gnuplot), plot) + "\n";
     }
     page += "</div>\n<ul>\n";
     for (const std::string& exit : picture.exits) {
@@ -57,17 +55,15 @@ std::string picture_file(const ScenePicture& picture, const std::string& title,
         return page_of(picture, title);
     }
     const auto gnuplot = gnuplot_for_picture();
-    const io::Scratch scratch;
     return draw_picture(picture.plots,
                         ending == ".svg"   ? PictureKind::svg
                         : ending == ".png" ? PictureKind::png
                                            : PictureKind::pdf,
-                        0, gnuplot, scratch.path());
+                        0, gnuplot);
 }
 
 std::string picture_text(const ScenePicture& picture, std::size_t width) {
     const auto gnuplot = gnuplot_for_picture();
-    const io::Scratch scratch;
     Plot plot = picture.plots.front();
     for (Curve& curve : plot.curves) {
         // The key's columns are narrow there, and gnuplot cuts its lines; the exits are told below.
@@ -77,7 +73,7 @@ std::string picture_text(const ScenePicture& picture, std::size_t width) {
             curve.title.resize(curve.title.size() - std::string_view(" edge").size());
         }
     }
-    std::string text = draw_picture({plot}, PictureKind::text, width, gnuplot, scratch.path());
+    std::string text = draw_picture({plot}, PictureKind::text, width, gnuplot);
     text.erase(0, text.find_first_not_of("\f\n"));
     for (const std::string& exit : picture.exits) {
         text += exit + "\n";

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/comparison_page.hpp"
 
-#include "edgeproof/io/scratch.hpp"
-#include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/page/cost_page.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
@@ -80,17 +78,15 @@ std::string file_html(const ComparisonReport& report, const FileComparison& file
                            rows);
 }
 
-std::string drawn(const Figure& figure) {
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
+std::string figure_html(const DrawnComparison& drawn, const Figure& figure) {
+    if (!drawn.with_gnuplot) {
         return "<p class=\"missing\">There is no gnuplot: no figures.</p>\n";
     }
-    const io::Scratch scratch;
     std::string out =
         "<figure id=\"figure-" + escape_html(figure.id) + "\">\n<div class=\"panels\">\n";
     for (const Plot& plot : figure.plots) {
-        out += "<div class=\"panel\">" +
-               inline_svg(draw_svg(plot, *gnuplot, scratch.path()), plot) + "</div>\n";
+        out +=
+            "<div class=\"panel\">" + inline_svg(drawn.svg.at(plot.id.text()), plot) + "</div>\n";
     }
     return out + "</div>\n<figcaption>" + escape_html(figure.caption) +
            "</figcaption>\n</figure>\n";
@@ -117,10 +113,9 @@ std::string limits_html(const ComparisonReport& report) {
 
 } // namespace
 
-std::string comparison_page(const ComparisonReport& report) {
-    const PrecisionScope scope(figure_digits + 10);
+std::string comparison_page(const ComparisonReport& report, const DrawnComparison& drawn) {
     const auto& files = report.comparison.files;
-    const std::vector<Figure> figures = comparison_figures(report);
+    const std::vector<Figure>& figures = drawn.figures;
     std::string contents;
     std::string parts;
     const auto part = [&](const std::string& id, const std::string& title,
@@ -141,10 +136,12 @@ std::string comparison_page(const ComparisonReport& report) {
              html_rows({"File", "Outcome", "Nodes inside", "Of the peak", "Of p itself", "L2"},
                        rows));
     for (std::size_t i = 0; i < files.size(); ++i) {
-        part(figures[i].id, figures[i].title, drawn(figures[i]) + file_html(report, files[i]));
+        part(figures[i].id, figures[i].title,
+             figure_html(drawn, figures[i]) + file_html(report, files[i]));
     }
     if (files.size() > 1) {
-        part("convergence", "Several meshes", drawn(figures.back()) + limits_html(report));
+        part("convergence", "Several meshes",
+             figure_html(drawn, figures.back()) + limits_html(report));
     }
     return fill_template(
         cost_template::cost_html,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/report/tables/comparison_report.hpp"
+#include "edgeproof/report/figures/comparison_figures.hpp"
 
 #include <string>
 
 namespace edgeproof::report {
 
-/// One page that needs nothing else: outcome, quantities, errors and, where gnuplot is installed,
-/// figures of each file.
-[[nodiscard]] std::string comparison_page(const ComparisonReport& report);
+/// One page that needs nothing else: outcome, quantities, errors and, where they are drawn, figures
+/// of each file.
+[[nodiscard]] std::string comparison_page(const ComparisonReport& report,
+                                          const DrawnComparison& drawn);
 
 } // namespace edgeproof::report

@@ -2,7 +2,6 @@
 #include "edgeproof/report/page/cost_page.hpp"
 
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/report/figures/cost_figures.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/text/html_markup.hpp"
@@ -73,22 +72,18 @@ std::string effects_html(const CostReport& report) {
 struct Drawing {
     std::optional<std::filesystem::path> gnuplot;
     std::filesystem::path folder;
-    std::filesystem::path scratch;
 };
 
 std::string figure_html(const Figure& figure, const Drawing& drawing) {
     std::string out = "<figure id=\"" + escape_html(figure.id) + "\">\n<h3>" +
                       escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
     for (const Plot& plot : figure.plots) {
-        io::write_whole(drawing.folder / (plot.id + ".csv"), to_csv(plot));
-        std::string picture = "<p>" + escape_html(plot.title) + "</p>";
-        if (drawing.gnuplot) {
-            const std::string svg = draw_svg(plot, *drawing.gnuplot, drawing.scratch);
-            io::write_whole(drawing.folder / (plot.id + ".svg"), svg);
-            picture = inline_svg(svg, plot);
-        }
+        const std::string svg = drawing.gnuplot ? draw_svg(plot, *drawing.gnuplot) : "";
+        write_plot_files(plot, svg, drawing.folder);
+        const std::string picture =
+            svg.empty() ? "<p>" + escape_html(plot.title) + "</p>" : inline_svg(svg, plot);
         out += "<div class=\"panel\">" + picture + "<p class=\"data\"><a href=\"figures/" +
-               escape_html(plot.id) +
+               plot.id.text() +
                ".csv\">Data (CSV)</a><span class=\"soft\"> beside this page</span></p></div>\n";
     }
     return out + "</div>\n<figcaption>" + escape_html(figure.caption) +
@@ -164,9 +159,7 @@ std::string page(const CostReport& report, const std::string& figures) {
 
 void write_cost_page(const CostReport& report, const std::filesystem::path& folder) {
     io::make_folder(folder / "figures");
-    const io::Scratch scratch;
-    const std::string figures =
-        figures_html(report, {find_gnuplot(), folder / "figures", scratch.path()});
+    const std::string figures = figures_html(report, {find_gnuplot(), folder / "figures"});
     io::write_whole(folder / "cost.csv", write_table(cost_cells(report), TableFormat::csv));
     io::write_whole(folder / "points.csv", write_table(cost_points(report), TableFormat::csv));
     io::write_whole(folder / "cost.json", cost_json(report));

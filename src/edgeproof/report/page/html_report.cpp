@@ -2,7 +2,6 @@
 #include "edgeproof/report/page/html_report.hpp"
 
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_limits.hpp"
@@ -34,12 +33,11 @@ struct Job {
     std::string problem;
 };
 
-void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot,
-             const std::filesystem::path& scratch) {
+void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot) {
     try {
         job.plot = job.make();
         if (job.plot && gnuplot) {
-            job.svg = draw_svg(*job.plot, *gnuplot, scratch);
+            job.svg = draw_svg(*job.plot, *gnuplot);
         }
     } catch (const std::exception& e) { // a figure that fails is no reason to lose the others
         job.problem = e.what();
@@ -47,14 +45,13 @@ void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot,
 }
 
 void run_all(std::vector<Job>& jobs, int threads,
-             const std::optional<std::filesystem::path>& gnuplot,
-             const std::filesystem::path& scratch) {
+             const std::optional<std::filesystem::path>& gnuplot) {
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
         try {
             for (std::size_t i = next++; i < jobs.size(); i = next++) {
                 check_interruption();
-                run_job(jobs[i], gnuplot, scratch);
+                run_job(jobs[i], gnuplot);
             }
         } catch (const Interrupted&) { // thrown below, where no thread is left
             next = jobs.size();
@@ -74,12 +71,8 @@ void run_all(std::vector<Job>& jobs, int threads,
 
 DrawnFigure::Panel panel_of(const Job& job, const std::filesystem::path& folder) {
     const Plot& plot = *job.plot;
-    io::write_whole(folder / (plot.id + ".csv"), to_csv(plot));
-    if (job.svg.empty()) {
-        return {plot.id, plot.title, ""};
-    }
-    io::write_whole(folder / (plot.id + ".svg"), job.svg);
-    return {plot.id, plot.title, inline_svg(job.svg, plot)};
+    write_plot_files(plot, job.svg, folder);
+    return {plot.id.text(), plot.title, job.svg.empty() ? "" : inline_svg(job.svg, plot)};
 }
 
 /// Today, or the day of SOURCE_DATE_EPOCH (reproducible-builds.org), in universal time.
@@ -122,7 +115,6 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
     const auto gnuplot = find_gnuplot();
-    const io::Scratch scratch;
 
     const auto paper = paper_figures(result.ledger);
     const auto residuals = residual_figures(result.ledger);
@@ -142,7 +134,7 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
             jobs.push_back({[&r, &ledger] { return erratum_plot(r, ledger); }, {}, {}, {}});
         }
     }
-    run_all(jobs, threads, gnuplot, scratch.path());
+    run_all(jobs, threads, gnuplot);
 
     PageFigures page;
     if (!gnuplot) {

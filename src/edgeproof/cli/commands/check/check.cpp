@@ -7,7 +7,6 @@
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -138,9 +137,6 @@ int check(const CheckOptions& o) {
     }
     io::check_output(o.junit);
     io::check_output(o.figure);
-    if (!o.figure.empty()) {
-        const io::Scratch usable; // needed in the end: told before the work
-    }
     report::Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);

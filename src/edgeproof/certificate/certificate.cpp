@@ -3,6 +3,8 @@
 
 #include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/io/file_stem.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@
 
 namespace edgeproof::certificate {
 std::string in_comment(std::string text) {
+    text = printable_lines(text);
     for (const auto& [from, to] :
          {std::pair<std::string, std::string>{"(*", "( *"}, {"*)", "* )"}, {"\"", "''"}}) {
         for (std::size_t at = text.find(from); at != std::string::npos;
@@ -24,7 +27,7 @@ std::string in_comment(std::string text) {
 }
 
 std::string coq_name(const std::string& id) {
-    std::string name = id;
+    std::string name = io::FileStem(id).text();
     for (char& c : name) {
         const bool plain =
             (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_paper.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -108,6 +109,23 @@ TEST_CASE("a text stands in a figure as it was written, without the markup of en
         ++found;
     }
     CHECK(found >= 6); // title, both axes, the curve, the level, the band
+}
+
+TEST_CASE("every figure of the paper is drawn") {
+    const auto gnuplot = find_gnuplot();
+    if (!gnuplot) {
+        MESSAGE("skipped: no gnuplot");
+        return;
+    }
+    const PrecisionScope scope(40);
+    std::size_t drawn = 0;
+    for (const FigureRecipe& figure : paper_figures("moore-hills")) {
+        const Plot plot = figure.plots.front()();
+        CAPTURE(plot.id.text());
+        CHECK_NOTHROW((void)draw_svg(plot, *gnuplot));
+        ++drawn;
+    }
+    CHECK(drawn == 8);
 }
 
 TEST_CASE("a number for gnuplot is a number") {

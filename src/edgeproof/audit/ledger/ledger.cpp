@@ -154,6 +154,10 @@ private:
         claim.file = file_;
         claim.line = table.line();
         claim.id = table.written("id");
+        if (claim.id.empty() || printable(claim.id) != claim.id) {
+            table.reject("id", "the id of a claim is empty or holds control characters",
+                         "write a name in one line");
+        }
         claim.kind = table.written("kind");
         const CheckKind* kind = find_check_kind(claim.kind);
         if (kind == nullptr) {
@@ -173,6 +177,11 @@ private:
         own.insert(own.end(), shared.begin(), shared.end());
         table.allow(own);
         claim.printed = table.written_or("printed", "");
+        if (const auto fault = tex_fault(claim.printed, ledger_.print.macros)) {
+            table.reject("printed",
+                         "printed of claim " + claim.id + " cannot be used: " + fault->problem,
+                         fault->instead);
+        }
         if (table.has("lines")) {
             const std::vector<std::size_t> lines = table.counts("lines", 0, most_lines);
             if (lines.size() != 2) {

@@ -9,6 +9,8 @@
 namespace edgeproof::audit {
 namespace {
 
+constexpr std::size_t most_macros = 1000;
+
 std::string underscored(std::string_view name) {
     std::string plain(name);
     std::ranges::replace(plain, '.', '_');
@@ -39,6 +41,14 @@ std::size_t line_number(const io::TomlSection& table, const std::string& key) {
                      "write \"LINE\" = \"2.1 Title\"");
     }
     return line;
+}
+
+void refuse(const std::optional<TexFault>& fault, const io::TomlSection& table,
+            const std::string& key) {
+    if (fault) {
+        table.reject(key, "the TeX of '" + key + "' cannot be used: " + fault->problem,
+                     fault->instead);
+    }
 }
 
 } // namespace
@@ -79,16 +89,26 @@ PrintedSource read_printed_source(const io::TomlSection& top) {
         source.labels = texts_of(print, "labels");
         source.numbers = texts_of(print, "numbers");
         source.macros = texts_of(print, "macros");
+        if (source.macros.size() > most_macros) {
+            print.reject("macros",
+                         "[print.macros] has more than " + std::to_string(most_macros) + " macros",
+                         "give the macros that are used");
+        }
+        for (const auto& [name, body] : source.macros) {
+            refuse(macro_fault(name, source.macros), print.section("macros"), name);
+        }
     }
     if (top.has("notation")) {
         const io::TomlSection notation = top.section("notation");
         for (const std::string& name : notation.keys()) {
             if (!notation.is_table(name)) {
                 source.notation.emplace(underscored(name), notation.text(name));
+                refuse(tex_fault(notation.text(name), source.macros), notation, name);
                 continue;
             }
             for (const auto& [symbol, tex] : texts_of(notation, name)) {
                 source.notation_over[name].emplace(underscored(symbol), tex);
+                refuse(tex_fault(tex, source.macros), notation.section(name), symbol);
             }
         }
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/ledger/tex_math_text.hpp"
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -16,7 +18,7 @@ namespace edgeproof::audit {
 /// How the source of a ledger is cited, numbered and written: what a page needs to speak of it as
 /// its readers do. Nothing here decides a verdict.
 struct PrintedSource {
-    using Texts = std::map<std::string, std::string, std::less<>>;
+    using Texts = TexMacros;
     std::string doi;
     std::string arxiv;
     std::string version;

@@ -75,14 +75,25 @@ void set_bands(GnuplotScript& script, const std::vector<Band>& bands) {
     }
 }
 
+void add_range_end(GnuplotScript& script, const std::string& end) {
+    if (end == "*") {
+        script.add("*"); // where the data end
+    } else {
+        script.add("{}", GnuplotNumber(end));
+    }
+}
+
 void set_axis(GnuplotScript& script, GnuplotWords name, const Axis& axis) {
     script.add("set {}label {} noenhanced\n", name, GnuplotText(axis.label));
     if (axis.logarithmic) {
         script.add("set logscale {}\nset format {} \"10^{{%T}}\"\n", name, name);
     }
     if (axis.range) {
-        script.add("set {}range [{}:{}]\n", name, GnuplotNumber(axis.range->first),
-                   GnuplotNumber(axis.range->second));
+        script.add("set {}range [", name);
+        add_range_end(script, axis.range->first);
+        script.add(":");
+        add_range_end(script, axis.range->second);
+        script.add("]\n");
     }
 }
 

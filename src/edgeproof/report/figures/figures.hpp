@@ -33,7 +33,8 @@ struct Curve {
 struct Axis {
     std::string label; ///< with its unit
     bool logarithmic = false;
-    std::optional<std::pair<std::string, std::string>> range = {}; ///< as text, exactly
+    std::optional<std::pair<std::string, std::string>> range =
+        {}; ///< as text, exactly; *: of the data
 };
 
 /// A part of the x axis, shaded over the whole height and named at its top. Numbers as text.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/correction.hpp"
 
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
 
@@ -31,7 +32,7 @@ std::string tex_of(const std::string& text, const Claim& claim, const PrintedSou
                    formula::Expr (*arrange)(const formula::Expr&) = nullptr) {
     const auto e = formula_of(text, claim);
     if (!e) {
-        return "\\text{" + text + "}";
+        return "\\text{" + latex_text(text) + "}";
     }
     return formula_tex(arrange != nullptr ? arrange(*e) : *e, source, family_of(claim));
 }
@@ -162,7 +163,7 @@ std::optional<Correction> correction_of(const audit::ClaimResult& result,
             if (!printed.empty()) {
                 correction.what = "the coefficient of " +
                                   math(power_tex(text_in(term, "power"), *claim, source)) +
-                                  (claim->reading.empty() ? "" : ", " + claim->reading);
+                                  (claim->reading.empty() ? "" : ", " + latex_text(claim->reading));
                 correction.printed = tex_of(printed, *claim, source, gathered);
                 correction.corrected = tex_of(text_in(term, "derived"), *claim, source, gathered);
                 return correction;
@@ -182,11 +183,11 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
     const Claim& claim = result.claim;
     const audit::Outcome& outcome = result.outcome;
     if (claim.has("quoted") && outcome.computed) {
-        std::string quoted = claim.text("quoted");
-        std::string computed = *outcome.computed;
+        std::string quoted = latex_text(claim.text("quoted"));
+        std::string computed = latex_text(*outcome.computed);
         for (std::string* text : {&quoted, &computed}) {
-            if (const std::size_t at = text->find(" %"); at != std::string::npos) {
-                text->replace(at, 2, "\\,\\%");
+            if (const std::size_t at = text->find(" \\%"); at != std::string::npos) {
+                text->replace(at, 3, "\\,\\%");
             }
         }
         // "rounds to 49 %: 3 units ...": at the places that are quoted.
@@ -274,7 +275,11 @@ std::string note_tex(const std::string& note, const Claim& claim, const PrintedS
         }
         if (n == 0 || std::isdigit(static_cast<unsigned char>(note[i])) != 0) {
             n = std::max<std::size_t>(n, 1);
-            out += note.substr(i, n);
+            while (i + n < note.size() &&
+                   (static_cast<unsigned char>(note[i + n]) & 0xC0U) == 0x80U) {
+                ++n; // a whole character of UTF-8
+            }
+            out += latex_text(note.substr(i, n));
             i += n;
             continue;
         }
@@ -307,7 +312,7 @@ std::string note_tex(const std::string& note, const Claim& claim, const PrintedS
                 continue;
             }
         }
-        out += word;
+        out += latex_text(word);
         i += n;
     }
     return out;

@@ -18,9 +18,9 @@ std::string resolved(std::string tex, const audit::PrintedSource& source) {
             }
             const std::string name = tex.substr(at + command.size(), close - at - command.size());
             const auto label = source.labels.find(name);
-            const std::string text = command == "\\cite{"           ? "[" + name + "]"
+            const std::string text = command == "\\cite{"           ? "[" + latex_text(name) + "]"
                                      : label == source.labels.end() ? "?"
-                                                                    : label->second;
+                                                                    : latex_text(label->second);
             tex.replace(at, close - at + 1, text);
             at += text.size();
         }
@@ -32,31 +32,39 @@ std::string resolved(std::string tex, const audit::PrintedSource& source) {
 std::string beginning_of(const std::string& sentence) {
     constexpr std::size_t enough = 110;
     bool in_math = false;
+    int depth = 0;
     for (std::size_t i = 0; i < sentence.size(); ++i) {
-        if (sentence.compare(i, 16, "\\begin{equation}") == 0) {
+        if (sentence.compare(i, 7, "\\begin{") == 0) {
             return sentence.substr(0, i) + "\\,\\dots";
         }
+        if (sentence[i] == '\\') { // what follows is no brace or dollar of TeX
+            ++i;
+            continue;
+        }
         in_math = sentence[i] == '$' ? !in_math : in_math;
-        if (i >= enough && !in_math && sentence[i] == ' ') {
+        depth += sentence[i] == '{' ? 1 : sentence[i] == '}' ? -1 : 0;
+        if (i >= enough && !in_math && depth == 0 && sentence[i] == ' ') {
             return sentence.substr(0, i) + "\\,\\dots";
         }
     }
     return sentence;
 }
 
+/// Macros of the source are put in: a \providecommand would leave what LaTeX has by that name.
 std::string item_tex(const Erratum& erratum, const audit::PrintedSource& source) {
     const audit::ClaimResult& first = *erratum.parts.front();
-    std::string out = "\\item " + place_words(first.claim, source) + ": ";
+    const auto plain = [&](const std::string& tex) { return audit::without_macros(tex, source.macros); };
+    std::string out = "\\item " + latex_text(place_words(first.claim, source)) + ": ";
     if (is_sentence(first.claim.printed)) {
-        out += "``" + resolved(beginning_of(first.claim.printed), source) + "''. ";
+        out += "``" + plain(resolved(beginning_of(first.claim.printed), source)) + "''. ";
     }
     for (const audit::ClaimResult* part : erratum.parts) {
         if (const auto correction = correction_of(*part, source)) {
-            out += (correction->what.empty() ? "" : "in " + correction->what + ", ") + "for $" +
-                   correction->printed + "$ read $" + correction->corrected + "$";
+            out += plain((correction->what.empty() ? "" : "in " + correction->what + ", ") +
+                         "for $" + correction->printed + "$ read $" + correction->corrected + "$");
             out += part == erratum.parts.back() ? ". " : "; ";
         } else {
-            out += correction_in_words(*part, source) + ' ';
+            out += plain(correction_in_words(*part, source)) + ' ';
         }
     }
     return out + '\n';
@@ -72,9 +80,6 @@ std::string errata_tex(const audit::AuditResult& result, const audit::PrintedSou
                       "\\usepackage[margin=17mm]{geometry}\n"
                       "\\pagestyle{empty}\n\\setlength{\\parindent}{0pt}\n"
                       "\\providecommand{\\fint}{-\\!\\!\\!\\!\\!\\!\\int}\n";
-    for (const auto& [name, body] : source.macros) {
-        out += "\\providecommand{\\" + name + "}{" + body + "}\n";
-    }
     out += "\\begin{document}\n\\textbf{Errata.} " + latex_text(result.source) + ".";
     if (!source.doi.empty()) {
         out += " doi:" + latex_text(source.doi) + '.';

@@ -41,11 +41,14 @@ std::string in_quotes(std::string_view text) {
 } // namespace
 
 void add_csv_cell(std::string& line, std::string_view text) {
-    if (std::all_of(text.begin(), text.end(), is_plain)) {
+    // A line that begins with # is a note, and blanks at the ends of a cell do not count.
+    const bool read_otherwise =
+        !text.empty() && (text.front() == '#' || text.front() == ' ' || text.back() == ' ');
+    if (!read_otherwise && std::all_of(text.begin(), text.end(), is_plain)) {
         line += text;
         return;
     }
-    const bool quoted = text.find_first_of(",\"\r\n") != std::string_view::npos;
+    const bool quoted = read_otherwise || text.find_first_of(",\"\r\n") != std::string_view::npos;
     const std::string in_a_line = printable(text);
     line += quoted ? in_quotes(in_a_line) : in_a_line;
 }

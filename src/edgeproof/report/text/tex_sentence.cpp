@@ -17,6 +17,15 @@ void put_in_place(std::string& text, std::string_view from, std::string_view to)
     }
 }
 
+/// Signs that TeX has by name in a line of text.
+std::string_view text_sign(std::string_view command) {
+    return command == "\\textsection"       ? "§"
+           : command == "\\textbackslash"   ? "\\"
+           : command == "\\textasciitilde"  ? "~"
+           : command == "\\textasciicircum" ? "^"
+                                            : "";
+}
+
 /// Text between formulas: commands carried out, the rest escaped.
 std::string plain_html(std::string_view tex, const audit::PrintedSource& source) {
     const std::vector<std::string> tokens = tex_tokens(tex);
@@ -39,8 +48,9 @@ std::string plain_html(std::string_view tex, const audit::PrintedSource& source)
             out += "[" + escape_html(group()) + "]";
         } else if (token == "\\label") {
             group();
-        } else if (token == "\\textsection") {
-            out += "§";
+        } else if (const auto sign = text_sign(token); !sign.empty()) {
+            out += sign;
+            i += i + 2 < tokens.size() && tokens[i + 1] == "{" && tokens[i + 2] == "}" ? 2 : 0;
         } else if (token.size() == 2 && token[0] == '\\' && !is_letter(token[1])) {
             out += token[1] == '\\' || token[1] == ',' ? " " : escape_html(token.substr(1));
         } else if (token[0] != '\\' && token != "{" && token != "}") {

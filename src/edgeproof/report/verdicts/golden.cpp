@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/verdicts/golden.hpp"
 
+#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
-#include <fstream>
 #include <map>
 
 namespace edgeproof::report {
 namespace {
 
-constexpr const char* golden_head = "id,verdict,correct";
+using Cells = std::vector<std::string>;
 
-std::string row(const audit::ClaimResult& r) {
-    return csv_cell(r.claim.id) + "," + std::string(name_of(r.outcome.verdict)) + "," +
-           csv_cell(r.outcome.correct.value_or(""));
+const Cells golden_head{"id", "verdict", "correct"};
+
+std::string row(const Cells& cells) {
+    std::string line;
+    for (const std::string& cell : cells) {
+        line += line.empty() ? "" : ",";
+        add_csv_cell(line, cell);
+    }
+    return line;
+}
+
+/// As the reader of CSV gives it back.
+Cells cells_of(const audit::ClaimResult& r) {
+    return {r.claim.id, std::string(name_of(r.outcome.verdict)),
+            printable(r.outcome.correct.value_or(""))};
 }
 
 } // namespace
@@ -25,11 +39,9 @@ std::filesystem::path golden_file(const std::filesystem::path& ledger) {
 }
 
 std::string golden_text(const audit::AuditResult& result) {
-    std::string out(golden_head);
-    out += '\n';
+    std::string out = row(golden_head) + '\n';
     for (const audit::ClaimResult& r : result.claims) {
-        out += row(r);
-        out += '\n';
+        out += row(cells_of(r)) + '\n';
     }
     return out;
 }
@@ -37,27 +49,22 @@ std::string golden_text(const audit::AuditResult& result) {
 std::vector<std::string> golden_differences(const audit::AuditResult& result,
                                             const std::filesystem::path& file,
                                             const std::string& only) {
-    std::ifstream in(file);
-    if (!in) {
-        throw InputError("cannot read " + file.string(), "give a file that can be read");
-    }
-    std::string line;
-    if (!std::getline(in, line) || line != golden_head) {
-        throw InputError("the first line is not '" + std::string(golden_head) + "'",
+    const io::Csv csv = io::parse_csv(io::read_text(file, "recorded verdicts"), file.string());
+    if (csv.header.cells != golden_head) {
+        throw InputError("the first line is not '" + row(golden_head) + "'",
                          "record the verdicts anew with --record")
-            .at(file.string(), 1);
+            .at(file.string(), csv.header.line);
     }
-    std::map<std::string, std::string> expected;
+    std::map<std::string, Cells> expected;
     std::vector<std::string> order;
-    for (std::size_t number = 2; std::getline(in, line); ++number) {
-        const std::size_t comma = line.find(',');
-        if (comma == std::string::npos) {
+    for (const io::Csv::Row& line : csv.rows) {
+        if (line.cells.size() < 2) {
             throw InputError("a row with no verdict", "write id,verdict,correct")
-                .at(file.string(), number);
+                .at(file.string(), line.line);
         }
-        const std::string id = line.substr(0, comma);
+        const std::string& id = line.cells.front();
         if (audit::matches(only, id)) {
-            expected[id] = line;
+            expected[id] = line.cells;
             order.push_back(id);
         }
     }
@@ -67,9 +74,10 @@ std::vector<std::string> golden_differences(const audit::AuditResult& result,
         seen[r.claim.id] = true;
         const auto at = expected.find(r.claim.id);
         if (at == expected.end()) {
-            differences.push_back(r.claim.id + ": not in the golden file; now " + row(r));
-        } else if (at->second != row(r)) {
-            differences.push_back(r.claim.id + ": was " + at->second + "; now " + row(r));
+            differences.push_back(r.claim.id + ": not in the golden file; now " + row(cells_of(r)));
+        } else if (at->second != cells_of(r)) {
+            differences.push_back(r.claim.id + ": was " + row(at->second) + "; now " +
+                                  row(cells_of(r)));
         }
     }
     for (const std::string& id : order) {

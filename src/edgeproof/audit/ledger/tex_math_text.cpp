@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/tex_math_text.hpp"
+
+#include "edgeproof/audit/ledger/tex_commands.hpp"
+#include "edgeproof/precision/message.hpp"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace edgeproof::audit {
+namespace {
+
+constexpr std::size_t most_shown = 40;
+constexpr std::size_t most_expanded_bytes = 100'000;
+constexpr std::size_t most_expansions = 10'000;
+constexpr const char* write_mathematics =
+    "write commands of LaTeX and amsmath for formulas and text, or define the macro in "
+    "[print.macros]";
+
+bool is_tex_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+std::string shown_tex(std::string_view text) { return printable(shortened(text, most_shown)); }
+
+/// The letters of the command whose backslash stands at `at`; empty for a backslash with a sign.
+std::string_view command_at(std::string_view tex, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < tex.size() && is_tex_letter(tex[end])) {
+        ++end;
+    }
+    return tex.substr(at + 1, end - at - 1);
+}
+
+class TexChecker {
+public:
+    TexChecker(std::string_view tex, const TexMacros& macros) : tex_(tex), macros_(macros) {}
+
+    std::optional<TexFault> fault() {
+        if (printable_lines(tex_) != tex_) {
+            return TexFault{"it holds control characters, or is no UTF-8", "write printable text"};
+        }
+        while (at_ < tex_.size()) {
+            if (auto found = tex_[at_] == '\\' ? command() : character()) {
+                return found;
+            }
+        }
+        if (depth_ != 0) {
+            return unbalanced("{");
+        }
+        if (in_math_) {
+            return unbalanced("$");
+        }
+        return {}; // a sentence may end where an environment goes on
+    }
+
+private:
+    static TexFault unbalanced(const std::string& what) {
+        return {"it holds " + what + " without its counterpart", "write both, or none"};
+    }
+
+    std::optional<TexFault> character() {
+        const char c = tex_[at_];
+        if (c == '%' || c == '#') {
+            return TexFault{std::string("it holds ") + c + ", which TeX does not print",
+                            std::string("write \\") + c};
+        }
+        if (tex_.substr(at_, 2) == "^^") {
+            return TexFault{"it holds ^^, by which TeX reads another character",
+                            "write the character itself"};
+        }
+        ++at_;
+        in_math_ = c == '$' ? !in_math_ : in_math_;
+        depth_ += c == '{' ? 1 : c == '}' ? -1 : 0;
+        return depth_ < 0 ? std::optional(unbalanced("}")) : std::nullopt;
+    }
+
+    std::optional<TexFault> command() {
+        const std::string_view name = command_at(tex_, at_);
+        if (name.empty()) {
+            if (at_ + 1 == tex_.size() || !is_math_sign(tex_[at_ + 1])) {
+                return TexFault{"it holds " + shown_tex(tex_.substr(at_, 2)) +
+                                    ", which is no command of mathematics",
+                                write_mathematics};
+            }
+            at_ += 2;
+            return {};
+        }
+        at_ += 1 + name.size();
+        if (macros_.contains(name)) {
+            return {};
+        }
+        if (!is_math_command(name)) {
+            return TexFault{"it holds \\" + shown_tex(name) +
+                                ", which is no command of mathematics",
+                            write_mathematics};
+        }
+        return name == "begin" || name == "end" ? environment(name == "begin") : std::nullopt;
+    }
+
+    std::optional<TexFault> environment(bool begins) {
+        const std::size_t close = tex_.find('}', at_);
+        if (at_ == tex_.size() || tex_[at_] != '{' || close == std::string_view::npos) {
+            return unbalanced(begins ? "\\begin" : "\\end");
+        }
+        const std::string name(tex_.substr(at_ + 1, close - at_ - 1));
+        if (!is_math_environment(name)) {
+            return TexFault{"it holds the environment '" + shown_tex(name) +
+                                "', which is not one of formulas",
+                            "write equation, align, cases, array or another one of amsmath"};
+        }
+        at_ = close + 1;
+        if (begins) {
+            open_.push_back(name);
+        } else if (open_.empty() || open_.back() != name) {
+            return unbalanced("\\end{" + name + "}");
+        } else {
+            open_.pop_back();
+        }
+        return {};
+    }
+
+    std::string_view tex_;
+    const TexMacros& macros_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    bool in_math_ = false;
+    std::vector<std::string> open_;
+};
+
+/// Whether a macro is used by `tex`, or by a macro in it.
+bool uses_macro(std::string_view tex, const std::string& name, const TexMacros& macros,
+                std::set<std::string_view>& seen) {
+    for (std::size_t at = 0; (at = tex.find('\\', at)) != std::string_view::npos;) {
+        const std::string_view used = command_at(tex, at);
+        at += used.empty() ? 2 : 1 + used.size();
+        const auto body = macros.find(used);
+        if (used == name || (body != macros.end() && seen.insert(body->first).second &&
+                             uses_macro(body->second, name, macros, seen))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A text with its macros put in, as far as the limits allow.
+class Expansion {
+public:
+    Expansion(std::string_view tex, const TexMacros& macros) : macros_(macros) { add(tex); }
+    [[nodiscard]] bool is_whole() const { return !cut_; }
+    std::string text;
+
+private:
+    void add(std::string_view tex) {
+        for (std::size_t at = 0; at < tex.size() && !cut_;) {
+            cut_ = text.size() > most_expanded_bytes;
+            if (tex[at] != '\\') {
+                text += tex[at++];
+                continue;
+            }
+            const std::string_view name = command_at(tex, at);
+            const std::size_t size = name.empty() ? 2 : 1 + name.size();
+            const auto macro = macros_.find(name);
+            if (macro == macros_.end()) {
+                text += tex.substr(at, size);
+            } else {
+                put_in(macro->second);
+            }
+            at += size;
+        }
+    }
+    void put_in(const std::string& body) {
+        cut_ = cut_ || ++count_ > most_expansions;
+        // A letter of the body must not become one of the command before it.
+        const std::size_t backslash = text.find_last_of('\\');
+        if (backslash != std::string::npos && !body.empty() && is_tex_letter(body.front()) &&
+            std::all_of(text.begin() + static_cast<std::ptrdiff_t>(backslash) + 1, text.end(),
+                        is_tex_letter)) {
+            text += ' ';
+        }
+        add(body);
+    }
+
+    const TexMacros& macros_;
+    std::size_t count_ = 0;
+    bool cut_ = false;
+};
+
+} // namespace
+
+std::optional<TexFault> tex_fault(std::string_view tex, const TexMacros& macros) {
+    if (auto fault = TexChecker(tex, macros).fault()) {
+        return fault;
+    }
+    if (!Expansion(tex, macros).is_whole()) {
+        return TexFault{"its macros stand for more than " + std::to_string(most_expanded_bytes) +
+                            " characters, or for more than " + std::to_string(most_expansions) +
+                            " macros",
+                        "write shorter macros"};
+    }
+    return {};
+}
+
+std::optional<TexFault> macro_fault(const std::string& name, const TexMacros& macros) {
+    if (name.empty() || !std::ranges::all_of(name, is_tex_letter)) {
+        return TexFault{"the name of a macro is not letters only", "write NAME = 'TeX'"};
+    }
+    const std::string& body = macros.find(name)->second;
+    std::set<std::string_view> seen;
+    if (uses_macro(body, name, macros, seen)) {
+        return TexFault{"the macro \\" + shown_tex(name) + " uses itself",
+                        "write its body with commands of LaTeX"};
+    }
+    return TexChecker(body, macros).fault();
+}
+
+std::string without_macros(std::string_view tex, const TexMacros& macros) {
+    return Expansion(tex, macros).text;
+}
+
+} // namespace edgeproof::audit

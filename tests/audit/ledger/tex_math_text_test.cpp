@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/tex_math_text.hpp"
+
+#include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+bool is_allowed(const std::string& tex, const TexMacros& macros = {}) {
+    return !tex_fault(tex, macros).has_value();
+}
+
+const std::string ledger_text = R"([ledger]
+name = "small"
+[[family]]
+name = "hertz"
+profile = "power-law"
+count = 1
+[family.parameters]
+m = ["1"]
+C = ["1"]
+a = ["1"]
+Es = ["1"]
+[[claim]]
+id = "C"
+kind = "value"
+over = "hertz"
+of = "P"
+says = "P"
+printed = '''PRINTED'''
+[notation]
+eps = '''NOTATION'''
+[print.macros]
+own = '''MACRO'''
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+/// The error of a ledger with one text in the place of a word; the rest is harmless.
+std::string error_with(const std::string& word, const std::string& tex) {
+    std::string text = replaced(ledger_text, word, tex);
+    for (const char* other : {"PRINTED", "NOTATION", "MACRO"}) {
+        if (word != other) {
+            text = replaced(text, other, "x");
+        }
+    }
+    try {
+        (void)parse_ledger(text, "L.toml");
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+const std::vector<std::string> hostile_tex{
+    R"(\write18{touch x})",
+    R"(\immediate\write18{touch x})",
+    R"(\input{/etc/passwd})",
+    R"(\input|"touch x")",
+    R"(\include{x})",
+    R"(\openout1=x)",
+    R"(\openin1=x)",
+    R"(\read1 to\x)",
+    R"(\catcode`\@=11)",
+    R"(\csname input\endcsname x)",
+    R"(\expandafter\x)",
+    R"(\def\x{y})",
+    R"(\let\x\input)",
+    R"(\newcommand{\x}{y})",
+    R"(\usepackage{x})",
+    R"(\verbatiminput{x})",
+    R"(\lstinputlisting{x})",
+    R"(\includegraphics{x})",
+    R"(\special{x})",
+    R"(\directlua{os.execute("x")})",
+    R"(\ShellEscape{x})",
+    R"(\url{x})",
+    R"(\href{x}{y})",
+    R"(\end{document})",
+    R"(\begin{filecontents}{x}y\end{filecontents})",
+    R"(\begin{verbatim}\end{verbatim})",
+    R"(\frac{1}{2}\loop\repeat)",
+    "^^5cinput{x}",
+    "^^5c^^69nput x",
+    R"(\frac{1}{2)",
+    R"(\frac{1}2})",
+    "}{",
+    "x % a comment",
+    "#1",
+    "$x",
+    R"(x\end{cases})",
+    R"(\begin{cases}\begin{array}{l}x\end{cases}\end{array})",
+    R"(\@input{x})",
+    R"(\)",
+    "x\x1b[2J",
+    "x\xff"};
+
+} // namespace
+
+TEST_CASE("TeX of a ledger: what mathematics needs is accepted") {
+    for (
+        const std::string tex :
+        {"", "x", R"(M_{I} = \frac{2\sqrt{2}}{3a^{3/2}\pi}\left(\frac{5P'(a)}{8} - aP''(a)\right))",
+         R"(p(x) & \, = && \frac{1}{\pi}\int_{x}^{a} \frac{P'(s)}{\sqrt{s^{2}-x^{2}}}\,\mbox{d}s \\)",
+         R"(\left[ x \right. \nonumber \\ \label{eqn:a_b-1})",
+         R"(\begin{cases} 0 & \mbox{for} \; 0<a<t \\[2mm] x & \text{else} \end{cases})",
+         R"(an error of 10\,\% at $u = 0.1a$, see \ref{eqn:x} and \cite{Barber_1})",
+         R"(\operatorname{sgn}(x)\,\mathrm{d}x \in \mathbb{R}, \boldsymbol{\sigma} \otimes \hat{n})",
+         R"(\sum_{k=0}^{\infty} \binom{n}{k} \leq \lim_{x\to 0} \sup |x| \ll \varepsilon)",
+         R"(\begin{equation} \begin{pmatrix} a & b \\ c & d \end{pmatrix} \end{equation})",
+         R"(\{x : x \neq 0\} \cup \varnothing \, \$5 \& \# \_ na\"{\i}ve Schr\"odinger)",
+         R"(\underbrace{x}_{\text{small}} \overline{y} \dfrac{1}{2} \Bigl( z \Bigr))",
+         "γ ≤ δ² — “text”"}) {
+        CAPTURE(tex);
+        CHECK(is_allowed(tex));
+    }
+    CHECK(is_allowed(R"(\ve X)", {{"ve", R"(\varepsilon)"}}));
+    CHECK_FALSE(is_allowed(R"(\ve X)"));
+}
+
+TEST_CASE("TeX of a ledger: what reads or writes files, or changes how TeX reads, is refused") {
+    for (const std::string& tex : hostile_tex) {
+        CAPTURE(tex);
+        CHECK_FALSE(is_allowed(tex));
+        const TexMacros macros{{"own", tex}};
+        CHECK(macro_fault("own", macros).has_value());
+    }
+}
+
+TEST_CASE("TeX of a ledger: the error names the line, and what to write") {
+    CHECK(error_with("PRINTED", "x^2").empty());
+    for (const std::string& tex : hostile_tex) {
+        if (tex.find('\x1b') != std::string::npos || tex.find('\xff') != std::string::npos) {
+            continue; // refused by the reader of TOML
+        }
+        CAPTURE(tex);
+        CHECK(
+            error_with("PRINTED", tex).starts_with("L.toml:18: printed of claim C cannot be used"));
+        CHECK(
+            error_with("NOTATION", tex).starts_with("L.toml:20: the TeX of 'eps' cannot be used"));
+        CHECK(error_with("MACRO", tex).starts_with("L.toml:22: the TeX of 'own' cannot be used"));
+    }
+    CHECK(error_with("PRINTED", R"(\write18{x})").find("\\write, which is no command") !=
+          std::string::npos);
+    CHECK(error_with("PRINTED", "10 %").find("; write \\%") != std::string::npos);
+}
+
+TEST_CASE("macros: put in as TeX does; a name that LaTeX has is the macro of the source") {
+    const TexMacros macros{{"ve", R"(\varepsilon)"}, {"sgn", R"(\operatorname{sgn})"},
+                           {"two", R"(\ve\sgn)"},    {"letters", "ab"},
+                           {"input", "I"},           {"none", ""}};
+    for (const auto& [name, body] : macros) {
+        CHECK_FALSE(macro_fault(name, macros).has_value());
+    }
+    CHECK(without_macros(R"(\ve X + \vec{x}\\ve)", macros) == R"(\varepsilon X + \vec{x}\\ve)");
+    CHECK(without_macros(R"(\two(x))", macros) == R"(\varepsilon\operatorname{sgn}(x))");
+    CHECK(without_macros(R"(\alpha\letters)", macros) == R"(\alpha ab)");
+    CHECK(without_macros(R"(\input{x}\none y)", macros) == R"(I{x} y)");
+}
+
+TEST_CASE("macros: names that are not letters, circles and endless texts are refused") {
+    for (const std::string name : {"", "a1", "a b", "input}{}\\write", "a\\b"}) {
+        CAPTURE(name);
+        CHECK(macro_fault(name, {{name, "x"}}).has_value());
+    }
+    CHECK(macro_fault("a", {{"a", R"(\a)"}}).has_value());
+    CHECK(macro_fault("a", {{"a", R"(\b)"}, {"b", R"(x\a)"}}).has_value());
+    CHECK_FALSE(macro_fault("a", {{"a", R"(\b)"}, {"b", "x"}}).has_value());
+    for (const std::string last : {"x", ""}) { // 2^25 macros
+        TexMacros macros{{"a", last}};
+        for (char c = 'b'; c <= 'z'; ++c) {
+            const std::string before = "\\" + std::string(1, static_cast<char>(c - 1));
+            macros[std::string(1, c)] = before + before;
+        }
+        CHECK_FALSE(is_allowed(R"(\z)", macros));
+        CHECK(is_allowed(R"(\c)", macros));
+    }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/run_program.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace edgeproof::test;
+
+namespace {
+
+/// A text with all that gnuplot, a shell, HTML and Coq could carry out. `marker` would be made.
+std::string hostile(const std::string& marker) {
+    return "a `touch " + marker + "` $(touch " + marker + ") ' . system('touch " + marker +
+           "') . ' *) \\\" (* <script>touch</script> \\\\";
+}
+
+/// All that is below the folder, without `inside`.
+std::set<std::string> outside(const std::filesystem::path& folder, const std::string& inside) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::string name = std::filesystem::relative(entry.path(), folder).string();
+        if (!name.starts_with(inside)) {
+            names.insert(name);
+        }
+    }
+    return names;
+}
+
+const std::string scene_text = R"([profile]
+kind = "power-law"
+m = "1"
+C = "1"
+[load]
+a = "1"
+contact_modulus = "1"
+[ask]
+edges = ["right"]
+terms = 1
+u = ["0.1"]
+tolerance = "1%"
+)";
+
+} // namespace
+
+TEST_CASE("a scene's title and names of files with commands: none is run, all figures are made") {
+    const Folder folder;
+    const std::string title = "title = \"" + hostile("marker") + "\"\n";
+    folder.write("scene.toml", title + scene_text);
+    const std::string data = "a `touch marker` 'b.csv";
+    std::string rows = "x,p\n";
+    for (int i = -19; i <= 19; ++i) {
+        const double x = i / 20.0;
+        rows += std::to_string(x) + "," + std::to_string(std::sqrt(1 - x * x) / 2) + "\n";
+    }
+    folder.write(data, rows);
+    folder.write("design.toml", title + R"([profile]
+kind = "power-law"
+m = { from = "0.5", to = "0.7" }
+C = "1"
+[load]
+a = "1"
+contact_modulus = "1"
+[design]
+maximise = "first_exit"
+terms = 1
+tolerance = "5%"
+)");
+    std::filesystem::create_directory(folder.path() / "`touch marker`");
+    const std::string quoted = "\"a \\`touch marker\\` 'b.csv\"";
+    for (const std::string arguments :
+         {"plot scene.toml --out plot.svg", "plot scene.toml --out plot.png",
+          "plot scene.toml --out plot.html", "plot scene.toml"}) {
+        CAPTURE(arguments);
+        const Outcome o = run(folder, arguments);
+        CHECK(o.code == 0);
+        CHECK(o.err.empty());
+    }
+    const Outcome compared =
+        run(folder, "compare scene.toml " + quoted + " --figures figures --html compare.html");
+    CHECK(compared.code <= 1);
+    CHECK(compared.err.empty());
+    CHECK(file_text(folder.path() / "compare.html").find("<script>touch") == std::string::npos);
+    CHECK(std::filesystem::exists(folder.path() / "figures"));
+    std::size_t pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "figures")) {
+        pictures += entry.path().extension() == ".svg" ? 1 : 0;
+    }
+    CHECK(pictures == 2);
+    for (const std::string arguments :
+         {"extent scene.toml --figure extent.svg", "design design.toml --figure design.svg"}) {
+        CAPTURE(arguments);
+        const Outcome o = run(folder, arguments);
+        CHECK_MESSAGE(o.code == 0, o.err);
+    }
+    for (const char* file :
+         {"plot.svg", "plot.png", "plot.html", "compare.html", "extent.svg", "design.svg"}) {
+        CAPTURE(file);
+        CHECK(std::filesystem::exists(folder.path() / file));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "marker"));
+}
+
+TEST_CASE("a claim's id with a way out, quotes and commands: all files stay in --out") {
+    const Folder folder;
+    std::string claims;
+    for (const std::string id :
+         {"../../out", "a/b", "..", "a,b", "a\\\"b", "`touch marker`", "#1", " x", "it's *) x"}) {
+        std::string claim = "[[claim]]\nid = \"" + id +
+                            "\"\nkind = \"value\"\nlines = [1, 2]\nprinted = '''c_0'''\nover = "
+                            "\"hertz\"\nof = \"right.c0\"\nsays = \"2*right.c0\"\n";
+        claims += claim;
+    }
+    folder.write("own.toml", hertz_head + claims);
+    REQUIRE(run(folder, "verify own.toml --record").code == 0);
+    std::filesystem::create_directory(folder.path() / "`touch marker`");
+    const std::set<std::string> before = outside(folder.path(), "deep");
+    const Outcome o = run(folder, "verify own.toml --out deep/er/out");
+    CAPTURE(o.out);
+    CAPTURE(o.err);
+    CHECK(o.code == 0); // as recorded
+    CHECK(outside(folder.path(), "deep/er/out") == [&] {
+        std::set<std::string> all = before;
+        all.insert({"deep", "deep/er"});
+        return all;
+    }());
+    std::size_t pictures = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder.path() / "deep/er/out/figures")) {
+        pictures += entry.path().extension() == ".svg" ? 1 : 0;
+    }
+    CHECK(pictures == 9);
+    const Outcome certified = run(folder, "certify own.toml --out deep/theorems");
+    CHECK(certified.code <= 1);
+    CHECK(outside(folder.path(), "deep") == before);
+}
+
+TEST_CASE("TeX that runs commands is refused when the ledger is read, with its line") {
+    const Folder folder;
+    folder.write("own.toml", hertz_head +
+                                 "[[claim]]\nid = \"one\"\nkind = \"value\"\nlines = [1, 2]\n"
+                                 "printed = '''\\immediate\\write18{touch marker}'''\n"
+                                 "over = \"hertz\"\nof = \"P\"\nsays = \"P\"\n");
+    const Outcome o = run(folder, "verify own.toml --out out");
+    CHECK(o.code == 2);
+    REQUIRE(lines(o.err).size() == 1);
+    CHECK(o.err.find("own.toml:19: ") != std::string::npos);
+    CHECK(o.err.find("\\immediate") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
+TEST_CASE("pack: a failure leaves no folder") {
+    const Folder folder;
+    CHECK(run(folder, "pack a/b --threads 0").code == 2);
+    CHECK(run(folder, "pack a/b --commit \"$(printf 'x\\ny')\"").code == 2);
+    CHECK(folder.files() == 0);
+}

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Claims of the kinds extent, size-extent and optimum: how far n terms stay within a tolerance."""
+from mpmath import mp, mpf
+
+from .. import scenes
+from ..ledger import Claim
+from ..oracle import scene_of, value
+from .conditions import sized_family
+from .formulas import _decimal, _plain
+
+POINTS = 300
+
+
+def first_exit(scene, edge, terms, tolerance, upto):
+    """The least fraction of the contact at which the error passes the tolerance; None: up to `upto` it does not."""
+    L = scene.a + scene.b
+
+    def error(u):
+        x = scene.a - u * L if edge == "right" else -scene.b + u * L
+        return abs(scene.local(edge, terms, x) / scene.p(x) - 1) - tolerance
+    below = mpf(0)
+    for k in range(1, POINTS + 1):
+        above = upto * k / POINTS * (1 - mpf(10) ** -15)
+        if error(above) > 0:
+            for _ in range(100):
+                middle = (below + above) / 2
+                below, above = (below, middle) if error(middle) > 0 else (middle, above)
+            return above
+        below = above
+    return None
+
+
+def _scene(rng):
+    which = rng.choice(("power", "power", "flat", "wedge"))
+    if which == "power":
+        return scenes.power_law(rng, rng.choice(("1", "0", "2", "3"))), "1/2"
+    if which == "flat":
+        return scenes.flat(rng, t=rng.choice(("a/3", "a*2/5", "a*4/5"))), "1/2"
+    return scenes.wedge(rng, gam=rng.choice(("1/3", "1/2"))), "1/2"
+
+
+def draw_extent(rng, digits):
+    while True:
+        at, upto = _scene(rng)
+        terms = rng.randint(1, 3)
+        tolerance = rng.choice(("1/100", "1/20", "1e-3", "1e-6"))
+        edge = "right"
+        with mp.workdps(40):
+            scene = scene_of(at)
+            reach = first_exit(scene, edge, terms, value(tolerance, scene.names()), mpf(1) / 2)
+            if reach is None or reach > mpf(49) / 100:
+                continue
+            base = rng.choice(("a", "a+b"))
+            number = reach * (scene.a + scene.b) / value(base, scene.names())
+            size = 0
+            while number * 10**size < 1:
+                size += 1
+            places = size + rng.choice((1, 2, 4, 8))
+            units = _plain(number, places)
+        if units is None:
+            continue
+        off = rng.choice((0, 0, 0, 1, -1, 2, -2, 7, 40))
+        if units + off <= 0:
+            continue
+        truth = "true" if off == 0 else "imprecise" if abs(off) == 1 else "false"
+        keys = {"quoted": _decimal(units + off, places), "terms": terms, "tolerance": tolerance, "edge": edge,
+                "base": base,
+                "reach": "first-exit", "upto": upto}
+        return Claim("extent", keys, at, truth, at.profile, f"it is {mp.nstr(number, 15)}")
+
+
+def draw_size_extent(rng, digits):
+    while True:
+        claim = _size_extent(rng)
+        if claim is not None:
+            return claim
+
+
+def _size_extent(rng):
+    """Of a wedge or a parabola the reach is the same fraction at every size."""
+    shape = rng.choice(("hertz", "wedge"))
+    at = sized_family(rng, shape)
+    terms, tolerance = rng.randint(1, 3), rng.choice(("1/100", "1/20"))
+    edge = rng.choice(("right", "left")) if shape == "wedge" else "right"
+    with mp.workdps(40):
+        like = scenes.family("power-law", m="1", C="1", a="1", Es="1") if shape == "hertz" else at
+        scene = scene_of(like)
+        apex = (scene.a if edge == "right" else scene.b) / (scene.a + scene.b) if shape == "wedge" else mpf(1)
+        reach = first_exit(scene, edge, terms, value(tolerance, scene.names()), apex)
+        if reach is None:
+            return None
+        base = rng.choice(("side", "whole"))
+        number = reach * ((scene.a + scene.b) / (scene.a if edge == "right" else scene.b) if base == "side" else 1)
+        if base == "side" and number > 1:
+            return None  # the side is within the tolerance all over
+        places = rng.choice((2, 3, 5))
+        units = _plain(number, places)
+    off = rng.choice((0, 0, 3, -2, 12)) if units > 2 else rng.choice((0, 3))
+    keys = {"edge": edge, "terms": terms, "tolerance": tolerance, "figure": f"{units + off}/{10**places}",
+            "unit": f"1/{10**places}", "base": base,
+            "sizes": ["1/10", "10"], "quoted": _decimal(units + off, places)}
+    # Beyond the apex of a wedge the terms may come within the tolerance again: that measure is not this one.
+    truth = "false" if off else "true" if shape == "hertz" else "some or all"
+    return Claim("size-extent", keys, at, truth, shape, f"it is {mp.nstr(number, 15)}")
+
+
+def draw_optimum(rng, digits):
+    which = rng.choice(("limit", "wrong", "free"))
+    if which == "limit":
+        keys = {"along": "m", "at": "5/8", "between": ["0", "2"], "terms": 1, "tolerances": ["1e-3", "1e-6"],
+                "sense": "limit", "upto": "1/2"}
+        return Claim("optimum", keys, scenes.power_law(rng, "5/8"), "true", "in the limit of small tolerances")
+    if which == "wrong":
+        # 5/8 has no second term: for one term, a reach of sqrt(tolerance) against one of the tolerance.
+        keys = {"along": "m", "at": rng.choice(("1/10", "1", "3/2", "1/3")), "between": ["0", "2"], "terms": 1,
+                "tolerances": [rng.choice(("1e-3", "1/100"))],
+                "upto": "1/2"}
+        return Claim("optimum", keys, scenes.power_law(rng, "5/8"), "false", "another value")
+    keys = {"along": rng.choice(("C", "Es")), "at": "1", "between": ["1/2", "2"], "terms": rng.randint(1, 2),
+            "tolerances": ["1/100"], "upto": "1/2"}
+    return Claim("optimum", keys, scenes.power_law(rng, rng.choice(("1", "0"))), "true", "no value reaches farther")
+
+
+KINDS = {"extent": draw_extent, "size-extent": draw_size_extent, "optimum": draw_optimum}

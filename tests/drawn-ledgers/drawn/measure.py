@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs `edgeproof verify` on drawn ledgers and counts verdicts by what is known of the claims."""
+import collections
+import concurrent.futures
+import dataclasses
+import json
+import os
+import subprocess
+
+from .ledger import RIGHT_VERDICTS, Ledger
+
+
+@dataclasses.dataclass
+class Judged:
+    claim: object
+    digits: int
+    verdict: str
+    note: str
+
+    @property
+    def wrong(self):
+        if self.verdict in RIGHT_VERDICTS[self.claim.truth] or self.verdict == "undecided":
+            return False
+        return True
+
+
+def run(edgeproof, ledger, digits, path, seconds):
+    """The verdict on every claim of a ledger; path: where its text is written."""
+    path.write_text(ledger.text())
+    out = path.with_suffix("")
+    command = [edgeproof, "verify", path, "--digits", str(digits), "--out", out, "--threads", "1"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
+        problem = f"exit status {done.returncode}: {done.stderr[-300:]}" if done.returncode not in (0, 2) else ""
+    except subprocess.TimeoutExpired:
+        problem = f"no answer in {seconds} s"
+    verdicts, errors = {}, {}
+    if not problem:
+        try:
+            found = json.loads((out / "verdicts.json").read_text())
+            verdicts = {c["id"]: (c["verdict"], c["note"] or "") for c in found["claims"]}
+            errors = {e["id"]: ("error", f"{e['problem']}; {e['instead']}") for e in found.get("errors", [])}
+        except (OSError, ValueError) as error:
+            problem = f"{error}: {done.stderr[-300:]}"
+    judged = []
+    for number, claim in enumerate(ledger.claims, 1):
+        name = f"C{number}"
+        verdict, note = verdicts.get(name) or errors.get(name) or ("error", problem or "not among the verdicts")
+        judged.append(Judged(claim, digits, verdict, note))
+    return judged
+
+
+def run_all(edgeproof, jobs, folder, seconds, threads):
+    """jobs: pairs of a ledger and digits."""
+    with concurrent.futures.ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        tasks = [pool.submit(run, edgeproof, ledger, digits, folder / f"{ledger.name}.toml", seconds) for ledger,
+                 digits in jobs]
+        return [judged for task in tasks for judged in task.result()]
+
+
+def write_failures(all_judged, folder):
+    """A small ledger for each class of wrong verdicts, with the truth and the verdict of each claim."""
+    classes = collections.defaultdict(list)
+    for j in all_judged:
+        if j.wrong:
+            classes[j.claim.group or j.claim.kind, j.claim.label, j.claim.truth, j.verdict].append(j)
+    numbers = collections.Counter()
+    folder.mkdir(parents=True, exist_ok=True)
+    index = []
+    for (kind, label, truth, verdict), found in sorted(classes.items()):
+        numbers[kind] += 1
+        name = f"{kind}-{numbers[kind]:02}"
+        ledger = Ledger(name)
+        for j in found[:4]:
+            found_here = f"at {j.digits} digits {j.verdict} ({' '.join(j.note.split())})"
+            ledger.add(dataclasses.replace(j.claim, why=f"{j.claim.why}; {found_here}"))
+        digits = " ".join(str(d) for d in sorted({j.digits for j in found}))
+        head = f"# {len(found)} claims of this class: {truth}, but {verdict}; at digits {digits}\n"
+        (folder / f"{name}.toml").write_text(head + ledger.text())
+        index.append(f"{name}.toml: {len(found)} x {truth} but {verdict}: {label} (digits {digits})")
+    (folder / "index.txt").write_text("\n".join(index) + "\n")
+
+
+def refuted_share(all_judged, group):
+    """The share of refuted claims among the false ones of a group, and their number."""
+    false = [j for j in all_judged if j.claim.group == group and j.claim.truth == "false"]
+    return sum(j.verdict == "refuted" for j in false) / max(1, len(false)), len(false)
+
+
+def table(all_judged):
+    """Lines: kind, claims, true refuted, false confirmed, undecided, wrong in another way, errors."""
+    rows = collections.defaultdict(collections.Counter)
+    for j in all_judged:
+        for row in (j.claim.group or j.claim.kind, "all"):
+            c = rows[row]
+            c["claims"] += 1
+            c[j.claim.truth] += 1
+            c["error"] += j.verdict == "error"
+            c["undecided"] += j.verdict == "undecided"
+            c["undecided " + j.claim.truth] += j.verdict == "undecided"
+            if j.wrong and j.verdict != "error":
+                c["true refuted" if j.claim.truth == "true" else "false confirmed"
+                  if j.claim.truth == "false" else "other wrong"] += 1
+            c["refuted"] += j.claim.truth == "false" and j.verdict == "refuted"
+    head = ("kind", "claims", "true", "wrong", "undec.", "false", "wrong", "undec.", "other", "wrong", "errors")
+    lines = [f"{head[0]:16}" + "".join(f"{name:>7}" for name in head[1:])]
+    lines.append("-" * len(lines[0]))
+    for kind, c in sorted(rows.items(), key=lambda r: (r[0] == "all", r[0])):
+        share = {of: f"{100 * c['undecided ' + of] / c[of]:.0f} %" if c[of] else "-" for of in ("true", "false")}
+        cells = (c["claims"], c["true"], c["true refuted"], share["true"], c["false"], c["false confirmed"],
+                 share["false"],
+                 c["claims"] - c["true"] - c["false"], c["other wrong"], c["error"])
+        lines.append(f"{kind:16}" + "".join(f"{cell:>7}" for cell in cells))
+    return "\n".join(lines)

@@ -49,7 +49,7 @@ def _on_knot(rng, digits):
     true = (("0", f"step({x}) - 1/2", "1"), ("0", "g1(x)", "a/R"), ("0", x, "a"), ("1/2", f"step({x})", "1"),
             ("0", f"sgn({x})", "1"), ("g1(x)", "sgn(x)*max(abs(x) - t, 0)/R", "a/R"), ("1", f"1 + sgn({x})", "1"),
             ("1", f"2*step({x})", "1"), ("x", side, "a"), ("g1(x)", f"{x}/R*step({x})", "a/R"),
-            ("0", f"abs({x})/R", "a/R"), ("p(x)", "Es/(Pi*R)*(sqrt(a^2-t^2)*acos(t/a) - t*log(a/t))", "P/a"),
+            ("0", f"abs({x})/R", "a/R"), ("p(x)", "Es/(Pi*R)*(sqrt(a^2-t^2)*acos(t/a) - t*log(a/t))", "p(x)"),
             ("0", f"sqrt({x}^2)", "a"), ("0", f"min({x}, 0)", "a"), ("2*t", f"max({x}, 0) + 2*t", "a"))
     of, says, scale = rng.choice(true)
     if rng.random() < 0.7:
@@ -102,7 +102,7 @@ def _no_value(rng):
     return Claim("value", {"says": says, "of": "P"}, scenes.power_law(rng, "1"), "no value", "no value in print")
 
 
-# Identities hold whatever the profile; `over` a family in which an edit shows.
+# Identities of every profile; `over` names a family in which an edit shows.
 IDENTITIES = (
     ("right.c0", "2*P1/(Pi*sqrt(a+b))"), ("right.c1", "((3+2*b1)*P1 - 4*(a+b)*P2)/(3*Pi*(a+b)^(3/2))"),
     ("right.c2",
@@ -160,7 +160,7 @@ def draw_definition(rng, digits):
 # ---- figures: a quoted decimal against a quantity of one scene
 
 def _plain(number, places, up=True):
-    """A number of mpmath with so many decimals, a half rounded up; None where digits may not decide."""
+    """A number of mpmath in units of its last of `places` decimals, a half rounded up; None where digits may not decide."""
     steps = number * mpf(10) ** places
     whole = mpmath.floor(steps + mpf(1) / 2)
     distance = abs(steps - mpmath.floor(steps) - mpf(1) / 2)

@@ -91,7 +91,7 @@ OTHERS = (
 
 
 def printed(number, digits):
-    """A number rounded to so many digits: its text, and half a unit of its last digit."""
+    """A number rounded to `digits` significant digits: units of the last one, and its power of ten."""
     exponent = int(mpmath.floor(mpmath.log10(abs(number)))) - digits + 1
     return int(mpmath.nint(number / mpf(10) ** exponent)), exponent
 

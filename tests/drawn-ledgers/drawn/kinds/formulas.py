@@ -160,7 +160,7 @@ def draw_definition(rng, digits):
 # ---- figures: a quoted decimal against a quantity of one scene
 
 def _plain(number, places, up=True):
-    """A number of mpmath in units of its last of `places` decimals, a half rounded up; None where digits may not decide."""
+    """A number in units of the last of `places` decimals, a half rounded up; None where its digits do not decide."""
     steps = number * mpf(10) ** places
     whole = mpmath.floor(steps + mpf(1) / 2)
     distance = abs(steps - mpmath.floor(steps) - mpf(1) / 2)

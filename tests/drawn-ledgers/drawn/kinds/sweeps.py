@@ -16,9 +16,10 @@ from ..oracle import DPS, Plain, scene_of, value
 
 def _s_list(rng, scale="a*"):
     """A list of distances: ordinary, tiny, or tiny and close together; from small to large."""
-    tiny = rng.choice((10, 20, 28, 30, 40, 60))
+    tiny = rng.choice((10, 20, 20, 28, 30, 40, 60))
     return [scale + text for text in rng.choice((
         ("1/1000", "1/100", "1/20", "1/10", "1/5", "2/5"), (f"1e-{tiny}", f"2e-{tiny}", f"3e-{tiny}"),
+        (f"1e-{tiny}", f"2e-{tiny}", f"3e-{tiny}"),
         (f"1e-{tiny + 6}", f"1e-{tiny + 3}", f"1e-{tiny}", "1e-3"), (f"1e-{tiny}", f"1e-{tiny // 2}", "1/10"),
         (f"(1e-9+1e-{tiny + 9})", f"(1e-9+2e-{tiny + 9})", f"(1e-9+3e-{tiny + 9})")))]
 
@@ -30,7 +31,11 @@ def _of_distance(rng):
         at = scenes.power_law(rng, rng.choice(("1", "1", "2", "3", "0")))
     else:
         at = scenes.flat(rng, t=rng.choice(("a/3", "a*2/5")))
-    n = rng.randint(1, 4)
+    n = rng.randint(1, 6 if which == "power" else 4)
+    if rng.random() < 0.5:  # what is left of n terms: nearly all digits cancel
+        of = rng.choice((f"abs(1 - right_local({n}, a-s)/p(a-s))", f"1 - right_local({n}, a-s)/p(a-s)",
+                         f"abs(right_local({n}, a-s) - p(a-s))*a/P", f"abs(p(a-s)/right_local({n}, a-s) - 1)"))
+        return of, at, _s_list(rng, rng.choice(("a*", "a*", "a/3*")))
     of = rng.choice((
         f"abs(1 - right_local({n}, a-s)/p(a-s))", f"right_local({n}, a-s)/p(a-s)",
                      f"1 - right_local({n}, a-s)/p(a-s)",
@@ -142,7 +147,8 @@ AT_ZERO = (("z", "0"), ("1 + z", "1"), ("1/z", "infinity"), ("sin(z)/z", "1"), (
            ("1e40*z", "0"), ("1e-40/z", "infinity"),
            ("(sqrt(1+z)-1)/z", "1/2"), ("(exp(z)-1-z)/z^2", "1/2"), ("(sin(z)-z)/z^3", "-1/6"), ("z^(1/50)", "0"),
            ("3 + z^(1/9)", "3"),
-           ("(1+z)^(1/z)", "exp(1)"), ("1/(1+z)", "1"), ("1e-20 + z", "1e-20"), ("2*z/z", "2"), ("-log(z)", "infinity"))
+           ("(1+z)^(1/z)", "exp(1)"), ("1/(1+z)", "1"), ("1e-20 + z", "1e-20"), ("2*z/z", "2"),
+           ("-log(z)", "infinity"))
 INFINITE_LISTS = (("1", "10", "100"), ("1", "10", "100", "1000"), ("1", "1000", "1500"), ("1", "2", "4", "8", "16"),
                   ("10", "1e10", "1e100"),
                   ("1", "1e6", "2e6"), ("5", "50", "5000", "5001"), ("1", "2", "3"), ("1/2", "1e3", "1e6", "1e9"),

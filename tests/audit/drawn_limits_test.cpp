@@ -33,7 +33,7 @@ public:
         case 0:
             return {L + "+" + k + "*s^(" + p + ")", L, {near, "infinity"}};
         case 1:
-            return {k + "*s^(-" + p + ")", "infinity", {L, near}};
+            return {pick({"1", "1e-9", "7e12", "1/C"}) + "*s^(-" + p + ")", "infinity", {L, near}};
         case 2:
             return {L + "+" + k + "*s^(" + p + ")*log(s)", L, {near, "infinity"}};
         case 3: // 5 where s is larger than t

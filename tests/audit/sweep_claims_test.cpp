@@ -83,6 +83,10 @@ TEST_CASE("a limit is judged by what lies beyond the values listed") {
     CHECK(verdict_of(limit("1+1e60*exp(-3*s)", "1", along_big)) == "confirmed");
     CHECK(verdict_of(limit("1e-60*exp(s/3)", "0", along_big)) == "refuted");
     CHECK(verdict_of(limit("1e-60*exp(s/3)", "infinity", along_big)) == "confirmed");
+    // exp(-1e8) has no decimals within the range of numbers that are printed.
+    CHECK(verdict_of(limit("exp(-1/s)", "0", along_s)) == "confirmed");
+    CHECK(verdict_of(limit("exp(1/s)", "infinity", along_s)) == "confirmed");
+    CHECK(verdict_of(limit("-exp(1/s)", "infinity", along_s)) == "refuted");
     // Other forms prevail at s = 1e30 and at 1e-40.
     CHECK(verdict_of(limit("1/(1+1e-30*s)", "0", along_big)) == "confirmed");
     CHECK(verdict_of(limit("1/(1+1e-30*s)", "1", along_big)) == "refuted");
@@ -151,7 +155,8 @@ TEST_CASE("where the values listed go") {
     const std::string to_a = along(R"("a/2", "a*9/10", "a-a*1e-3", "a-a*1e-9")");
     CHECK(verdict_of(limit("s/a", "1", to_a)) == "confirmed");
     CHECK(verdict_of(limit("s/a", "1-1e-9", to_a)) == "refuted");
-    CHECK(verdict_of(limit("1/(s-a)", "infinity", to_a)) == "confirmed");
+    CHECK(verdict_of(limit("1/(a-s)", "infinity", to_a)) == "confirmed");
+    CHECK(verdict_of(limit("1/(s-a)", "infinity", to_a)) == "refuted"); // to minus infinity
     const std::string to_third = along(R"("0.3", "0.33", "0.333", "0.3333")");
     CHECK(verdict_of(limit("3*s", "1", to_third)) == "confirmed");
     CHECK(verdict_of(limit("s", "0.33333", to_third)) == "refuted");

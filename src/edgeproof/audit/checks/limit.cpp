@@ -38,8 +38,9 @@ std::vector<std::string> values_listed(const ParameterSweep& sweep, std::size_t 
     std::vector<std::string> texts;
     for (std::size_t j = 0; j < sweep.values().size(); ++j) {
         const Enclosed value = enclosed(of, sweep.sample_at(j, sample).sample, digits_shown);
-        texts.push_back(value.ball ? ball_text(*value.ball, digits_shown)
-                                   : "none: " + value.problem);
+        texts.push_back(!value.ball                   ? "none: " + value.problem
+                        : can_be_printed(*value.ball) ? ball_text(*value.ball, digits_shown)
+                                                      : "beyond the range of decimals");
     }
     return texts;
 }

@@ -87,8 +87,8 @@ Expr ExpansionToFollow::rest() const {
 Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, unsigned decades,
                    bool exactly) {
     // Not a power of ten: formulas such as sin(Pi/s) are special there.
-    const Rational factor = exactly ? Rational(1) : Rational(7919, 7001);
-    const Expr off = Expr::number(factor) * power_of_ten(-static_cast<long>(decades));
+    const Expr power = power_of_ten(-static_cast<long>(decades));
+    const Expr off = exactly ? power : Expr::number(Rational(7919, 7001)) * power;
     const Expr& end = expansion.towards.expr();
     const auto own = sample.variables.find(expansion.variable);
     const bool from_above =

@@ -57,7 +57,8 @@ bool is_steady(const std::vector<Ball>& d, const std::vector<unsigned>& decades,
     return last >= least_steadiness * most;
 }
 
-/// Numbers beyond 10^100000 have no decimals here.
+} // namespace
+
 bool can_be_printed(const Ball& x) {
     try {
         return !ball_text(x, 5).empty();
@@ -65,8 +66,6 @@ bool can_be_printed(const Ball& x) {
         return false;
     }
 }
-
-} // namespace
 
 FollowedTail::FollowedTail(const ParameterSweep& sweep, std::size_t sample, SweepTarget target,
                            LimitClaimed claimed, unsigned digits)
@@ -107,19 +106,15 @@ void FollowedTail::find_scales() {
         const EnclosedSample before(sample, bits);
         const EnclosedSample after(sweep_.sample_at(last, sample_).sample, bits);
         const SweptPair pair{before, after};
-        hidden_ = hidden_decades(claimed_.of, pair);
-        Ball scale = abs(before.evaluate(claimed_.of));
-        if (!certainly_positive(scale)) {
-            scale = abs(after.evaluate(claimed_.of));
-        }
+        const formula::Expr difference = claimed_.difference();
+        hidden_ = hidden_decades(difference, pair);
+        Ball scale = abs(before.evaluate(difference));
         if (claimed_.limit) {
-            hidden_ += hidden_decades(*claimed_.limit, pair);
-            const Ball limit = before.evaluate(*claimed_.limit);
-            scale = max(abs(limit), abs(before.evaluate(claimed_.of) - limit));
-            if (!certainly_positive(scale)) {
-                scale =
-                    scale_of_terms(claimed_.of, before) + scale_of_terms(*claimed_.limit, before);
-            }
+            scale = max(scale, abs(before.evaluate(*claimed_.limit)));
+        }
+        if (!certainly_positive(scale)) {
+            scale = claimed_.limit ? scale_of_terms(difference, before)
+                                   : abs(after.evaluate(difference));
         }
         if (scale.is_finite() && certainly_positive(scale)) {
             scale_ = scale;
@@ -218,7 +213,7 @@ std::vector<Ball> FollowedTail::steps() const {
     return all;
 }
 
-/// The last three are certainly less than the tolerance times `beside`, and fall, or are not
+/// The last three are certainly less than the tolerance times `beside`, and halve, or are not
 /// distinguished from zero. Where the
 /// enclosures end early, all fall steadily as well.
 bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) const {
@@ -231,7 +226,7 @@ bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) con
     const std::size_t below = is_short() ? 1 : 3;
     for (std::size_t i = n - below; i < n; ++i) {
         if (!certainly_less(d[i], most) ||
-            !(contains_zero(d[i]) || certainly_less(d[i], d[i - 1]))) {
+            !(contains_zero(d[i]) || certainly_less(d[i] * 2, d[i - 1]))) {
             return false;
         }
     }
@@ -343,10 +338,11 @@ void FollowedTail::judge_infinite() {
     const std::vector<Ball> size = gaps();
     const Ball& last = size.back();
     if (scale_ && grows(size, *scale_)) {
-        if (const auto holds = Confirmation::less(*scale_, tolerance() * last)) {
-            decision_ = *holds;
-            compare("value", size.front(), "last value", size);
-        }
+        // With its sign: what goes to minus infinity does not go to infinity.
+        const Ball& value = points_.back().value;
+        decision_ = edgeproof::audit::decision(Refutation::less(value, -*scale_),
+                                               Confirmation::less(*scale_, tolerance() * value));
+        compare("size of the first value", *scale_, "last size", size);
     } else if (certainly_positive(last) && dies_away(steps(), last)) {
         if (const auto fails = Refutation::less(steps().back(), tolerance() * last)) {
             decision_ = *fails;

@@ -19,6 +19,8 @@ struct LimitClaimed {
     formula::Expr of;
     std::optional<formula::Expr> limit;
     [[nodiscard]] bool is_infinite() const { return !limit.has_value(); }
+    /// From the limit; the quantity itself where that is infinity.
+    [[nodiscard]] formula::Expr difference() const { return limit ? of - *limit : of; }
 };
 
 /// One sample of a claim about a limit, in balls, followed from the last value listed to values
@@ -87,5 +89,8 @@ private:
     std::string problem_;
     std::optional<Compared> compared_;
 };
+
+/// Numbers beyond 10^100000, or as near to zero, have no decimals here.
+[[nodiscard]] bool can_be_printed(const Ball& x);
 
 } // namespace edgeproof::audit

@@ -52,17 +52,14 @@ std::vector<Ball> enclosed_values(const std::vector<Exact>& listed) {
     return values;
 }
 
-/// Whether each of them is certainly at most (`twice`: at least twice) half of the one before.
+/// Whether each is at most half of the one before (`twice`: at least twice that), all of one sign.
+/// Not refuted by balls: those of a ratio that is exactly 2 overlap.
 bool each_halves(const std::vector<Ball>& d, bool twice) {
     for (std::size_t i = 0; i + 1 < d.size(); ++i) {
         const Ball& larger = twice ? d[i + 1] : d[i];
         const Ball& smaller = twice ? d[i] : d[i + 1];
-        const bool of_one_sign = certainly_positive(larger * smaller);
-        // Balls of a ratio that is exactly 2 overlap.
-        const Ball slack = Ball(Rational(2001, 1000), target_bits) * abs(smaller) - abs(larger) * 1;
-        const Ball excess = abs(smaller) * 2 - abs(larger);
-        if (!of_one_sign || (!certainly_negative(excess) && !contains_zero(excess)) ||
-            (contains_zero(excess) && !certainly_positive(slack))) {
+        if (!certainly_positive(larger * smaller) ||
+            certainly_less(abs(larger), abs(smaller) * 2)) {
             return false;
         }
     }

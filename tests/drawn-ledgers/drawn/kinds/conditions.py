@@ -88,10 +88,10 @@ SIZED = (
     ("hertz", "right.c1*4*a + right.c0 > 0", "none"),
     ("hertz", "right.c1*4*a + right.c0 < 0", "none"), ("hertz", "L = 2*a", "all"), ("hertz", "b < a", "none"),
     ("hertz", "right.c0 > left.c0", "none"),
-    ("hertz", "a > 1", "some"), ("hertz", "abs(a - 2) > 1e-12", "some"), ("hertz", "abs(a - 2) < 1e-12", "some"),
+    ("hertz", "a > 1", "some"), ("hertz", "abs(a - 2) > 1e-12", "but a point"), ("hertz", "abs(a - 2) < 1e-12", "some"),
     ("hertz", "right.c1 > 0", "none"),
     ("hertz", "right.c0^2 >= 16*a^2*right.c1^2", "all"), ("hertz", "sqrt(a)*sqrt(a) = a", "all"),
-    ("hertz", "(a - 3)^2 > 0", "some"), ("hertz", "(a-3)^2 >= 0", "all"),
+    ("hertz", "(a - 3)^2 > 0", "but a point"), ("hertz", "(a-3)^2 >= 0", "all"),
     ("wedge", "b < a", "all"), ("wedge", "b > a", "none"), ("wedge", "3*b = a", "all"),
     ("wedge", "3*left.c0 = 9*right.c0", "all"), ("wedge", "3*left.c0 > 9*right.c0", "none"),
     ("wedge", "left.c0 > right.c0", "all"), ("wedge", "right.c0 > 0 and left.c0 > 0", "all"),
@@ -116,7 +116,8 @@ def draw_size_condition(rng, digits):
     shape, says, where = rng.choice(SIZED)
     sizes = rng.choice((("1/2", "4"), ("1/1000", "1e4"))) if shape != "flat" else rng.choice((("11/10", "4"),
                                                                                               ("101/100", "1e3")))
-    truth = {"all": "true", "some": "some", "none": "false"}[where]
+    # Sizes are looked at one by one, and a note says how many: no list of them shows a single exception.
+    truth = {"all": "true", "some": "some", "but a point": "some or all", "none": "false"}[where]
     return Claim("size-condition", {"says": says, "sizes": list(sizes)}, sized_family(rng, shape), truth,
                  f"{shape}, for {where}")
 

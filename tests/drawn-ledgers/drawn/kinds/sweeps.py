@@ -184,6 +184,8 @@ def _plain_limit(rng):
     of = _named(text, along)
     with mp.workdps(DPS):
         values = [value(text, Plain(), z=value(t, Plain())) for t in texts]
+    if any(mp.im(v) != 0 for v in values):
+        return None  # the formula has no real value at this place
     return _limit_claim(rng, of, limit, along, at, vary, values, lambda t: value(t, Plain()), "plain")
 
 

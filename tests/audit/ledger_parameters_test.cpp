@@ -63,7 +63,7 @@ std::set<std::string> all_keys() {
                                "right_d",  "stick_a",
                                "right_c0", "contact_modulus",
                                "together", "path",
-                               "slope", "count"};
+                               "slope",    "count"};
     for (const auto& [profile, own] : own_keys) {
         for (const auto& [key, value] : own) {
             keys.insert(key);

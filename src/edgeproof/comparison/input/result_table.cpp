@@ -37,7 +37,8 @@ const Rational& largest_number() {
 
 /// Infinite beyond the range of a double.
 double scaled_rounding(double rounding, const Rational& factor) {
-    const Rational product = std::isfinite(rounding) ? exact_rational(rounding) * factor : Rational(0);
+    const Rational product =
+        std::isfinite(rounding) ? exact_rational(rounding) * factor : Rational(0);
     return std::isfinite(rounding) && product <= largest_number()
                ? product.convert_to<double>()
                : std::numeric_limits<double>::infinity();

@@ -173,8 +173,8 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
         const Rational step = round_step(length);
         const Rational units = exact_rational(found) / step;
         const Rational round = step * Rational(floor(units + Rational(1, 2)));
-        const bool meant =
-            std::abs((round - exact_rational(found)).convert_to<double>()) < 10 * search_width * length;
+        const bool meant = std::abs((round - exact_rational(found)).convert_to<double>()) <
+                           10 * search_width * length;
         origin.exact = meant ? Real(round) : origin.exact;
         origin.uncertainty = meant ? 0 : 2 * search_width * length;
     }

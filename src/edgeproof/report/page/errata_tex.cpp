@@ -53,7 +53,9 @@ std::string beginning_of(const std::string& sentence) {
 /// Macros of the source are put in: a \providecommand would leave what LaTeX has by that name.
 std::string item_tex(const Erratum& erratum, const audit::PrintedSource& source) {
     const audit::ClaimResult& first = *erratum.parts.front();
-    const auto plain = [&](const std::string& tex) { return audit::without_macros(tex, source.macros); };
+    const auto plain = [&](const std::string& tex) {
+        return audit::without_macros(tex, source.macros);
+    };
     std::string out = "\\item " + latex_text(place_words(first.claim, source)) + ": ";
     if (is_sentence(first.claim.printed)) {
         out += "``" + plain(resolved(beginning_of(first.claim.printed), source)) + "''. ";

@@ -3,7 +3,6 @@
 
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/child_process.hpp"
-#include "edgeproof/io/scratch.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -140,11 +139,11 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
 TEST_CASE("what a program leaves behind ends with it, also in a session of its own") {
     std::array<int, 2> ends{};
     REQUIRE(::pipe(ends.data()) == 0); // held by all that descends from the program
-    const Scratch folder;
+    const std::filesystem::path folder = own_folder();
     // Ends only when the other has left its group.
     ProgramCall call = shell_call("setsid sh -c 'echo x > started; exec sleep 100' & "
                                   "until test -s started; do sleep 0.01; done");
-    call.arguments.back().insert(0, "cd '" + folder.path().string() + "'; ");
+    call.arguments.back().insert(0, "cd '" + folder.string() + "'; rm -f started; ");
     CHECK(run_program(call).ending().empty());
     call.environment = std::vector<std::string>{"PATH=/usr/bin:/bin"};
     CHECK(run_program(call).ending().empty());
@@ -153,4 +152,5 @@ TEST_CASE("what a program leaves behind ends with it, also in a session of its o
     CHECK(::poll(&end, 1, 20'000) == 1);
     CHECK((end.revents & POLLHUP) != 0);
     ::close(ends[0]);
+    std::filesystem::remove_all(folder);
 }

@@ -191,6 +191,8 @@ def test_mistakes_of_form_are_refused_by_both(kind, reader, sources, tmp_path):
                     value = value[step]
                 if (name == "an unknown key") != isinstance(value, dict):
                     continue
+                if kind == "ledger" and path[-1:] == ("parameters",):
+                    continue  # a schema does not see whether a formula uses a parameter
                 wrong = changed(document, path, change)
                 by_reader = refused(reader, written(wrong), tmp_path)
                 by_schema = bool(faults(kind, json.loads(json.dumps(wrong, default=lambda d: {}))))

@@ -132,7 +132,8 @@ TEST_CASE("principal values are enclosed") {
 
 TEST_CASE("a principal value without a simple pole inside has no enclosure") {
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(1/(s-a), s, 0, a, a)")), BudgetError);
-    CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(1/(s-a), s, 0, 1, a)")), BudgetError);
+    // Beyond the interval the pole does no harm: by hand, log(1/2).
+    CHECK(fault_of_integral("pv(1/(s-a), s, 0, a/2, a)", "-log(2)") == "");
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(1/(s-x)^2, s, 0, a, x)")), Error);
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(s, s, 0, a, x)")), Error);
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(sqrt((s-x)^2)/(s-x), s, 0, a, x)")), Error);

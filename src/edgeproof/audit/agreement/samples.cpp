@@ -116,6 +116,11 @@ std::size_t Agreement::without_value() const {
                       [](const SampleAgreement& s) { return s.no_value() != nullptr; }));
 }
 
+bool Agreement::limited() const {
+    return std::any_of(samples_at.begin(), samples_at.end(),
+                       [](const SampleAgreement& s) { return s.limit() != nullptr; });
+}
+
 std::string Agreement::obstacle(double digits_needed) const {
     const auto first = [&](auto&& is) {
         const auto it = std::find_if(samples_at.begin(), samples_at.end(), is);

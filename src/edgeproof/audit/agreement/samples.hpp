@@ -71,6 +71,8 @@ struct Agreement {
     [[nodiscard]] bool to(double digits) const;
     /// EvaluatedSamples where the printed formula has no value, and why at the first of them.
     [[nodiscard]] std::size_t without_value() const;
+    /// At some sample we found no value.
+    [[nodiscard]] bool limited() const;
     /// Which samples decide.
     [[nodiscard]] SampleUse use(double digits_needed) const;
     /// For a reader: what keeps the formula from a verdict by its values.

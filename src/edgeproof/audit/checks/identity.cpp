@@ -87,7 +87,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         std::holds_alternative<DecimalFormula>(printed_formula(claim))) {
         if (by_samples == Verdict::confirmed) {
             outcome.note = "agrees at the samples; not proved in symbols";
-        } else if (outcome.note.empty()) {
+        } else if (outcome.note.empty() ||
+                   (by_samples == Verdict::undecided && agreement.limited())) {
             outcome.note = agreement.obstacle(context.digits_needed());
         }
         return outcome;

@@ -13,9 +13,9 @@ namespace {
 
 /// Decades from the length of the contact to the places, in two pairs. A term with a factor of
 /// 1e-90 prevails at these places, too.
-constexpr std::array<int, 4> rungs{150, 152, 300, 302};
+constexpr std::array<int, 4> decades_of_places{150, 152, 300, 302};
 constexpr int decades_per_pair = 2;
-constexpr unsigned first_digits_of_rungs = 170; // that the enclosures begin with
+constexpr unsigned first_digits_of_places = 170; // that the enclosures begin with
 /// What the measured orders and the constants may differ by.
 const Rational order_tolerance(1, 1000000); // NOLINT: a constant of a type without a literal
 /// A constant is a pure number of order one if over the family it varies by less than this.
@@ -44,17 +44,17 @@ std::optional<OrderInScene> measure_at(EnclosedSample& at, contact::Edge edge,
                                        const formula::Expr& of, const formula::Expr& says) {
     std::vector<Ball> f;
     std::vector<Ball> g;
-    for (const int decades : rungs) {
+    for (const int decades : decades_of_places) {
         at.set_place(edge, at.length() * pow_int(Ball(10, at.bits()), -decades));
         f.push_back(abs(at.evaluate(of)));
         g.push_back(abs(at.evaluate(says)));
     }
     const Ball before = slope(f[1], f[0]);
     OrderInScene found{"", slope(f[3], f[2]), slope(g[3], g[2]), f[3] / g[3]};
-    const bool settled =
+    const bool steady =
         narrow(found.order) && narrow(found.order_said) && found.ratio.is_finite() &&
         certainly_less(abs(found.order - before), Ball(order_tolerance, before.bits()));
-    return settled ? std::optional(found) : std::nullopt;
+    return steady ? std::optional(found) : std::nullopt;
 }
 
 struct Scenes {
@@ -67,7 +67,7 @@ Scenes measure_all(const Claim& claim, const AuditContext& context, const formul
     const formula::Expr of = claim.formula("of");
     Scenes scenes;
     for (const Sample& sample : context.samples(claim)) {
-        SampleInBalls in_balls(sample, first_digits_of_rungs);
+        SampleInBalls in_balls(sample, first_digits_of_places);
         if (claim.has("where") &&
             !confirms(decide(claim.condition("where"), in_balls, context.digits_needed()))) {
             ++scenes.left_out;

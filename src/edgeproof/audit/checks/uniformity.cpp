@@ -13,7 +13,7 @@ namespace {
 
 using Course = FollowedRest::Course;
 
-constexpr unsigned rungs_to_the_breakdown = 20; // decades towards the place of the breakdown
+constexpr unsigned decades_to_the_breakdown = 20; // decades towards the place of the breakdown
 constexpr unsigned rest_digits_shown = 12;
 
 /// One sample and what it shows.
@@ -52,9 +52,9 @@ std::string name_of(Course course) {
 }
 
 /// What the printed term has at the distance 1e-20, and what is left there.
-ComparedNumbers on_the_last_rung(const ExpansionToFollow& expansion, const Sample& sample,
-                                 const formula::Expr& term, unsigned digits) {
-    const Sample at = at_distance(sample, expansion, rungs_to_the_breakdown, true);
+ComparedNumbers at_the_last_place(const ExpansionToFollow& expansion, const Sample& sample,
+                                  const formula::Expr& term, unsigned digits) {
+    const Sample at = at_distance(sample, expansion, decades_to_the_breakdown, true);
     return {"printed", enclosed(term, at, digits), "exact", enclosed(expansion.rest(), at, digits),
             at.text()};
 }
@@ -202,7 +202,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     const FollowedSample* one = first_of(all, Course::bounded);
     if (one != nullptr && claim.has("term") && outcome.verdict != Verdict::undecided &&
         certainly_grows(claim.formula("term"), one->sample, expansion, context.digits())) {
-        add_pair(on_the_last_rung(expansion, one->sample, claim.formula("term"), context.digits()),
+        add_pair(at_the_last_place(expansion, one->sample, claim.formula("term"), context.digits()),
                  context.digits(), outcome.evidence);
     }
     return outcome;

@@ -31,7 +31,8 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     }
     if (outcome.verdict == Verdict::confirmed) {
         outcome.note = "agrees at " + std::to_string(samples_at.all().size()) + " samples";
-    } else if (outcome.note.empty()) {
+    } else if (outcome.note.empty() ||
+               (outcome.verdict == Verdict::undecided && agreement.limited())) {
         outcome.note = agreement.obstacle(needed);
     }
     if (outcome.verdict != Verdict::refuted ||

@@ -25,10 +25,15 @@ Real norm_squared(const Row& r) {
     return sum;
 }
 
-/// The solution of (J^T J + mu I) d = -J^T r by Gaussian elimination; the matrix is positive
-/// definite.
-std::optional<Row> damped_step(const std::vector<Row>& J, const Row& r, const Real& mu) {
+/// The solution of (J^T J + mu I) d = -J^T r by Gaussian elimination, mu being |r|^2 times the mean
+/// of the diagonal of J^T J; the matrix is positive definite.
+std::optional<Row> damped_step(const std::vector<Row>& J, const Row& r) {
     const std::size_t n = J.front().size();
+    Real mu(0);
+    for (const Row& row : J) {
+        mu += norm_squared(row);
+    }
+    mu *= norm_squared(r) / static_cast<unsigned>(n);
     std::vector<Row> A(n, Row(n + 1, Real(0)));
     for (std::size_t k = 0; k < n; ++k) {
         for (std::size_t i = 0; i < J.size(); ++i) {
@@ -152,7 +157,7 @@ DecimalFit::search(const std::optional<Rational>& units,
                 J[j][f] = ((*there)[j] - (*r)[j]) / step;
             }
         }
-        const auto d = damped_step(J, *r, norm_squared(*r));
+        const auto d = damped_step(J, *r);
         if (!d) {
             return std::nullopt;
         }
@@ -274,6 +279,16 @@ struct Described {
     std::string off;   ///< the others
 };
 
+/// Whether every number is at least half a unit away from zero.
+bool none_vanishes(const std::vector<PrintedDecimal>& decimals, const std::vector<Real>& numbers) {
+    for (std::size_t k = 0; k < decimals.size(); ++k) {
+        if (abs(numbers[k]) * 2 <= from_rational<Real>(decimals[k].unit)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 Described describe(const std::vector<PrintedDecimal>& decimals, const std::vector<Real>& numbers,
                    std::size_t comparisons, unsigned digits, Outcome& outcome) {
     const PrecisionScope scope(digits + 20);
@@ -322,8 +337,9 @@ Judgement judge_decimals(const std::vector<PrintedDecimal>& decimals, const Deci
         return {};
     }
     auto found = fit.find(neighbour_units());
-    const bool near = found.has_value();
-    if (!found) {
+    // A decimal that has to vanish is another formula, not an imprecise one.
+    const bool near = found && none_vanishes(decimals, found->numbers);
+    if (!near) {
         found = fit.find(std::nullopt);
     }
     if (!found) {

@@ -44,6 +44,9 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context)
     const auto add_step = [&](const std::vector<Sample>& samples) {
         std::vector<SweptSample>& step = steps_.emplace_back();
         for (const Sample& sample : samples) {
+            if (sample.scene.slips()) {
+                require_partial_slip(sample.scene);
+            }
             step.push_back({sample, sample.scene.family + ": " + sample.text()});
         }
     };

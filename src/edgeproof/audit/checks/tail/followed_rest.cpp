@@ -21,8 +21,8 @@ using formula::Expr;
 /// By which the small variable is multiplied.
 constexpr std::array<unsigned, 3> sizes{0, 6, 12};
 /// Decades of the distance. Those at which growth is measured are powers of two.
-constexpr std::array<unsigned, 20> main_rungs{1,  2,  3,  4,   6,   8,   12,  16,  24,  32,
-                                              48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+constexpr std::array<unsigned, 20> main_stations{1,  2,  3,  4,   6,   8,   12,  16,  24,  32,
+                                                 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
 constexpr double bounded_margin = 8; ///< decades by which the last steps are below the rest
 constexpr double most_hidden = 390;
 constexpr std::size_t doublings = 3;
@@ -47,26 +47,26 @@ double decades_of_size(const Sample& sample, const std::string& small) {
     return decades ? std::max(0.0, -*decades) : 0;
 }
 
-/// The rungs up to `least_end`, at least, and the distances small^(1/2), small, small^(3/2),
+/// The stations up to `least_end`, at least, and the distances small^(1/2), small, small^(3/2),
 /// small^2.
-std::vector<unsigned> rungs_to(double least_end, double small) {
-    std::vector<unsigned> rungs;
-    for (const unsigned rung : main_rungs) {
-        rungs.push_back(rung);
-        const bool power_of_two = (rung & (rung - 1)) == 0;
-        if (power_of_two && rung >= least_end) {
+std::vector<unsigned> stations_to(double least_end, double small) {
+    std::vector<unsigned> stations;
+    for (const unsigned station : main_stations) {
+        stations.push_back(station);
+        const bool power_of_two = (station & (station - 1)) == 0;
+        if (power_of_two && station >= least_end) {
             break;
         }
     }
     for (int k = 1; k <= 4; ++k) {
         const auto layer = static_cast<unsigned>(std::lround(k * small / 2));
-        if (layer > 0 && layer < rungs.back()) {
-            rungs.push_back(layer);
+        if (layer > 0 && layer < stations.back()) {
+            stations.push_back(layer);
         }
     }
-    std::sort(rungs.begin(), rungs.end());
-    rungs.erase(std::unique(rungs.begin(), rungs.end()), rungs.end());
-    return rungs;
+    std::sort(stations.begin(), stations.end());
+    stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+    return stations;
 }
 
 /// With what cancels taken out, where that is found by symbols.
@@ -99,8 +99,8 @@ Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, uns
 }
 
 Ball FollowedRest::largest_of(const Run& run) {
-    Ball most = run.rungs.front().rest;
-    for (const Rung& r : run.rungs) {
+    Ball most = run.stations.front().rest;
+    for (const Station& r : run.stations) {
         most = max(most, r.rest);
     }
     return most;
@@ -120,32 +120,32 @@ FollowedRest::FollowedRest(const Sample& sample, const ExpansionToFollow& expans
     }
     course_ = judge();
     if (course_ == Course::unknown && problem_.empty()) {
-        problem_ = "what is left neither settles nor certainly grows, down to the distance " +
+        problem_ = "what is left neither converges nor certainly grows, down to the distance " +
                    last_distance();
     }
 }
 
 const Ball& FollowedRest::before_last() const {
-    const std::vector<Rung>& rungs = runs_.front().rungs;
-    return course_ == Course::wrong_order ? *runs_.front().far : rungs[rungs.size() - 2].rest;
+    const std::vector<Station>& stations = runs_.front().stations;
+    return course_ == Course::wrong_order ? *runs_.front().far : stations[stations.size() - 2].rest;
 }
 const Ball& FollowedRest::last() const {
-    return course_ == Course::wrong_order ? *runs_.back().far : runs_.front().rungs.back().rest;
+    return course_ == Course::wrong_order ? *runs_.back().far : runs_.front().stations.back().rest;
 }
 Ball FollowedRest::largest() const { return largest_of(runs_.front()); }
 std::string FollowedRest::last_distance() const {
-    return "10^-" + std::to_string(runs_.front().rungs.back().decades);
+    return "10^-" + std::to_string(runs_.front().stations.back().decades);
 }
 
-std::optional<FollowedRest::Rung> FollowedRest::rung(const Sample& at, unsigned decades,
-                                                     double small) {
+std::optional<FollowedRest::Station> FollowedRest::station(const Sample& at, unsigned decades,
+                                                           double small) {
     const double lost = (expansion_.order + 1) * small + decades;
-    std::optional<Rung> found;
+    std::optional<Station> found;
     SampleInBalls sample(at, digits_ + static_cast<unsigned>(lost));
     // What is smaller than the small variable to twice the order is nothing.
     const auto nothing_below = -static_cast<long>(2 * expansion_.order * small + decades + digits_);
     (void)sample.until([&](const EnclosedSample& in) {
-        Rung here{decades, abs(in.evaluate(rest_)), false};
+        Station here{decades, abs(in.evaluate(rest_)), false};
         if (!here.rest.is_finite()) {
             return false;
         }
@@ -171,8 +171,8 @@ bool FollowedRest::add_run(const Sample& sample) {
     Run run{sample, std::nullopt, {}, 0};
     try {
         const long bits = 2 * formula::bits_for(digits_ + static_cast<unsigned>(8 * small) + 40);
-        const EnclosedSample before(at_distance(sample, expansion_, main_rungs[3]), bits);
-        const EnclosedSample after(at_distance(sample, expansion_, main_rungs[5]), bits);
+        const EnclosedSample before(at_distance(sample, expansion_, main_stations[3]), bits);
+        const EnclosedSample after(at_distance(sample, expansion_, main_stations[5]), bits);
         // Its smaller sizes hide nothing more: the small variable is followed beyond its powers.
         run.hidden =
             runs_.empty() ? hidden_decades(simplified_, {before, after}) : runs_.front().hidden;
@@ -181,18 +181,18 @@ bool FollowedRest::add_run(const Sample& sample) {
             return false;
         }
         if (sample.variables.contains(expansion_.variable)) {
-            if (const auto far = rung(sample, 0, small)) {
+            if (const auto far = station(sample, 0, small)) {
                 run.far = far->rest;
             }
         }
         // The last three steps begin at 3/8 of the end.
         const double end = std::max({64.0, 3 * (bounded_margin + run.hidden), 10 * small});
-        for (const unsigned decades : rungs_to(end, small)) {
-            const auto here = rung(at_distance(sample, expansion_, decades), decades, small);
+        for (const unsigned decades : stations_to(end, small)) {
+            const auto here = station(at_distance(sample, expansion_, decades), decades, small);
             if (!here) {
                 return false;
             }
-            run.rungs.push_back(*here);
+            run.stations.push_back(*here);
         }
     } catch (const Error& error) {
         problem_ = std::string("no enclosure: ") + error.what();
@@ -204,11 +204,13 @@ bool FollowedRest::add_run(const Sample& sample) {
 
 /// The last three steps are far below the rest, and do not grow.
 bool FollowedRest::is_bounded(const Run& run) {
-    const std::size_t n = run.rungs.size();
+    const std::size_t n = run.stations.size();
     const Ball tolerance =
         pow_int(Ball(10, 64), -static_cast<long>(std::ceil(bounded_margin + run.hidden)));
     const Ball most = largest_of(run);
-    const auto step = [&](std::size_t i) { return abs(run.rungs[i].rest - run.rungs[i - 1].rest); };
+    const auto step = [&](std::size_t i) {
+        return abs(run.stations[i].rest - run.stations[i - 1].rest);
+    };
     for (std::size_t i = n - 3; i < n; ++i) {
         if (!certainly_less(step(i), tolerance * most) || certainly_less(step(i - 1), step(i))) {
             return false;
@@ -218,12 +220,13 @@ bool FollowedRest::is_bounded(const Run& run) {
 }
 
 bool FollowedRest::is_growing(const Run& run) {
-    unsigned decades = run.rungs.back().decades;
+    unsigned decades = run.stations.back().decades;
     const Ball* later = nullptr;
     for (std::size_t k = 0; k <= doublings; ++k, decades /= 2) {
-        const auto at = std::find_if(run.rungs.begin(), run.rungs.end(),
-                                     [&](const Rung& r) { return r.decades == decades; });
-        if (at == run.rungs.end() || (later != nullptr && !certainly_half_more(at->rest, *later))) {
+        const auto at = std::find_if(run.stations.begin(), run.stations.end(),
+                                     [&](const Station& r) { return r.decades == decades; });
+        if (at == run.stations.end() ||
+            (later != nullptr && !certainly_half_more(at->rest, *later))) {
             return false;
         }
         later = &at->rest;
@@ -232,13 +235,13 @@ bool FollowedRest::is_growing(const Run& run) {
 }
 
 bool FollowedRest::sums_settle(const Run& run) const {
-    const unsigned last = run.rungs.back().decades;
+    const unsigned last = run.stations.back().decades;
     try {
         const double lost = 8 * decades_of_size(run.sample, expansion_.small) + 4.0 * last;
         const long bits = 2 * formula::bits_for(digits_ + static_cast<unsigned>(lost));
         const EnclosedSample before(at_distance(run.sample, expansion_, last / 2), bits);
         const EnclosedSample after(at_distance(run.sample, expansion_, last), bits);
-        return sums_have_settled(simplified_, {before, after});
+        return sums_are_steady(simplified_, {before, after});
     } catch (const Error&) {
         return false;
     }
@@ -247,8 +250,8 @@ bool FollowedRest::sums_settle(const Run& run) const {
 FollowedRest::Course FollowedRest::judge() {
     const auto all = [&](auto&& test) { return std::all_of(runs_.begin(), runs_.end(), test); };
     if (all([](const Run& run) {
-            return std::all_of(run.rungs.begin(), run.rungs.end(),
-                               [](const Rung& r) { return r.nothing; });
+            return std::all_of(run.stations.begin(), run.stations.end(),
+                               [](const Station& r) { return r.nothing; });
         })) {
         return Course::nothing;
     }

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] std::string last_distance() const;
 
 private:
-    struct Rung {
+    struct Station {
         unsigned decades;
         Ball rest; ///< |rest|
         bool nothing;
@@ -63,12 +63,12 @@ private:
     struct Run {
         Sample sample;
         std::optional<Ball> far; ///< |rest| at the variable's own value
-        std::vector<Rung> rungs;
+        std::vector<Station> stations;
         double hidden = 0; ///< decades that the formula may hide
     };
     [[nodiscard]] static Ball largest_of(const Run& run);
     [[nodiscard]] bool add_run(const Sample& sample);
-    [[nodiscard]] std::optional<Rung> rung(const Sample& at, unsigned decades, double small);
+    [[nodiscard]] std::optional<Station> station(const Sample& at, unsigned decades, double small);
     [[nodiscard]] Course judge();
     [[nodiscard]] bool sums_settle(const Run& run) const;
     [[nodiscard]] static bool is_bounded(const Run& run);

@@ -16,8 +16,8 @@ namespace edgeproof::audit {
 namespace {
 
 /// Decades from the last value listed.
-constexpr std::array<unsigned, 22> rungs{1,  2,  3,  4,  5,   6,   7,   8,   12,  16,  24,
-                                         32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+constexpr std::array<unsigned, 22> stations{1,  2,  3,  4,  5,   6,   7,   8,   12,  16,  24,
+                                            32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
 constexpr unsigned first_judged = 128;
 constexpr unsigned farthest_of_integrals = 16;
 constexpr std::size_t least_points = 5;
@@ -36,7 +36,7 @@ double decades_of_exact(const formula::Exact& x) {
     }
 }
 
-/// Whether the slopes of a sequence over the rungs have one sign, and the last is not much less
+/// Whether the slopes of a sequence over the stations have one sign, and the last is not much less
 /// than the others: what falls as a power of the distance, or faster.
 bool is_steady(const std::vector<Ball>& d, const std::vector<unsigned>& decades, bool rising) {
     double most = 0;
@@ -169,7 +169,7 @@ void FollowedTail::follow() {
     const bool costly = is_costly();
     std::size_t which = 0;
     bool more = add(0, which++);
-    for (const unsigned decades : rungs) {
+    for (const unsigned decades : stations) {
         if (!more) {
             break;
         }
@@ -222,7 +222,7 @@ bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) con
     }
     const Ball most = tolerance() * beside;
     const std::size_t n = d.size();
-    // Where they end early, what is already beyond a power law is seen at the last rung alone.
+    // Where they end early, what is already beyond a power law is seen at the last station alone.
     const std::size_t below = is_short() ? 1 : 3;
     for (std::size_t i = n - below; i < n; ++i) {
         if (!certainly_less(d[i], most) ||
@@ -279,8 +279,8 @@ bool FollowedTail::sums_settle() const {
         const EnclosedSample before(sample_at(points_[half].decades, half), bits);
         const EnclosedSample after(sample_at(points_[last].decades, last), bits);
         const SweptPair pair{before, after};
-        return sums_have_settled(claimed_.of, pair) &&
-               (!claimed_.limit || sums_have_settled(*claimed_.limit, pair));
+        return sums_are_steady(claimed_.of, pair) &&
+               (!claimed_.limit || sums_are_steady(*claimed_.limit, pair));
     } catch (const Error&) {
         return false;
     }

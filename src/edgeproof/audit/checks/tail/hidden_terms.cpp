@@ -150,7 +150,7 @@ void HiddenScales::collect(const Expr& e, double times) {
     }
 }
 
-bool pair_has_settled(const Expr& first, const Expr& second, const SweptPair& at) {
+bool pair_is_steady(const Expr& first, const Expr& second, const SweptPair& at) {
     const auto ratio = [&](const EnclosedSample& sample) -> std::optional<double> {
         const auto x = value_in(sample, first);
         const auto y = value_in(sample, second);
@@ -184,19 +184,19 @@ double hidden_decades(const Expr& e, const SweptPair& at) {
     return scales.sum();
 }
 
-bool sums_have_settled(const Expr& e, const SweptPair& at) {
+bool sums_are_steady(const Expr& e, const SweptPair& at) {
     if (e.is_binder() || e.args().empty() || is_constant(e, at)) {
         return true;
     }
     if (combines(e)) {
         for (std::size_t i = 0; i + 1 < e.args().size(); ++i) {
-            if (!pair_has_settled(e.arg(i), e.arg(i + 1), at)) {
+            if (!pair_is_steady(e.arg(i), e.arg(i + 1), at)) {
                 return false;
             }
         }
     }
     return std::all_of(e.args().begin(), e.args().end(),
-                       [&](const Expr& part) { return sums_have_settled(part, at); });
+                       [&](const Expr& part) { return sums_are_steady(part, at); });
 }
 
 } // namespace edgeproof::audit

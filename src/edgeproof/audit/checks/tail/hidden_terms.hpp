@@ -21,6 +21,6 @@ struct SweptPair {
 /// two terms one prevails by 1000 at least, and by more at the second sample than at the first, or
 /// their ratio no longer changes. While it has not, the end is not in sight: log(log(m)) - 9 is
 /// negative at m = 1e1000 and grows without bound. Only keeps a claim undecided.
-[[nodiscard]] bool sums_have_settled(const formula::Expr& e, const SweptPair& at);
+[[nodiscard]] bool sums_are_steady(const formula::Expr& e, const SweptPair& at);
 
 } // namespace edgeproof::audit

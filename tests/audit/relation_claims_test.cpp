@@ -70,6 +70,26 @@ TEST_CASE("a difference beyond the digits at hand is found with more of them") {
     CHECK(verdict_of(relation("sqrt(u)*sqrt(u) < u"), 20) != "confirmed");
 }
 
+TEST_CASE("an inequality that fails at one point is not confirmed") {
+    // With equality at u = L/7 or u = 3 L/7, which no place of the scan meets.
+    CHECK(verdict_of(relation("(u/L-1/7)^2 <= 0", "holds = \"nowhere\""), 15) == "undecided");
+    CHECK(verdict_of(relation("(u/L-1/7)^2 > 0"), 15) == "undecided");
+    CHECK(verdict_of(relation("abs(u/L-3/7) > 0"), 30) == "undecided");
+    // Where equality is allowed, it holds there to the digits required.
+    CHECK(verdict_of(relation("(u/L-1/7)^2 >= 0"), 15) == "confirmed");
+}
+
+TEST_CASE("near the edge, an approximation is not equal to the exact pressure") {
+    const std::string near_edge = "holds = \"near-edge\"";
+    for (const unsigned digits : {15U, 50U}) {
+        CHECK(verdict_of(relation("p(x) = right_local(1, x)", near_edge), digits) == "refuted");
+        CHECK(verdict_of(relation("p(x) = Es*C/2*sqrt(a^2-x^2)", near_edge), digits) ==
+              "confirmed");
+        CHECK(verdict_of(relation("p(x) >= right_local(1, x)", near_edge), digits) == "refuted");
+        CHECK(verdict_of(relation("p(x) = right_local(4, x)", near_edge), digits) != "confirmed");
+    }
+}
+
 TEST_CASE("a relation without a place, and one where a condition leaves places out") {
     CHECK(verdict_of(relation("right.c1 < 0 and right.c0 > 0")) == "confirmed");
     CHECK(verdict_of(relation("right.c1 > 0")) == "refuted");

@@ -197,34 +197,11 @@ std::vector<std::size_t> chosen(const Agreement& agreement, const ComparedFormul
     return some;
 }
 
-bool has_disjoint(const Outcome& outcome) {
-    const EvidenceItem* item = outcome.evidence.find("enclosures");
-    const auto* pair = item == nullptr ? nullptr : std::get_if<Evidence>(&item->value());
-    const EvidenceItem* apart = pair == nullptr ? nullptr : pair->find("disjoint");
-    return apart != nullptr && std::get<bool>(apart->value());
-}
-
-/// Balls of what the verdict is about.
-bool is_enclosed(const Outcome& outcome) {
-    const EvidenceItem* item = outcome.evidence.find("enclosures");
-    const auto* pair = item == nullptr ? nullptr : std::get_if<Evidence>(&item->value());
-    return pair != nullptr && pair->find("none") == nullptr;
-}
-
 } // namespace
-
-bool rests_on_enclosures(const ClaimResult& result) {
-    if (result.readings.empty()) {
-        return has_disjoint(result.outcome);
-    }
-    return std::all_of(result.readings.begin(), result.readings.end(), [](const auto& reading) {
-        return reading.second.verdict != Verdict::refuted || has_disjoint(reading.second);
-    });
-}
 
 std::string_view name_of(Basis basis) {
     static constexpr std::array<std::string_view, all_bases.size()> names{
-        "theorem", "identity", "enclosures", "estimates", "text"};
+        "theorem", "identity", "enclosures", "text", "none"};
     return names.at(static_cast<std::size_t>(basis));
 }
 
@@ -239,13 +216,8 @@ Basis basis_of(const ClaimResult& result) {
     if (verdict == Verdict::definition || verdict == Verdict::underspecified) {
         return Basis::text;
     }
-    const bool enclosed =
-        verdict == Verdict::refuted ? rests_on_enclosures(result)
-        : result.readings.empty()
-            ? is_enclosed(result.outcome)
-            : std::all_of(result.readings.begin(), result.readings.end(),
-                          [](const auto& reading) { return is_enclosed(reading.second); });
-    return enclosed ? Basis::enclosures : Basis::estimates;
+    // A Judgement of any other verdict except `undecided` is made of balls only.
+    return verdict == Verdict::undecided ? Basis::none : Basis::enclosures;
 }
 
 Decision compare_by_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,

@@ -50,22 +50,19 @@ struct ComparedNumbers {
 /// Puts two enclosures into the evidence.
 void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence);
 
-/// Whether a refutation is proved by disjoint enclosures: under every reading that fails.
-[[nodiscard]] bool rests_on_enclosures(const ClaimResult& result);
-
 /// What a verdict rests on.
 enum class Basis {
-    theorem,    ///< theorems that Coq checks, which say all that the verdict does
-    identity,   ///< a computer algebra system's: printed less derived is zero
-    enclosures, ///< balls: disjoint, or agreeing to the digits that they prove, at the samples
-    estimates,  ///< values in `Real` by quadratures and closed forms, at the samples
-    text        ///< what is printed: nothing in it that has a value to check
+    theorem,    ///< theorems that Coq checked and that state the whole verdict
+    identity,   ///< computer algebra: printed minus derived is zero
+    enclosures, ///< balls at the samples: disjoint, or equal to the digits that the balls prove
+    text,       ///< the printed text: it contains nothing that has a value
+    none        ///< nothing: the verdict is `undecided`
 };
 inline constexpr std::array<Basis, 5> all_bases{Basis::theorem, Basis::identity, Basis::enclosures,
-                                                Basis::estimates, Basis::text};
-/// "theorem", "identity", "enclosures", "estimates", "text".
+                                                Basis::text, Basis::none};
+/// "theorem", "identity", "enclosures", "text", "none".
 [[nodiscard]] std::string_view name_of(Basis basis);
-/// The firmest that holds of the whole verdict: of several readings, each has to have it.
+/// The strongest basis of the whole verdict.
 [[nodiscard]] Basis basis_of(const ClaimResult& result);
 
 } // namespace edgeproof::audit

@@ -91,6 +91,9 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
             result.where = interval_texts(scan, false);
         }
         result.decision = all_of(condition, scan.places());
+        if (confirms(result.decision) && scan.nearly_changes(true)) {
+            result.decision = {};
+        }
     }
     return result;
 }
@@ -121,7 +124,7 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
         }
         if (holds) {
             result.decision = condition.decide_at(&most->fraction).value_or(Decision());
-        } else if (!scan.nearly_holds()) {
+        } else if (!scan.nearly_changes(false)) {
             result.decision = fails_at_all(condition, scan.places());
         }
         if (refutes(result.decision) && holds) {
@@ -131,12 +134,13 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
     return result;
 }
 
-/// The sign on the last decades towards the edge: from 10^10 times `nearest` to `nearest`.
-RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest) {
-    RelationInScene result;
+bool is_equality(const Relation& r) { return r.op == Relation::Op::equal; }
+
+/// The decision at all of these distances, if it is the same at each.
+Decision same_at_all(const ConditionInScene& condition, const std::vector<Real>& fractions,
+                     RelationInScene& result) {
     std::vector<Decision> decisions;
-    for (int k = 0; k <= 10; ++k) {
-        const Real fraction = nearest * pow(Real(10), k);
+    for (const Real& fraction : fractions) {
         const auto margin = condition.at(fraction);
         if (!margin) {
             continue;
@@ -147,11 +151,33 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
             result.decisive = MarginAt{fraction, *margin};
         }
     }
-    // Near the edge it holds, or fails, where it does at all these places.
     const bool same =
         !decisions.empty() && (std::all_of(decisions.begin(), decisions.end(), confirms) ||
                                std::all_of(decisions.begin(), decisions.end(), refutes));
-    result.decision = same ? decisions.back() : Decision();
+    return same ? decisions.back() : Decision();
+}
+
+/// Near the edge the condition holds, or fails, if it does at 11 distances: from 10^10 times
+/// `nearest` to `nearest`. An approximation agrees there with the exact value to all digits
+/// computed. Therefore an equality must also hold between the edge and the nearest knot, where both
+/// sides are analytic functions.
+RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest,
+                          bool has_equality) {
+    RelationInScene result;
+    std::vector<Real> near;
+    for (int k = 0; k <= 10; ++k) {
+        near.push_back(nearest * pow(Real(10), k));
+    }
+    result.decision = same_at_all(condition, near, result);
+    if (has_equality && confirms(result.decision)) {
+        const auto knots = condition.knots();
+        const Real stretch = knots.empty() ? Real(1) : knots.front();
+        const Decision farther = same_at_all(
+            condition, {stretch / 1000, stretch / 30, stretch / 7, stretch * 2 / 5}, result);
+        if (!confirms(farther)) {
+            result.decision = {};
+        }
+    }
     return result;
 }
 
@@ -264,17 +290,21 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
         where = claim.condition("where");
     }
     const bool placed = names_a_place(condition.as_printed) || (where && names_a_place(*where));
-    const PrecisionScope scope(context.digits() + 20);
+    const bool has_equality =
+        std::any_of(condition.as_printed.begin(), condition.as_printed.end(), is_equality);
+    // Near the edge, sides that differ by the next term of a series agree to many digits.
+    const unsigned digits = context.digits() + (holds == "near-edge" && has_equality ? 50 : 0);
+    const PrecisionScope scope(digits + 20);
     const Real nearest = claim.has("nearest")
                              ? formula::Exact::parse(claim.text("nearest")).to<Real>()
                              : pow(Real(10), holds == "near-edge" ? -40 : -10);
     std::vector<std::pair<std::string, RelationInScene>> found;
     std::size_t left_out = 0;
     for (const Sample& sample : context.samples(claim)) {
-        const ConditionInScene in_scene(sample, condition, where, context.digits());
+        const ConditionInScene in_scene(sample, condition, where, digits);
         RelationInScene result = !placed                ? without_place(in_scene)
                                  : holds == "somewhere" ? somewhere(in_scene, nearest)
-                                 : holds == "near-edge" ? near_edge(in_scene, nearest)
+                                 : holds == "near-edge" ? near_edge(in_scene, nearest, has_equality)
                                                         : everywhere(in_scene, nearest);
         if (result.places == 0) { // `where` admits no place of this scene
             ++left_out;

@@ -16,7 +16,13 @@ std::optional<Confirmation> equal(const Relation& r, const Ball& lhs, const Ball
 
 } // namespace
 
-Decision decide(const Relation& r, const EnclosedSample& sample, double digits) {
+bool allows_equality(const Relation& r) {
+    using Op = Relation::Op;
+    return r.op == Op::equal || r.op == Op::less_equal || r.op == Op::greater_equal;
+}
+
+Decision decide(const Relation& r, const EnclosedSample& sample, double digits,
+                SidesThatAgree agreeing) {
     using Op = Relation::Op;
     const Ball lhs = sample.evaluate(r.lhs);
     const Ball rhs = sample.evaluate(r.rhs);
@@ -28,18 +34,19 @@ Decision decide(const Relation& r, const EnclosedSample& sample, double digits) 
     const Ball& greater = below ? rhs : lhs;
     const Decision strict =
         decision(Refutation::less(greater, lesser), Confirmation::less(lesser, greater));
-    const bool or_equal = r.op == Op::less_equal || r.op == Op::greater_equal;
-    if (!or_equal || !std::holds_alternative<std::monostate>(strict)) {
+    if (agreeing == SidesThatAgree::undecided || !allows_equality(r) ||
+        !std::holds_alternative<std::monostate>(strict)) {
         return strict;
     }
     return decision(std::nullopt, equal(r, lhs, rhs, sample, digits));
 }
 
-Decision decide(const Condition& condition, const EnclosedSample& sample, double digits) {
+Decision decide(const Condition& condition, const EnclosedSample& sample, double digits,
+                SidesThatAgree agreeing) {
     Decision all;
     bool open = false;
     for (const Relation& r : condition) {
-        const Decision one = decide(r, sample, digits);
+        const Decision one = decide(r, sample, digits, agreeing);
         if (refutes(one)) {
             return one;
         }
@@ -51,10 +58,15 @@ Decision decide(const Condition& condition, const EnclosedSample& sample, double
 
 Decision decide(const Condition& condition, SampleInBalls& sample, double digits) {
     Decision found;
-    static_cast<void>(sample.until([&](const EnclosedSample& at) {
-        found = decide(condition, at, digits);
-        return !std::holds_alternative<std::monostate>(found);
-    }));
+    for (const SidesThatAgree agreeing : {SidesThatAgree::undecided, SidesThatAgree::equal}) {
+        static_cast<void>(sample.until([&](const EnclosedSample& at) {
+            found = decide(condition, at, digits, agreeing);
+            return !std::holds_alternative<std::monostate>(found);
+        }));
+        if (!std::holds_alternative<std::monostate>(found)) {
+            break;
+        }
+    }
     return found;
 }
 

@@ -21,6 +21,16 @@ ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condit
 }
 
 std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
+    auto found = decide_at(fraction, SidesThatAgree::undecided);
+    if (found && std::holds_alternative<std::monostate>(*found) &&
+        std::any_of(condition_.begin(), condition_.end(), allows_equality)) {
+        found = decide_at(fraction, SidesThatAgree::equal);
+    }
+    return found;
+}
+
+std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
+                                                    SidesThatAgree agreeing) const {
     const double needed = AuditContext::digits_needed(digits_);
     Decision found;
     bool admitted = !where_;
@@ -29,19 +39,19 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const 
             at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
         }
         if (!admitted) {
-            const Decision there = decide(*where_, at, needed);
+            const Decision there = decide(*where_, at, needed, agreeing);
             admitted = confirms(there);
             if (!admitted) {
                 return refutes(there);
             }
         }
-        found = decide(printed_.as_printed, at, needed);
+        found = decide(printed_.as_printed, at, needed, agreeing);
         if (refutes(found) && !printed_.decimals.empty()) {
             for (std::size_t k = 0; k < printed_.decimals.size(); ++k) {
                 at.set(DecimalFormula::name_of_decimal(k),
                        printed_.decimals[k].interval(Rational(1, 2), at.bits()));
             }
-            found = decide(printed_.named, at, needed);
+            found = decide(printed_.named, at, needed, agreeing);
             if (!refutes(found)) {
                 found = {};
                 return true; // more bits do not make the intervals narrower
@@ -103,10 +113,10 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
             m.difference = m.value;
         } else if (alike) {
             const bool strict = r.op == Op::less || r.op == Op::greater;
-            // Zero on both sides is equality; anything else may yet come apart.
-            m.clear = !strict || scale == 0;
+            // Zero on both sides is equality; more digits may separate other values.
+            m.clear = scale == 0 || (!strict && level + 1 == levels);
             m.value = strict ? Real(0) : noise;
-            m.difference = m.value;
+            m.difference = strict ? Real(0) : Real(abs(difference));
         }
         if (m.clear && m.value < 0) {
             return m; // one that fails decides
@@ -146,6 +156,12 @@ std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
 
 std::optional<Margin> ConditionInScene::at(const Real& fraction) const { return margin(&fraction); }
 std::optional<Margin> ConditionInScene::anywhere() const { return margin(nullptr); }
+Real ConditionInScene::counts_as_equal() const {
+    return std::all_of(condition_.begin(), condition_.end(), allows_equality)
+               ? pow(Real(10), -static_cast<int>(AuditContext::digits_needed(digits_)))
+               : Real(0);
+}
+
 std::string ConditionInScene::text() const { return sample_.scene.family + ": " + sample_.text(); }
 
 } // namespace edgeproof::audit

@@ -48,8 +48,13 @@ public:
     /// condition fails if it does for all numbers in them, and holds if it does as printed.
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
     [[nodiscard]] std::string text() const;
+    /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the
+    /// condition: 0 unless all its relations allow equality.
+    [[nodiscard]] Real counts_as_equal() const;
 
 private:
+    [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction,
+                                                    SidesThatAgree agreeing) const;
     static constexpr std::size_t levels = 3;
     [[nodiscard]] const EvaluatedScene& at_level(std::size_t level) const;
     [[nodiscard]] unsigned digits_of(std::size_t level) const;

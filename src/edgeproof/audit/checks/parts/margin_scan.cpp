@@ -10,6 +10,7 @@ namespace {
 
 constexpr int places_per_decade = 3;
 constexpr int even_places = 24;
+constexpr int search_steps = 80;     // each shrinks the interval by 0.618
 constexpr unsigned scan_digits = 40; // of the fractions themselves
 
 bool smaller(const MarginAt& x, const MarginAt& y) { return x.margin.value < y.margin.value; }
@@ -78,8 +79,8 @@ void MarginScan::seek_extrema() {
                    : dip   ? margin->difference
                            : Real(-margin->difference);
         };
-        found.push_back(roots::place_of_minimum(height, places_[i - 1].fraction,
-                                                places_[i + 1].fraction, 40, reaches_zero));
+        found.push_back(roots::place_of_minimum(
+            height, places_[i - 1].fraction, places_[i + 1].fraction, search_steps, reaches_zero));
     }
     for (const Real& fraction : found) {
         look(fraction);
@@ -102,13 +103,16 @@ std::size_t MarginScan::unclear() const {
         places_.begin(), places_.end(), [](const MarginAt& p) { return !p.margin.clear; }));
 }
 
-bool MarginScan::nearly_holds() const {
-    const Real negligible = pow(Real(10), -6);
+bool MarginScan::nearly_changes(bool holding) const {
+    const Real negligible = pow(Real(10), -14); // the search ends within 2e-17 of an interval
+    const Real equal = holding ? condition_.counts_as_equal() : Real(0);
+    const int sign = holding ? 1 : -1; // so that the condition changes where a value reaches zero
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
-        const Real& l = places_[i - 1].margin.difference;
-        const Real& m = places_[i].margin.difference;
-        const Real& r = places_[i + 1].margin.difference;
-        if (m >= l && m >= r && abs(m) <= negligible * std::max(Real(abs(l)), Real(abs(r)))) {
+        const Real l = sign * places_[i - 1].margin.difference;
+        const Real m = sign * places_[i].margin.difference;
+        const Real r = sign * places_[i + 1].margin.difference;
+        const Real nearby = std::max(Real(abs(l)), Real(abs(r)));
+        if (m <= l && m <= r && abs(m) <= negligible * nearby && abs(m) > equal * nearby) {
             return true;
         }
     }

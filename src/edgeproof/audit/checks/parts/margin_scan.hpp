@@ -24,9 +24,10 @@ public:
     [[nodiscard]] const MarginAt* least() const;
     [[nodiscard]] const MarginAt* most() const;
     [[nodiscard]] std::size_t unclear() const;
-    /// Whether, where the condition fails everywhere, the difference of its sides comes so near to
-    /// zero between its neighbours that it may hold at a point.
-    [[nodiscard]] bool nearly_holds() const;
+    /// For a condition that holds (or fails) at all places of the scan: whether the difference of
+    /// its sides is so small at one place, compared with its neighbours, that the condition may
+    /// fail (or hold) at a point between them.
+    [[nodiscard]] bool nearly_changes(bool holding) const;
     /// Intervals in which the condition holds (or fails), their ends isolated to 12 digits, one
     /// end being a place of the scan where the condition is not asked beyond it.
     [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;

@@ -139,6 +139,28 @@ TEST_CASE("the pressure inside integrals: force, moment, and the slope that it a
     }
 }
 
+TEST_CASE("a power, sine or exponential of the place times the pressure") {
+    // The flat punch of half width s has the second moment s^2/2 times its force.
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) {
+        const Sample sample = sample_of(sampled_profiles()[i], "2/7");
+        CAPTURE(sample.scene.text());
+        CHECK(fault_between(EnclosedSample(sample, 300, aimed_digits),
+                            contact_formula("integral(s^2*p(s), s, -a, a)"),
+                            contact_formula("integral(s^2/2*P1of(s), s, 0, a)"),
+                            contact_formula("P*a^2")) == "");
+        CHECK(fault_between(EnclosedSample(sample, 300, aimed_digits),
+                            contact_formula("integral(cos(s)^2*p(s), s, -a, a)"),
+                            contact_formula("P - integral(sin(s)^2*p(s), s, -a, a)"),
+                            contact_formula("P")) == "");
+    }
+    const Sample hertz = sample_of(sampled_profiles()[1], "2/7");
+    const EnclosedSample in_balls(hertz, 300, aimed_digits);
+    CHECK(fault_between(in_balls, contact_formula("integral(p(s)^2, s, -a, a)"),
+                        contact_formula("16*P^2/(3*Pi^2*a)"), contact_formula("P^2/a")) == "");
+    CHECK(fault_between(in_balls, contact_formula("integral(p(s)/(1+s^2), s, -a, a)"),
+                        contact_formula("2*P/a^2*(sqrt(1+a^2)-1)"), contact_formula("P")) == "");
+}
+
 TEST_CASE("the pressure at a point by what is laid over the contact as it grows") {
     const char* whole = "1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, x, a)";
     CHECK(faults_of(whole, "p(x)", "p(x)", "1/5") == "");

@@ -51,6 +51,15 @@ m = ["5/8"]
 C = ["1"]
 a = ["3/2"]
 Es = ["1"]
+[[family]]
+name = "curved"
+profile = "piecewise-symmetric"
+count = 1
+knots = []
+slopes = ["x/6 + x^3/8"]
+[family.parameters]
+a = ["3/4"]
+Es = ["7/3"]
 )";
 
 inline AuditResult audit_of(const std::string& claim, unsigned digits = 34) {

@@ -136,6 +136,17 @@ TEST_CASE("a difference that only the enclosures show refutes") {
     CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));
 }
 
+TEST_CASE("P'(a) and b'(a) of a curved slope are enclosed") {
+    const auto verdict = [](const std::string& of, const std::string& says) {
+        return verdict_of("kind = \"value\"\nover = \"curved\"\nof = \"" + of + "\"\nsays = \"" +
+                          says + "\"\n");
+    };
+    // By hand: P = Es/2 (pi a^2/12 + 3 pi a^4/64), differentiated.
+    CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)") == "confirmed");
+    CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)*(1 + 1e-20)") == "refuted");
+    CHECK(verdict("b1", "1") == "confirmed");
+}
+
 TEST_CASE("where the value is zero, digits are proved relative to the claim's scale") {
     const std::string zero = "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = "
                              "\"integral(g1(s)/sqrt(a^2-s^2), s, -a, a)\"\n";

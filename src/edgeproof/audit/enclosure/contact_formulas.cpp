@@ -173,23 +173,30 @@ void ContactFormulas::read_pressure() {
     named("factor of the pressure", contact_.pressure_factor());
 }
 
+bool ContactFormulas::whole_exponent() const {
+    return exponent_ && denominator(*exponent_) == 1 && *exponent_ <= most_whole;
+}
+
+/// I_m = (w + (m - 1) z^2 I_{m-2})/m, I_0 = log((1 + w)/z), I_1 = w.
+formula::Expr ContactFormulas::whole_power_pressure(const formula::Expr& w, const formula::Expr& z,
+                                                    const formula::Expr& log_z) const {
+    const long m = exponent_->convert_to<long>();
+    formula::Expr sum = m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - log_z;
+    for (long k = m % 2 + 2; k <= m; k += 2) {
+        sum = (w + integer(k - 1) * (pow(z, integer(2)) * sum)) / integer(k);
+    }
+    return formula::Expr::symbol("factor of the pressure") * sum;
+}
+
 std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr& x) const {
     const formula::Expr right = root_of(edge_a - x);
     const formula::Expr left = root_of(x + (symmetric() ? edge_a : edge_b));
     if (exponent_) {
-        if (denominator(*exponent_) != 1 || *exponent_ > most_whole) {
+        if (!whole_exponent()) {
             return std::nullopt;
         }
-        // I_m = (w + (m - 1) z^2 I_{m-2})/m, I_0 = log((1 + w)/z), I_1 = w.
-        const long m = exponent_->convert_to<long>();
         const formula::Expr z = x / edge_a;
-        const formula::Expr w = right * left / edge_a;
-        formula::Expr sum =
-            m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - call_of("log_above", {z});
-        for (long k = m % 2 + 2; k <= m; k += 2) {
-            sum = (w + integer(k - 1) * (pow(z, integer(2)) * sum)) / integer(k);
-        }
-        return formula::Expr::symbol("factor of the pressure") * sum;
+        return whole_power_pressure(right * left / edge_a, z, call_of("log_above", {z}));
     }
     formula::Expr sum = formula::Expr::symbol("arc of the contact") * (right * left);
     for (std::size_t i = 0; i < profile_.knots().size(); ++i) {
@@ -225,6 +232,9 @@ formula::Expr ContactFormulas::power_law_pressure(const formula::Expr& x, const 
     const formula::Expr half = formula::Expr::number(Rational(1, 2));
     const formula::Expr z = (certainly_positive(near) ? x : -x) / edge_a;
     const formula::Expr w = root_of_y(x);
+    if (whole_exponent()) {
+        return whole_power_pressure(w, z, call_of("log", {z}));
+    }
     const formula::Expr first = (integer(1) - m) * half;
     const Ball size = abs(near) / contact_.a() * 10;
     formula::Expr integral;

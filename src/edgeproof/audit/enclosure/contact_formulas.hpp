@@ -51,6 +51,10 @@ public:
     [[nodiscard]] std::vector<formula::Expr> pressure_knots() const;
 
 private:
+    [[nodiscard]] bool whole_exponent() const;
+    /// p of a power law with a whole exponent, for w = sqrt(1 - z^2), z = |x|/a and log(z).
+    [[nodiscard]] formula::Expr whole_power_pressure(const formula::Expr& w, const formula::Expr& z,
+                                                     const formula::Expr& log_z) const;
     [[nodiscard]] formula::Expr parameter(const char* name) const;
     /// A name for a number.
     formula::Expr named(const std::string& name, const Ball& value);

@@ -254,6 +254,13 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
     if (name == "M") {
         return closed ? closed->moment() : curved->moment();
     }
+    if (curved && name == "P1") { // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
+        return contact().expansion(contact::Edge::right, 1)[0] * pi() * sqrt(length()) / 2;
+    }
+    if (curved && name == "b1") { // the coefficients c_0 of the edges have the ratio b'(a)
+        return contact().expansion(contact::Edge::right, 1)[0] /
+               contact().expansion(contact::Edge::left, 1)[0];
+    }
     if (const auto k = order_behind(name, "P")) {
         return closed_form(name).force_derivatives(*k + 1).back();
     }

@@ -67,6 +67,22 @@ std::optional<int> degree_in_pressure(const formula::Expr& e, const std::string&
     if (e.kind() == Kind::call && e.name() == "p") {
         return e.arg(0) == formula::Expr::symbol(variable) ? std::optional(1) : std::nullopt;
     }
+    const auto of_all_parts_zero = [&] {
+        return std::all_of(e.args().begin(), e.args().end(), [&](const formula::Expr& part) {
+            return degree_in_pressure(part, variable) == 0;
+        });
+    };
+    if (e.kind() == Kind::pow) {
+        const Rational* n = e.arg(1).rational();
+        const bool whole = n != nullptr && *n >= 0 && denominator(*n) == 1;
+        return whole && of_all_parts_zero() ? std::optional(0) : std::nullopt;
+    }
+    if (e.kind() == Kind::call) {
+        using formula::Builtin;
+        const Builtin f = e.builtin();
+        const bool entire = f == Builtin::exp || f == Builtin::sin || f == Builtin::cos;
+        return entire && of_all_parts_zero() ? std::optional(0) : std::nullopt;
+    }
     const bool quotient = e.kind() == Kind::div;
     const bool product = e.kind() == Kind::mul || quotient;
     if (!product && e.kind() != Kind::add && e.kind() != Kind::sub && e.kind() != Kind::neg) {

@@ -18,8 +18,8 @@ namespace edgeproof::audit {
 /// Whether p of something with the variable in it occurs.
 [[nodiscard]] bool holds_pressure(const formula::Expr& e, const std::string& variable);
 
-/// Degree of e in p(variable) if e is made of that, the variable and constants, a quotient only by
-/// what the variable is not in.
+/// The degree of e in p(variable) if all other factors are entire functions of the variable: sums,
+/// products, whole powers, exp, sin, cos. The variable may not occur in a divisor.
 [[nodiscard]] std::optional<int> degree_in_pressure(const formula::Expr& e,
                                                     const std::string& variable);
 

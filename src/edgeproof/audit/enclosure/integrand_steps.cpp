@@ -224,12 +224,16 @@ void Integrand::Program::take_function(std::size_t i) {
         }
         break;
     case Op::gauss: {
-        // Its cut runs from 1 outwards.
-        const bool off = !x.may_be_real() || certainly_less(x.real(), Ball(1, bits_));
+        const auto part = [&](std::size_t k) { return valued_[step.args[k]].w.get(); };
+        // A polynomial if a or b is 0 or a negative integer; else the cut runs from 1 to infinity.
+        const auto ends_the_series = [](acb_ptr a) {
+            return acb_is_int(a) != 0 && arb_is_nonpositive(acb_realref(a)) != 0;
+        };
+        const bool off = ends_the_series(part(0)) || ends_the_series(part(1)) || !x.may_be_real() ||
+                         certainly_less(x.real(), Ball(1, bits_));
         if (analytic_ && !off) {
             indeterminate(r.w);
         } else {
-            const auto part = [&](std::size_t k) { return valued_[step.args[k]].w.get(); };
             acb_hypgeom_2f1(y, part(0), part(1), part(2), x.get(), 0, bits_);
         }
         break;

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-/// Balls, series of balls, exact numbers and symbols as fields of the formulas in contact/law/.
+/// Balls, series of balls, exact numbers and symbols as fields for the formulas of contact/law/.
 namespace edgeproof::contact {
 
 template <> struct Field<Ball> {
@@ -26,7 +26,7 @@ template <> struct Field<Ball> {
         return x;
     }
     static Ball smaller(const Ball& x, const Ball& y) { return min(x, y); }
-    /// Of a ball that reaches below zero, the root of its part above.
+    /// The square root of the non-negative part of x.
     static Ball root(const Ball& x) {
         Ball r(0, x.bits());
         arb_sqrtpos(r.data(), x.data(), x.bits());
@@ -35,7 +35,7 @@ template <> struct Field<Ball> {
     static Ball angle(const Ball& near, const Ball& far) {
         return atan2(root(near), root(far)) * 2;
     }
-    /// The difference: more bits make up for what cancels.
+    /// pi - h as a difference: the cancellation costs bits, and the caller asks for more.
     template <class Mark> static Ball other_angle(const Mark& m) { return pi(m.h) - m.h; }
 };
 
@@ -52,7 +52,7 @@ template <> struct Field<BallSeries> {
         sum = sum + y * x;
     }
     static BallSeries root(const BallSeries& x) { return sqrt(x); }
-    /// Of a knot that may lie on an edge, as far as the bits tell, not finite: said, not guessed.
+    /// 2 atan sqrt(near/far). Not finite for a knot that may lie on an edge.
     static BallSeries angle(const BallSeries& near, const BallSeries& far) {
         return atan(sqrt(near / far)) * Ball(2, near.bits());
     }

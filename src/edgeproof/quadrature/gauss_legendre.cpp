@@ -30,7 +30,7 @@ GaussLegendreBalls build(std::size_t n, long bits) {
     return rule;
 }
 
-/// One slot a table, so that a long table being built keeps nobody else waiting.
+/// One slot for each table, so that threads that need another table do not wait while one is built.
 struct Slot {
     std::once_flag once;
     GaussLegendreBalls rule;
@@ -63,7 +63,7 @@ std::size_t gauss_legendre_tables() {
 }
 
 GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits) {
-    // 1 - x is about 1.4/n^2 at the outermost node.
+    // 1 - x is about 1.4/n^2 at the outermost node, and loses as many bits.
     long guard = 16;
     for (std::size_t k = n; k > 1; k /= 2) {
         guard += 2;

@@ -92,6 +92,7 @@ std::optional<HolomorphicReach> holomorphic_reach(const ComplexFunction& f, doub
         if (!scale) {
             scale = bound;
         }
+        // `trefethen2013`, theorem 19.3
         const double nodes =
             gauss_legendre_nodes_needed(ellipse, *bound - *scale + 1, ln_tolerance);
         if (nodes < fewest) {

@@ -20,7 +20,8 @@ using ComplexFunction = std::function<void(acb_t out, const acb_t phi)>;
 /// Returns, among a sequence of ellipses, the one that needs the fewest nodes for a tolerance of
 /// exp(ln_tolerance) relative to the function, and extends at most `most_excess` beyond the
 /// interval; nothing if no ellipse is proved. Every ellipse is covered with balls, so that the
-/// result is proved; an ellipse that is not found may still be valid.
+/// result is proved; an ellipse that is not found may still be valid (docs/pressure.md, "Many
+/// points of one contact").
 [[nodiscard]] std::optional<HolomorphicReach> holomorphic_reach(const ComplexFunction& f,
                                                                 double centre, double half,
                                                                 double most_excess,

@@ -9,9 +9,10 @@
 namespace edgeproof::quadrature {
 
 /// The integral of f over an interval of length L, where f has a singularity *outside*, at the
-/// distance `beyond` from one end (0: none known). A near one makes tanh-sinh slow. The map
-/// r = beyond (e^y - 1) moves it to y = -i pi for any distance. f is called with the distances from
-/// both ends, both with all their digits.
+/// distance `beyond` from one end (0: none known). A near one makes tanh-sinh slow
+/// (`trefethen-weideman2014`). The map r = beyond (e^y - 1) moves it to y = -infinity, and a branch
+/// cut beyond it to Im y = +-pi, for any distance. f is called with the distances from both ends,
+/// both with all their digits. The result has the unit of f times that of `length`.
 template <Arithmetic T, class R>
 [[nodiscard]] QuadratureResult<R>
 integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length, const T& beyond, bool at_lo,

@@ -105,6 +105,7 @@ Sum between_ends(const At& f, const Real& length, std::size_t n) {
     Sum sum;
     const auto nodes = mapped_nodes(n);
     for (const MappedNode& node : *nodes) {
+        // dr = length pi sin(pi v/2) cos(pi v/2) dv
         sum.add(node.weight_2 * f(Real(length * node.sine_2), Real(length * node.cosine_2)));
     }
     sum.value *= length;
@@ -129,7 +130,7 @@ Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_
         const Real rest =
             to_go < w ? Real(beyond * hyperbolic_sine(to_go) * hyperbolic_sine(Real(w_end + w)))
                       : Real(length - r);
-        const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w
+        const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w, from dr = beyond sinh 2w dw
         sum.add(node.weight * both * f(r, rest));
     }
     sum.value *= beyond * w_end;

@@ -98,7 +98,8 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
                 }
             }
         }
-        // The step of a level is h = 2^-level: the integral is h times the sum over all levels.
+        // The step of a level is h = 2^-level: the integral is h times the sum over all levels
+        // (`takahasi-mori1974`).
         R estimate_now = *sum * T(nodes.step(level));
         if (level >= options.first_level && previous) {
             const R scale = *magnitude * T(nodes.step(level));

@@ -87,6 +87,7 @@ public:
         y.want_leading();
         return {x.lowest_ - y.lowest_, x.s_ / y.s_};
     }
+    /// x^q, with the lowest power of w taken out.
     friend Laurent pow(const Laurent& x, const Rational& q) {
         x.want_leading();
         const Rational lowest = q * x.lowest_;

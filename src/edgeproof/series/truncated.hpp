@@ -107,7 +107,8 @@ public:
         }
         return r;
     }
-    /// The quotient, term by term from x = r y. Throws DomainError if the constant term of y is 0.
+    /// The quotient, term by term from x = r y (`knuth1997`, section 4.7). Throws DomainError if
+    /// the constant term of y is 0.
     friend Series operator/(const Series& x, const Series& y) {
         if (y.c_[0] == T(0)) {
             throw DomainError("division by a series with no constant term");

@@ -58,8 +58,8 @@ void BallContact::solve(const formula::Exact& contact_modulus, const Load& load)
         a_ = known_a_ ? given : solve_right_edge_for_force(given);
         b_ = solve_left_edge(a_);
     } catch (const BudgetError&) {
-        isolated =
-            false; // too few bits, or an edge on a corner, which no number of bits can isolate
+        // Too few bits, or an edge on a corner, which no number of bits can isolate.
+        isolated = false;
     }
     if (!isolated || edge_may_be_on_knot()) {
         if (!isolated) {

@@ -130,10 +130,9 @@ private:
     /// The parts of the pressure that do not depend on the point.
     struct Fixed {
         std::vector<Mark<Ball>> marks; ///< the marks of the knots
-        std::vector<bool>
-            bends; ///< true for knots inside the contact where the formula of g' changes
-        std::vector<Ball> insets;  ///< a - knot
-        std::vector<Ball> outsets; ///< b + knot
+        std::vector<bool> bends;       ///< true for knots inside where the formula of g' changes
+        std::vector<Ball> insets;      ///< a - knot
+        std::vector<Ball> outsets;     ///< b + knot
         /// The insets and outsets that are known exactly.
         std::vector<std::optional<Rational>> exact_insets;
         std::vector<std::optional<Rational>> exact_outsets;

@@ -43,7 +43,7 @@ std::vector<Ball> BallContact::left_edge_derivatives(std::size_t count) const {
     const BallSeries b = left_edge_series(count);
     std::vector<Ball> all;
     Ball factorial(1, bits_);
-    // b^(k)(a) = k! times the coefficient of z^k
+    // b^(k)(a) is k! times the coefficient of z^k.
     for (std::size_t k = 0; k < count; ++k) {
         factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
         all.push_back(b[k] * factorial);

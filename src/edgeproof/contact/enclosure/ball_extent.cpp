@@ -15,10 +15,8 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long scan_bits = 192;
-constexpr long narrowest =
-    40; ///< the scan halves intervals down to 2^-40 of their distance from the edge
-constexpr long kept_bits =
-    48; ///< bits of the working precision that are lost on the way to a crossing
+constexpr long narrowest = 40; ///< intervals are halved to 2^-40 of their distance from the edge
+constexpr long kept_bits = 48; ///< bits that are lost on the way to a crossing
 
 Rational power_of_two(long k) {
     const Integer p = Integer(1) << static_cast<unsigned>(k < 0 ? -k : k);
@@ -73,9 +71,8 @@ private:
     std::size_t n_;
     formula::Exact tolerance_;
     ExtentRange range_;
-    int most_doublings_ = 5; ///< of the bits of the scan, before it gives up
-    std::vector<ToldPiece>
-        pieces_; ///< the result of the scan; adjacent undecided pieces are joined
+    int most_doublings_ = 5;        ///< of the bits of the scan, before it gives up
+    std::vector<ToldPiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
 };
 
 namespace {
@@ -175,7 +172,7 @@ void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, 
 }
 
 /// The place where f is equal to a level, f being monotone from lo to hi. Newton's method finds it
-/// and proves nothing; then two places with opposite signs enclose it.
+/// and proves nothing; then two places with opposite signs enclose it (docs/extents.md).
 Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& piece) {
     const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
     const bool rises = piece.from < piece.to;

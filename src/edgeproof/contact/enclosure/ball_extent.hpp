@@ -13,11 +13,11 @@ namespace edgeproof::contact {
 /// the range is shown to be on one side of the tolerance, or lies in the ball of a crossing. All
 /// balls are lengths.
 struct EnclosedExtents {
-    Ball first_exit; ///< the least u of the range at which the tolerance is reached; the range's
-                     ///< end if there is none
-    Ball measure;    ///< the total length within the tolerance
-    std::vector<Ball>
-        crossings; ///< in ascending order; near a corner one entry may contain 1, 3, ... crossings
+    /// The least u of the range at which the tolerance is reached; the range's end if there is
+    /// none.
+    Ball first_exit;
+    Ball measure;                ///< the total length within the tolerance
+    std::vector<Ball> crossings; ///< ascending; near a corner an entry may contain 1, 3, ...
     bool leaves = true;
     bool starts_within = true; ///< true if the range begins within the tolerance
     /// For each crossing, true if its ball holds exactly one root; the error is then monotone

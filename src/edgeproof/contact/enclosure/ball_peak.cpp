@@ -90,8 +90,7 @@ private:
         take(at_middle);
         const BallSeries p = contact_.pressure_series(Edge::right, u, 2);
         if (p[1].is_finite() && (certainly_positive(p[1]) || certainly_negative(p[1]))) {
-            return; // p is monotone: its maximum is at an end, which belongs to the adjacent piece,
-                    // too
+            return; // monotone: its maximum is at an end, and so also in the adjacent piece
         }
         std::optional<Real> most;
         const auto at_most = [&](const Ball& bound) {
@@ -128,7 +127,7 @@ private:
         }
         for (int step = 0; step < 100; ++step) {
             count();
-            // the interval form of Newton's method (`moore-kearfott-cloud2009`)
+            // The interval form of Newton's method (`moore-kearfott-cloud2009`).
             const Ball m(place.midpoint(), bits_);
             const Ball next = m - contact_.pressure_series(Edge::right, m, 2)[1] / bend;
             if (!next.is_finite() || !overlaps(next, place)) {

@@ -54,7 +54,7 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
     if (certainly_negative(u) || certainly_negative(other)) {
         throw DomainError("a point lies outside the contact");
     }
-    // Of a ball that extends beyond an edge, only the part inside counts.
+    // Only the part of a ball inside the contact counts.
     Place at{
         clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
     at.offsets.reserve(slope_.knots.size());

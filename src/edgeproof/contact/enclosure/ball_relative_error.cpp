@@ -72,7 +72,7 @@ RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) 
         const Ball h = u - Ball(m, bits_);
         Ball f = whole[taylor_terms_];
         Ball rate = f * static_cast<long>(taylor_terms_);
-        // Taylor's polynomial about m with the remainder over u, by Horner's rule
+        // Taylor's polynomial about m with the remainder over u, by Horner's rule.
         for (std::size_t k = taylor_terms_; k-- > 0;) {
             if (k > 0) {
                 rate = rate * h + at[k] * static_cast<long>(k);
@@ -152,7 +152,7 @@ Side RelativeError::side_of_whole(const Ball& u) const {
     if (!least.is_finite() || !certainly_positive(least)) {
         return Side::unknown;
     }
-    // 0 <= p_local/p <= p_local/least.
+    // |p_local/p| <= |p_local|/least, with the sign of p_local.
     const Ball ratio = near / Ball(least.lower(), bits_);
     return side(Ball::hull(ratio, Ball(0, bits_)) - 1);
 }

@@ -18,7 +18,7 @@ enum class Side { below, within, above, unknown };
 [[nodiscard]] Rational middle(const Rational& lo, const Rational& hi);
 
 /// f = p_local/p - 1 for the sum p_local of n terms at an edge, in balls (docs/extents.md). Keeps a
-/// reference to the contact.
+/// reference to the contact. `u`, `lo` and `hi` are distances from the edge (lengths).
 class RelativeError {
 public:
     /// Throws BudgetError if the contact does not enclose the expansion.

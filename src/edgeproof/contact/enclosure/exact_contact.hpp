@@ -22,7 +22,7 @@ namespace edgeproof::contact {
 /// power laws with an integer exponent, and piecewise linear slopes where the angles of the knots
 /// are multiples of pi/12. It decides whether a value is equal to a number of few digits, or lies
 /// half-way between two of them, which no enclosure can. The formulas are those of contact/law/, as
-/// in BallContact.
+/// in BallContact. Lengths in one unit, pressures in the unit of contact_modulus.
 /// A pressure with a logarithm needs no such decision: by `baker1966`, logarithms of algebraic
 /// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially
 /// dependent, so that the pressure is not a rational number.

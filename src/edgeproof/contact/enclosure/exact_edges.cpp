@@ -152,7 +152,7 @@ bool odd_within(const Profile& profile, const formula::Expr& a) {
     const std::vector<formula::Expr> left = distances(profile, Edge::left);
     const std::size_t o = profile.origin();
     const formula::Expr x = formula::Expr::symbol("x");
-    std::size_t i = 0; // number of knots passed on the right
+    std::size_t i = 0; // number of knots passed on the right; j: on the left
     std::size_t j = 0;
     for (;;) {
         const formula::Expr& to_the_right = profile.pieces()[o + 1 + i].slope;

@@ -32,6 +32,7 @@ template <> struct Field<Ball> {
         arb_sqrtpos(r.data(), x.data(), x.bits());
         return r;
     }
+    /// The angle h of docs/mechanics.md, 2 atan sqrt(near/far), without the quotient.
     static Ball angle(const Ball& near, const Ball& far) {
         return atan2(root(near), root(far)) * 2;
     }
@@ -71,6 +72,7 @@ template <> struct Field<formula::ExactNumber> {
     static bool vanishes(const X& x) { return x.is_zero(); }
     static X times(const X& weight, const X& x) { return weight * x; }
     static X root(const X& x) { return sqrt(x); }
+    /// By its cosine (far - near)/(far + near).
     static X angle(const X& near, const X& far) {
         return angle_of_cosine((far - near) / (far + near));
     }

@@ -85,8 +85,8 @@ PowerLawIntegral::PowerLawIntegral(const formula::Exact& m, const Ball& enclosed
 }
 
 /// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (DLMF 15.8.1; docs/pressure.md, "Closed
-/// form: power laws"). All terms are positive, and from the first ratio below 1 on the ratios stay
-/// below it.
+/// form: power laws"). All terms are positive, and the bound y (1 + n/2 + k)/(k + 1) of their ratio
+/// falls with k.
 Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y,
                                 const Ball& root) {
     const long bits = y.bits();
@@ -240,7 +240,7 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
     }
     const double about_y = approximate(y);
     const double digits = static_cast<double>(bits);
-    // estimates of the number of terms of each method
+    // Estimates of the number of terms of each method.
     const double near_edge =
         about_y < 1 ? digits + (1.6 * about_m_ * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
     const double downwards = std::min(static_cast<double>(steps_), 0.7 * digits / about_y);

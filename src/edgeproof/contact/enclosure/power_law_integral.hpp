@@ -35,7 +35,7 @@ private:
             long q;
         };
         std::optional<Words> words;
-        std::optional<RatioSeries> by_edge; ///< of edge_sum
+        std::optional<RatioSeries> by_edge; ///< the series of edge_sum
         /// The series of apex_sum, for n < 2.
         std::optional<RatioSeries> by_apex;
         /// True if no quotient has a large denominator.

@@ -81,8 +81,8 @@ template <Arithmetic T> T ContactLaw<T>::imbalance(const Extent<T>& e) const {
     const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
     const T left = over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
     const T sum = right + left;
-    return sum > T(0) ? T((right - left) / sum) : T(0);
     // moore-hills EQ20
+    return sum > T(0) ? T((right - left) / sum) : T(0);
 }
 
 template <Arithmetic T>
@@ -250,8 +250,7 @@ template <Arithmetic T>
 std::optional<ForceAt<T>> ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
     using std::isfinite;
     if (!symmetric_ && !(slope_.value(slope_.piece_at(a), a) > T(0))) {
-        return ForceAt<T>{T(0),
-                          T(0)}; // the right side of the contact is flat and needs no other edge
+        return ForceAt<T>{T(0), T(0)}; // the right side is flat and needs no other edge
     }
     try {
         const Extent<T> e = extent(a);

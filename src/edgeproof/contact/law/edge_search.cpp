@@ -8,9 +8,9 @@
 
 namespace edgeproof::contact {
 
-/// The imbalance grows with a and falls with b, so that a bracket exists wherever a solution does.
-/// Newton's method runs inside the bracket; where it fails, the logarithms of the ends are halved,
-/// since the edges may differ by thirty decades.
+/// The imbalance grows with a and falls with b (docs/mechanics.md), so that a bracket exists
+/// wherever a solution does. Newton's method runs inside the bracket; where it fails, the bracket
+/// is halved in the logarithm, since the edges may differ by thirty decades.
 template <Arithmetic T>
 T search_edge(const T& start, const std::function<T(const T&)>& imbalance,
               const std::function<EdgeStep<T>(const T&)>& newton) {

@@ -6,8 +6,8 @@
 
 namespace edgeproof::contact {
 
-/// A place inside the contact, given by its distances from both edges (lengths), so that the
-/// distance from the nearer edge keeps all its digits.
+/// A place inside the contact, given by its distances from both edges (lengths; docs/mechanics.md,
+/// "The contact"), so that the distance from the nearer edge keeps all its digits.
 template <class T> struct Point {
     T right; ///< a - x
     T left;  ///< x + b

@@ -6,8 +6,8 @@
 
 namespace edgeproof::contact {
 
-/// A slope near a knot that is a branch point of it, written without the branch point. With |x -
-/// knot| = w^root, (x - knot)^(3/2) becomes w^3 for root = 2 (docs/curved-slopes.md, "What is
+/// A slope near a knot that is a branch point of it, written without the branch point. With
+/// w^root = |x - knot|, (x - knot)^(3/2) becomes w^3 for root = 2 (docs/curved-slopes.md, "What is
 /// integrated").
 struct SlopeAtRoot {
     formula::Expr slope; ///< as a function of w >= 0; the symbol is called x

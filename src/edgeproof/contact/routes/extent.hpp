@@ -20,9 +20,8 @@ struct Extents {
     Real first_exit; ///< the first u of the range at which the tolerance is reached
     Real measure;    ///< total length within the tolerance, over the whole range
     std::vector<Real> crossings;
-    bool leaves =
-        true;    ///< false: the whole range is within the tolerance; first_exit is the range's end
-    Real length; ///< a + b
+    bool leaves = true; ///< false: all within the tolerance; first_exit is the range's end
+    Real length;        ///< a + b
     Real range_from;
     Real range_to;
     Real estimate;             ///< estimated relative error of the least accurate crossing

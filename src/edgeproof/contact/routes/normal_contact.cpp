@@ -52,7 +52,7 @@ Real NormalContact::moment() const {
     return s.law.moment(s.extent);
 }
 
-/// k! times a coefficient of the law's series
+/// P^(k)(a), a multiple of a coefficient of the law's series.
 Real NormalContact::force_derivative(unsigned k) const {
     if (k == 0) {
         return force();
@@ -123,6 +123,7 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
     switch (route) {
     case Route::barber_mossakovskii:
         if (point.x < 0) {
+            // moore-hills EQ21, second branch: the first branch of the mirrored problem.
             const auto& mirror = s.mirrored(profile_, modulus_);
             const Extent<Real> e{s.extent.b, s.extent.a};
             p = barber_mossakovskii(mirror, e, Point<Real>{point.left, point.right, Real(-point.x)},

@@ -54,8 +54,8 @@ public:
     [[nodiscard]] const formula::Exact& contact_modulus() const noexcept;
     [[nodiscard]] const Load& load() const noexcept;
 
-    [[nodiscard]] Real a() const;
-    [[nodiscard]] Real b() const;
+    [[nodiscard]] Real a() const; ///< right edge, a length
+    [[nodiscard]] Real b() const; ///< distance of the left edge from the origin
     /// True if an edge that is solved for lies within 1e-300 of a knot (1e-60 where g' is curved)
     /// and the digits do not separate them. It is then taken to be on the knot, without a proof.
     [[nodiscard]] bool edge_taken_on_knot() const noexcept {
@@ -108,9 +108,8 @@ private:
     std::optional<std::size_t> a_on_knot_; ///< the knots that the edges are taken to be on
     std::optional<std::size_t> b_on_knot_;
     Work* work_;
-    mutable bool counted_ = false; ///< the first solution, in work_
-    mutable std::map<unsigned, std::unique_ptr<Solved>>
-        solved_; ///< true once the first solution is counted in work_
+    mutable bool counted_ = false; ///< true once the first solution is counted in work_
+    mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 
 } // namespace edgeproof::contact

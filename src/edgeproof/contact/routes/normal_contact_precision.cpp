@@ -13,8 +13,7 @@ namespace {
 /// An edge that is solved for, and lies this many decades nearer to a knot than the contact's
 /// length, is taken to be on the knot.
 constexpr unsigned edge_decades = 300;
-constexpr unsigned curved_edge_decades =
-    60; ///< for curved slopes, where each trial needs quadratures
+constexpr unsigned curved_edge_decades = 60; ///< for curved slopes, which need quadratures
 
 /// The number of decades by which x lies below `scale`; 0 if it does not.
 unsigned decades_below(const Real& x, const Real& scale) {

@@ -15,8 +15,8 @@ namespace edgeproof::contact {
 /// solution with the resultant Q if
 ///     integral over both slip zones of p sqrt(|s + beta|/|s - alpha|) ds
 ///         = (|Q| + pi |Q| (sigma_0/Q) (alpha + beta)/8)/f,
-/// and the mirror image of this equation holds. Then q/f = (w_s(x)/pi) times the integral of p/(w_s
-/// |s - x|) in the stick zone. All terms are positive, so that nothing cancels. Values are
+/// and the mirror image of this equation holds. Then q/f = (w_s(x)/pi) times the integral of
+/// p/(w_s |s - x|) in the stick zone. All terms are positive, so that nothing cancels. Values are
 /// estimates.
 class PartialSlip {
 public:

@@ -70,8 +70,8 @@ void PowerLawIntegralInReal::times_less_m(Real& x, long k) const {
 }
 
 PowerLawIntegralInReal::Value PowerLawIntegralInReal::beside_edge(const Real& y) const {
-    // The sizes of the series' terms add up to at most (1 + y)^((m-1)/2), and the sum is about 1/(m
-    // y) if that is small.
+    // The sizes of the series' terms add up to at most (1 + y)^((m-1)/2), and the sum is about
+    // 1/(m y) if that is small.
     const double m = about_m_;
     const auto share = static_cast<double>(y);
     const double cancelled =
@@ -146,7 +146,7 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
     const long bits_of_log = std::max(0L, static_cast<long>(mpfr_get_exp(data_of(log_h))));
     const Real power = exp(Real(m_ * log_h)); // h^m
     Real above(1);                            // beta_k q^(2k)
-    Real below(power); // beta_k h^m (q/h)^(2k), that is, `above` times h^(m-2k)
+    Real below(power);                        // beta_k h^m (q/h)^(2k)
     Real sum(0);
     Real term;
     for (unsigned k = 0;; ++k) {

@@ -17,13 +17,13 @@ namespace edgeproof::contact {
 ///
 /// q^2 >= 1/2: I_m = sqrt(y) 2F1(1, (1 - m)/2; 3/2; y), y = 1 - q^2, by Gauss's series in y (DLMF
 /// 15.2.1), with additional digits for those that cancel (m > 1). Where these are too many (large
-/// m), by Euler's integral of the 2F1 (DLMF 15.6.1): sqrt(y) times the integral of (q^2 + y
-/// t^2)^((m-1)/2) over 0 < t < 1, by tanh-sinh.
+/// m), by Euler's integral of the 2F1 (DLMF 15.6.1): sqrt(y) times the integral of
+/// (q^2 + y t^2)^((m-1)/2) over 0 < t < 1, by tanh-sinh.
 ///
 /// q^2 < 1/2: the integral is cut at h with (q/h)^2 = 1/2 or, for q < 1/2, 1/4. The part below h is
-/// h^m I_m(q/h). With beta_k = (2k)!/(4^k k!^2), the part above is the sum of beta_k q^(2k)
-/// (1 - h^(m-2k))/(m - 2k). No term is negative; the sum converges as (q/h)^(2k), and an even m is
-/// no special case.
+/// h^m I_m(q/h). With beta_k = (2k)!/(4^k k!^2), the part above is the sum of
+/// beta_k q^(2k) (1 - h^(m-2k))/(m - 2k). No term is negative; the sum converges as (q/h)^(2k), and
+/// an even m is no special case.
 class PowerLawIntegralInReal {
 public:
     /// Takes m > 0 and computes all results at the working precision of the thread. `target_digits`

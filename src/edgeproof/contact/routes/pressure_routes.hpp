@@ -17,9 +17,9 @@ template <class T> struct RoutedPressure {
     bool converged = true;
 };
 
-/// Barber-Mossakovskii (moore-hills EQ21, first branch; for b = a it is EQ03): flat punches of
-/// extent (-b(s), s), one above the other. For x >= 0; for x < 0 mirror the problem: the second
-/// branch is the same integral with b as the parameter. Throws DomainError for x < 0.
+/// Barber-Mossakovskii (moore-hills EQ21, first branch; for b = a it is EQ03): superposed flat
+/// punches of extent (-b(s), s). For x >= 0; for x < 0 mirror the problem: the second branch is the
+/// same integral with b as the parameter. Throws DomainError for x < 0.
 template <Arithmetic T>
 [[nodiscard]] RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>& e,
                                                     const Point<T>& at, unsigned target_digits = 0);

@@ -8,7 +8,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Of the twenty guard digits of a NormalContact, this many are left for the cancellation here.
+/// The guard digits of a NormalContact, of twenty, that are left for the cancellation here.
 constexpr unsigned spare_digits = 8;
 constexpr unsigned most_lost = 400;
 
@@ -89,6 +89,7 @@ EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
         ++work_->counts.shear_points;
     }
     const PrecisionScope scope(pressure.working_digits);
+    // q = (Q/P) p (docs/shear.md, "P and Q in proportion").
     const Real q = spec_.Q.to<Real>() / force() * pressure.value;
     return {q, Real(abs(q) * pressure.estimate), pressure.working_digits};
 }
@@ -124,6 +125,7 @@ EstimatedTraction ShearTraction::traction(Edge edge, const formula::Exact& u) co
         // Near the other edge the distance from it has lost digits as well; they count as
         // cancelled.
         const Real other = edge == Edge::right ? at.left : at.right;
+        // moore-hills EQ34 with the sizes of both terms.
         const Real size = (abs(Q) / pi<Real>() + abs(tension) * e.length() / 8) /
                           sqrt(Real(at.right * at.left)) *
                           (other < e.length() / 100 ? Real(e.length() / other) : Real(1));

@@ -200,8 +200,8 @@ SolvedTilt tilt_of_punch(const TiltedPunch& punch, const formula::Exact& modulus
                          "give M about that minimum (M_c - P (t + alpha R) from the middle of the "
                          "flat), or alpha itself");
     }
-    // alpha at which the contact begins to lie within one arc: there P = pi E* c^2/(4 R) with
-    // c = alpha R
+    // The tilt from which on the contact lies within one arc: there P = pi E* c^2/(4 R) (Hertz,
+    // docs/mechanics.md) with c = alpha R.
     const formula::Expr lift = formula::Expr::call(
         "sqrt", {number(4) * P.expr() / (formula::Expr::pi() * modulus.expr() * punch.R.expr())});
     const formula::Exact half(lift / number(2));

@@ -21,7 +21,7 @@ using ComplexFunction = std::function<void(acb_t out, const acb_t phi)>;
 /// exp(ln_tolerance) relative to the function, and extends at most `most_excess` beyond the
 /// interval; nothing if no ellipse is proved. Every ellipse is covered with balls, so that the
 /// result is proved; an ellipse that is not found may still be valid (docs/pressure.md, "Many
-/// points of one contact").
+/// points of one contact"). `centre`, `half` and `most_excess` have the unit of phi.
 [[nodiscard]] std::optional<HolomorphicReach> holomorphic_reach(const ComplexFunction& f,
                                                                 double centre, double half,
                                                                 double most_excess,

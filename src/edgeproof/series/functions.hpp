@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Elementary functions of truncated series, each by the recurrence that follows from its
-/// differential equation (`knuth1997`, section 4.7, for powers; derivatives of DLMF 4.7(i), 4.20,
+/// differential equation (`knuth1997`, section 4.7, for powers; derivatives of DLMF 4.7, 4.20,
 /// 4.24(ii), 4.38(ii)). The constant term is the function in T.
 namespace edgeproof::series {
 

@@ -186,7 +186,8 @@ private:
                                                    unsigned digits);
 
 /// The pressure to `digits` correct digits: the precision doubles until the relative radius of the
-/// enclosure is below 10^-(digits + 2). Throws BudgetError if the budget of bits is not enough.
+/// enclosure is below 10^-(digits + 2). `u` is the distance from the edge (length); the pressure is
+/// in the unit of contact_modulus. Throws BudgetError if the budget of bits is not enough.
 [[nodiscard]] Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,
                                      const Load& load, Edge edge, const formula::Exact& u,
                                      unsigned digits);

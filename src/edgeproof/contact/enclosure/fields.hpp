@@ -36,7 +36,7 @@ template <> struct Field<Ball> {
     static Ball angle(const Ball& near, const Ball& far) {
         return atan2(root(near), root(far)) * 2;
     }
-    /// pi - h as a difference: the cancellation costs bits, and the caller asks for more.
+    /// pi - h as a difference: the cancellation costs bits, and the caller uses more bits.
     template <class Mark> static Ball other_angle(const Mark& m) { return pi(m.h) - m.h; }
 };
 

@@ -9,7 +9,8 @@ namespace edgeproof::contact {
 /// |Q| and back, with P held and without bulk tension (docs/partial-slip.md, "The energy of a
 /// cycle"), by tanh-sinh over the right edge:
 ///     W = 8 f^2/(pi E*) times the integral of (P - L)(L - L_s) dD/D over L_s < L < P.
-/// This is an estimate. Throws BudgetError if the quadrature does not converge.
+/// The unit is that of a force. This is an estimate. Throws BudgetError if the quadrature does not
+/// converge.
 [[nodiscard]] Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
                                 const formula::Exact& friction);
 

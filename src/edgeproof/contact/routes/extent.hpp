@@ -29,7 +29,8 @@ struct Extents {
     std::size_t pressures = 0; ///< number of pressures computed by the scan and the refinement
 };
 
-/// Throws InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
+/// `tolerance` is relative (dimensionless), `range` in fractions of the contact's length. Throws
+/// InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
 [[nodiscard]] Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
                                        const formula::Exact& tolerance,
                                        const ExtentRange& range = {});

@@ -88,7 +88,7 @@ void ErrorScan::place(const std::vector<Landmark>& marks) {
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
         const Real width = marks[i + 1].u - marks[i].u;
         const Real near = width * power_of_ten(-decades_to_knot);
-        // Towards the edge itself the scan goes to where the omitted terms are small.
+        // Towards the edge itself the scan ends where the omitted terms are small.
         const Real least = i == 0 && first < near ? first : near;
         for (Real d = width / 2; d > least; d *= step) {
             u.push_back(marks[i].u + d);

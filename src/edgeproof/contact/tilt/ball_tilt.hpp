@@ -14,8 +14,8 @@ struct EnclosedTilt {
 
 /// The proved tilt at which a punch carries P and M: M - M(alpha) has opposite signs, in balls, at
 /// two exact tilts, and M(alpha) is monotone, since dM/dalpha > 0 (tilt_solver.hpp). The trial
-/// tilts come from solve_tilt, which proves nothing. Units as there. Throws InputError as
-/// solve_tilt does, and BudgetError if these bits do not decide the signs.
+/// tilts come from solve_tilt, which proves nothing. The units are those of solve_tilt. Throws
+/// InputError as solve_tilt does, and BudgetError if these bits do not decide the signs.
 [[nodiscard]] EnclosedTilt enclose_tilt(const TiltedPunch& punch,
                                         const formula::Exact& contact_modulus,
                                         const formula::Exact& P, const formula::Exact& M,

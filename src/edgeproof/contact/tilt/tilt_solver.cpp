@@ -74,7 +74,7 @@ public:
         throw BudgetError("the moment of a tilted punch is lost in roundoff");
     }
 
-    /// The v at which y is `target`, to `digits` digits.
+    /// The v (a slope) at which y is `target` (a moment per unit length), to `digits` digits.
     [[nodiscard]] Real solve(const Branch& branch, const formula::Exact& target, unsigned digits) {
         const Real rough = [&] {
             const PrecisionScope scope(rough_digits + 30);

@@ -52,7 +52,7 @@ MappedNodes mapped(std::size_t n) {
     const Real quarter = pi<Real>() / 4;
     MappedNodes nodes;
     nodes.reserve(n);
-    // From the sine of the smaller angle, so that both squares have all their digits.
+    // The sine of the smaller angle gives both squares with all their digits.
     const auto add = [&](std::size_t k, bool upper) {
         const Real angle = rule.from_end[k] * quarter / 2; // half of pi (1 - v)/2, or of pi v/2
         const Real small = sin(angle);

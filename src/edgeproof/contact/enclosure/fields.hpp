@@ -72,7 +72,7 @@ template <> struct Field<formula::ExactNumber> {
     static bool vanishes(const X& x) { return x.is_zero(); }
     static X times(const X& weight, const X& x) { return weight * x; }
     static X root(const X& x) { return sqrt(x); }
-    /// By its cosine (far - near)/(far + near).
+    /// The angle h by its cosine (far - near)/(far + near).
     static X angle(const X& near, const X& far) {
         return angle_of_cosine((far - near) / (far + near));
     }

@@ -6,40 +6,41 @@
 
 namespace edgeproof::quadrature {
 
-/// Where a function of one variable is known: holomorphic inside an ellipse about the interval
-/// centre +- half, its foci the interval's ends and its semi-axes half (rho +- 1/rho)/2.
+/// An ellipse about the interval centre +- half in which a function is holomorphic: its foci are
+/// the ends of the interval, and its semi-axes half (rho +- 1/rho)/2 (`trefethen2013`, chapter 8).
 struct BernsteinEllipse {
     double half;
     double rho;
 
-    /// The ellipse that crosses the real axis `excess` beyond either end.
+    /// The ellipse that crosses the real axis at the distance `excess` beyond either end.
     [[nodiscard]] static BernsteinEllipse beyond(double half, double excess) {
         const double e = excess / half;
         return {half, 1 + e + std::sqrt(e * (e + 2))};
     }
-    /// How far beyond the ends it crosses the real axis.
+    /// The distance beyond the ends at which it crosses the real axis.
     [[nodiscard]] double excess() const { return half * (rho - 1) * (rho - 1) / (2 * rho); }
-    /// The half height.
+    /// The semi-axis in the imaginary direction.
     [[nodiscard]] double height() const { return half * (rho - 1 / rho) / 2; }
 };
 
 /// ln of the error of the Gauss-Legendre rule of n nodes for a function that is at most exp(ln_M)
 /// in size inside the ellipse: 64 M/(15 (rho - 1) rho^(2n-1)) for an interval of length 2
-/// (Trefethen, Approximation Theory and Approximation Practice, theorem 19.3).
+/// (`trefethen2013`, theorem 19.3).
 [[nodiscard]] inline double gauss_legendre_log_error(const BernsteinEllipse& e, double ln_M,
                                                      std::size_t n) {
     return std::log(64.0 / 15 * e.half) + ln_M - std::log(e.rho - 1) -
            (2 * static_cast<double>(n) - 1) * std::log(e.rho);
 }
 
-/// The nodes that make that error at most exp(ln_tolerance).
+/// The number of nodes for which this error is at most exp(ln_tolerance).
 [[nodiscard]] inline double gauss_legendre_nodes_needed(const BernsteinEllipse& e, double ln_M,
                                                         double ln_tolerance) {
     const double one = gauss_legendre_log_error(e, ln_M, 1);
     return std::max(1.0, 1 + (one - ln_tolerance) / (2 * std::log(e.rho)));
 }
 
-/// Numbers of nodes that tables are made for: close enough to waste less than an eighth.
+/// The next larger number of nodes for which a table is made; wastes less than an eighth of the
+/// nodes.
 [[nodiscard]] inline std::size_t rounded_up_nodes(double n) {
     std::size_t size = 2;
     while (static_cast<double>(size) < n) {

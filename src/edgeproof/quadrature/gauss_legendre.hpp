@@ -9,30 +9,30 @@
 
 namespace edgeproof::quadrature {
 
-/// The Gauss-Legendre rule of n nodes over -1 < x < 1, enclosed (Arb's roots: F. Johansson and
-/// M. Mezzarobba, SIAM J. Sci. Comput. 40 (2018) C726). Only x >= 0 is kept, from the outermost
-/// inwards; the rule is symmetric.
+/// The Gauss-Legendre rule of n nodes over -1 < x < 1, enclosed (Arb's roots:
+/// `johansson-mezzarobba2018`). Only nodes x >= 0 are stored, from the outermost inwards; the rule
+/// is symmetric.
 struct GaussLegendreBalls {
     std::vector<Ball> x;
     std::vector<Ball> weight;
 };
 
-/// The rule at a working precision of `bits`. A table is built by whoever asks first, for all
-/// threads, and never changed after; the most recent ones are kept. n >= 1.
+/// The rule at a working precision of `bits`, n >= 1. A table is built at its first use, for all
+/// threads, and never changed; the most recent tables are kept.
 [[nodiscard]] std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n,
                                                                              long bits);
-/// How many tables are kept now, and the most that ever are.
+/// The number of tables kept now; the next constant is the greatest number.
 [[nodiscard]] std::size_t gauss_legendre_tables();
 constexpr std::size_t most_gauss_legendre_tables = 64;
 
-/// The same rule, each number within about one unit of its last bit.
+/// The same rule; the error of each number is at most about one unit in its last bit.
 struct GaussLegendreRule {
     std::vector<Real> x;
-    std::vector<Real> from_end; ///< 1 - x, to its own last bit
+    std::vector<Real> from_end; ///< 1 - x, with all its digits
     std::vector<Real> weight;
 };
 
-/// In numbers of `bits` of precision. n >= 1.
+/// The rule in numbers of `bits` of precision, n >= 1.
 [[nodiscard]] GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits);
 
 } // namespace edgeproof::quadrature

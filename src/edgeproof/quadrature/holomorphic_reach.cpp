@@ -11,7 +11,8 @@ namespace {
 
 constexpr int most_balls = 600;
 
-/// Covers the upper half of an ellipse; f is real on the real axis, so that the lower follows.
+/// Covers the upper half of an ellipse with balls. f is real on the real axis, so that the bound
+/// holds for the lower half, too.
 class Cover {
 public:
     Cover(const ComplexFunction& f, double centre, const BernsteinEllipse& ellipse)
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    /// The square with its lower left corner at (x, y), relative to the centre.
+    /// Covers the square with its lower left corner at (x, y), relative to the centre.
     bool box(double x, double y, double side) {
         const double nearest = x > 0 ? x : x + side < 0 ? x + side : 0;
         const double u = nearest / wide_;
@@ -41,7 +42,7 @@ private:
         if (++balls_ > most_balls) {
             return false;
         }
-        // A little larger than the square, for the roundoff of its corners.
+        // Slightly larger than the square, for the roundoff of its corners.
         arb_set_d(acb_realref(phi_), centre_ + x + side / 2);
         arb_set_d(acb_imagref(phi_), y + side / 2);
         mag_set_d(arb_radref(acb_realref(phi_)), side * 0.5001);
@@ -91,6 +92,7 @@ std::optional<HolomorphicReach> holomorphic_reach(const ComplexFunction& f, doub
         if (!scale) {
             scale = bound;
         }
+        // `trefethen2013`, theorem 19.3
         const double nodes =
             gauss_legendre_nodes_needed(ellipse, *bound - *scale + 1, ln_tolerance);
         if (nodes < fewest) {

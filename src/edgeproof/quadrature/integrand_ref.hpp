@@ -5,13 +5,13 @@
 
 namespace edgeproof::quadrature {
 
-/// An integrand f(lo, hi), T and T to R, by reference: rules that take it are compiled once for a
-/// T and an R, not once for every integrand. What it refers to has to outlive it.
+/// A reference to an integrand f(lo, hi), from two T to R. Rules that take it are compiled once for
+/// each T and R, not once for every integrand. The integrand must outlive it.
 template <class T, class R> class IntegrandRef {
 public:
     template <class F>
     requires(!std::is_same_v<std::remove_cvref_t<F>, IntegrandRef>)
-        IntegrandRef(const F& f) // NOLINT(google-explicit-constructor): stands for any integrand
+        IntegrandRef(const F& f) // NOLINT(google-explicit-constructor): converts any integrand
         : object_(std::addressof(f)), call_([](const void* object, const T& lo, const T& hi) {
               return R((*static_cast<const F*>(object))(lo, hi));
           }) {}
@@ -23,7 +23,7 @@ private:
     R (*call_)(const void*, const T&, const T&);
 };
 
-/// What an integrand over T gives.
+/// The type of the values of an integrand over T.
 template <class T, class F>
 using IntegrandResult = std::remove_cvref_t<std::invoke_result_t<const F&, const T&, const T&>>;
 

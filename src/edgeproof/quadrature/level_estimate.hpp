@@ -7,7 +7,7 @@
 
 namespace edgeproof::quadrature {
 
-/// ln |x|, in binary64 whatever the size of x; -1e300 for 0.
+/// ln |x| in binary64, for any size of x; -1e300 for 0.
 [[nodiscard]] inline double ln_size(const Real& x) {
     if (x == 0) {
         return -1e300;
@@ -17,7 +17,7 @@ namespace edgeproof::quadrature {
     return std::log(std::abs(mantissa)) + 0.6931471805599453 * static_cast<double>(exponent);
 }
 
-/// exp(ln), to the digits of binary64, for any ln: what an estimate needs and no more.
+/// exp(ln) to the digits of binary64, for any ln; accurate enough for an estimate.
 [[nodiscard]] inline Real from_ln_size(double ln) {
     ln = std::clamp(ln, -1e15, 1e15);
     const double exponent = std::floor(ln / 0.6931471805599453);
@@ -27,13 +27,13 @@ namespace edgeproof::quadrature {
     return x;
 }
 
-/// How far the last of a sequence of levels is from the integral, from the last two differences:
-/// the digits of a rule that converges quadratically grow as d_1^2/d_2 (D. H. Bailey, K. Jeyabalan,
-/// X. S. Li, Experimental Mathematics 14 (2005) 317). They double in theory; no more than 1.4 times
-/// as many are counted on, since an integrand with two scales is slower at first. An estimate.
+/// The estimated distance of the last level of a sequence from the integral, from the last two
+/// differences (`bailey-jeyabalan-li2005`): for a rule that converges quadratically the digits grow
+/// as d_1^2/d_2, that is, they double. A growth by at most the factor 1.4 is assumed, since an
+/// integrand with two scales converges more slowly at first. This is an estimate.
 class LevelEstimate {
 public:
-    /// Takes the next level; returns ln of the estimated error, absolute.
+    /// Takes the next level; returns ln of its estimated absolute error.
     double next(const Real& value) {
         const double size = ln_size(value);
         double error = 1e300;
@@ -54,11 +54,12 @@ public:
         ++count_;
         return error;
     }
-    /// How many times its digits a level is counted on to have when it differs from the one before
-    /// by exp(d1), which differed by exp(d2) from its own; d1 < d2 < 0.
+    /// The assumed ratio of the digits of a level to those that it shares with the level before.
+    /// exp(d1) is the relative difference of these two levels, exp(d2) that of the two levels
+    /// before; d1 < d2 < 0.
     [[nodiscard]] static double growth(double d1, double d2) { return std::min(d1 / d2, 1.4); }
 
-    /// ln of the last difference.
+    /// ln of the last absolute difference.
     [[nodiscard]] double difference() const { return difference_; }
 
 private:

@@ -8,10 +8,11 @@
 
 namespace edgeproof::quadrature {
 
-/// The integral of f over an interval of length L when f has a singularity *outside*, `beyond`
-/// away from one end (0: none known). One that is near would slow tanh-sinh down without end; the
-/// map r = beyond (e^y - 1) moves it to y = -i pi whatever its distance. f is called with the
-/// distances from both ends, both exact.
+/// The integral of f over an interval of length L, where f has a singularity *outside*, at the
+/// distance `beyond` from one end (0: none known). A near one makes tanh-sinh slow
+/// (`trefethen-weideman2014`). The map r = beyond (e^y - 1) moves it to y = -infinity, and a branch
+/// cut beyond it to Im y = +-pi, for any distance. f is called with the distances from both ends,
+/// both with all their digits. The result has the unit of f times that of `length`.
 template <Arithmetic T, class R>
 [[nodiscard]] QuadratureResult<R>
 integrate_one_sided_of(const IntegrandRef<T, R>& f, const T& length, const T& beyond, bool at_lo,
@@ -23,7 +24,7 @@ template <Arithmetic T, class F>
     return integrate_one_sided_of<T, R>(IntegrandRef<T, R>(f), length, beyond, at_lo, options);
 }
 
-/// The same with singularities beyond both ends: halved where both are near.
+/// The same with singularities beyond both ends; the interval is halved if both are near.
 template <Arithmetic T, class R>
 [[nodiscard]] QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& length,
                                                     const T& beyond_lo, const T& beyond_hi,
@@ -35,9 +36,9 @@ template <Arithmetic T, class F>
     return integrate_near_of<T, R>(IntegrandRef<T, R>(f), length, beyond_lo, beyond_hi, options);
 }
 
-/// The integral over consecutive intervals given by their lengths: each is told how far beyond its
-/// ends the next cut lies; `beyond_first` and `beyond_last` say it for the outermost ends (0: no
-/// singularity there). f is called as f(i, lo, hi) on interval i.
+/// The integral over consecutive intervals given by their lengths. The neighbouring cuts count as
+/// singularities beyond an interval's ends; `beyond_first` and `beyond_last` are the distances for
+/// the outermost ends (0: no singularity there). f is called as f(i, lo, hi) on interval i.
 template <Arithmetic T, class F>
 auto integrate_pieces(const F& f, const std::vector<T>& lengths, const T& beyond_first,
                       const T& beyond_last, const QuadratureOptions& options = {}) {

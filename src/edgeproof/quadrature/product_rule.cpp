@@ -9,8 +9,9 @@
 namespace edgeproof::quadrature {
 namespace {
 
-/// (2k + 1) times the mean of P_k(2t - 1). The weight's derivative is rational (Pearson), which
-/// gives a recurrence of three terms; both its solutions go like powers of k.
+/// (2k + 1) times the mean of P_k(2t - 1). The logarithmic derivative of the weight is rational
+/// (Pearson's equation), which gives a recurrence of three terms; both its solutions grow or fall
+/// only like powers of k.
 std::vector<Real> moments(std::size_t n, const Real& p, const Real& r) {
     std::vector<Real> mean{Real(1)};
     const Real difference = p - r;
@@ -29,7 +30,7 @@ std::vector<Real> moments(std::size_t n, const Real& p, const Real& r) {
     return mean;
 }
 
-/// The sum of c_k P_k(x), by the recurrence of the P_k.
+/// The sum of c_k P_k(x), by the recurrence of the Legendre polynomials (DLMF 14.10.3).
 class LegendreSeries {
 public:
     explicit LegendreSeries(std::vector<Real> c) : c_(std::move(c)) {}
@@ -62,7 +63,7 @@ private:
 
 ProductRule::ProductRule(std::size_t n, const Real& p, const Real& r) {
     const unsigned digits = working_digits();
-    // The recurrences lose no more than a power of n.
+    // The recurrences lose digits only like a power of n.
     const PrecisionScope scope(digits + 8 +
                                static_cast<unsigned>(3 * std::log10(static_cast<double>(n) + 1)));
     const Real one(1);
@@ -87,6 +88,7 @@ ProductRule::ProductRule(std::size_t n, const Real& p, const Real& r) {
 }
 
 double product_rule_log_error(std::size_t n, double rho, double ln_M, double size) {
+    // `trefethen2013`, theorem 8.2, with degree n - 1
     return std::log(2 * (1 + size) / (rho - 1)) + ln_M -
            (static_cast<double>(n) - 1) * std::log(rho);
 }

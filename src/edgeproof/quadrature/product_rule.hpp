@@ -7,23 +7,23 @@
 
 namespace edgeproof::quadrature {
 
-/// A rule for the mean of f over 0 < t < 1 with the weight t^p (1 - t)^r, p, r > -1: end points
-/// that no polynomial comes near are in the weights, and f need only be smooth. Exact for
-/// polynomials of degree below the number of nodes, which are Gauss-Legendre's; the weights add up
-/// to 1. Made of products and small quotients only, whatever p and r are, in n^2 steps.
+/// A rule for the mean of f over 0 < t < 1 with the weight t^p (1 - t)^r, p, r > -1. The weights
+/// contain the end-point singularities, so that f need only be smooth. The rule is exact for
+/// polynomials of degree below the number of nodes, which are those of Gauss-Legendre; the weights
+/// add up to 1. It is built in n^2 steps from products and small quotients, for all p and r.
 struct ProductRule {
     std::vector<Real> t;
     std::vector<Real> from_end; ///< 1 - t
     std::vector<Real> weight;
-    double size = 0; ///< of the sum of |weight|
+    double size = 0; ///< the sum of |weight|
 
-    /// At the thread's working precision.
+    /// Built at the thread's working precision.
     ProductRule(std::size_t n, const Real& p, const Real& r);
 };
 
 /// ln of the rule's error for a function that is at most exp(ln_M) inside the ellipse `rho`: twice
-/// what the best polynomial of degree n - 1 leaves (Trefethen, Approximation Theory and
-/// Approximation Practice, theorem 8.2), over the weight and over the rule.
+/// the error of the best polynomial of degree n - 1 (`trefethen2013`, theorem 8.2), over the weight
+/// and over the rule. `size` is that of the rule.
 [[nodiscard]] double product_rule_log_error(std::size_t n, double rho, double ln_M, double size);
 
 } // namespace edgeproof::quadrature

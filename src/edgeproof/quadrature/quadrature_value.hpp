@@ -5,8 +5,8 @@
 
 namespace edgeproof::quadrature {
 
-/// What a rule has to know of the values that it adds: numbers, or whole truncated series, each
-/// coefficient of which must converge for itself.
+/// The operations of a rule on the values that it adds: numbers, or truncated series, of which each
+/// coefficient must converge.
 template <class R> struct QuadratureValue;
 
 template <Arithmetic T> struct QuadratureValue<T> {
@@ -20,7 +20,7 @@ template <Arithmetic T> struct QuadratureValue<T> {
         using std::abs;
         sum += abs(T(weight * f));
     }
-    /// The largest |x - y| in units of `scale`.
+    /// |x - y| in units of `scale`; for series the largest over the coefficients.
     static T distance(const T& x, const T& y, const T& scale) {
         using std::abs;
         const T d = abs(T(x - y));

@@ -19,31 +19,32 @@ namespace {
 using At = IntegrandRef<Real, Real>;
 
 constexpr double node_ratio = 1.5;
-/// How many times more digits a rule of 1.5 times the nodes has to have, at the least, while it is
-/// found out whether the digits grow like the nodes.
+/// The least factor by which the digits must grow for 1.5 times the nodes in the first rules, which
+/// show whether the digits grow like the nodes.
 constexpr double growth_asked = 1.25;
-/// The last rule has so many times the nodes of the one that it is compared with, and nothing is
-/// foreseen beyond: a singularity with a small factor shows only where the digits have come down to
-/// it, and may lie below those that two rules share.
+/// The last rule has this many times the nodes of the rule that it is compared with, and no further
+/// digits are predicted. A singularity with a small factor shows only where the error has fallen to
+/// its size, and may lie below the digits that two rules share.
 constexpr double last_ratio = 1.2;
+/// The part of the expected growth of the digits that is assumed.
 constexpr double counted_on = 0.9;
-constexpr double most_per_digit = 6; ///< nodes for a digit, where it is given up
-/// Given up as well where a rule has less than this of the digits that its nodes should have.
+constexpr double most_per_digit = 6; ///< nodes for each digit at which the search ends
+/// The search also ends if a rule has less than this part of the digits expected for its nodes.
 constexpr double still_growing = 0.75;
 constexpr double ln_10 = 2.302585092994046;
 
-/// A Gauss-Legendre rule over 0 < v < 1, with what the maps take of a node.
+/// A node of a Gauss-Legendre rule over 0 < v < 1, with its values under the maps.
 struct MappedNode {
     Real sine;     ///< sin(pi v/2)
     Real rest;     ///< 1 - sin(pi v/2)
-    Real sine_2;   ///< its square, and
-    Real cosine_2; ///< that of the cosine
-    Real weight;   ///< times (pi/2) cos(pi v/2): of an integral over the sine
-    Real weight_2; ///< times pi sin(pi v/2) cos(pi v/2): of one over its square
+    Real sine_2;   ///< sin^2(pi v/2)
+    Real cosine_2; ///< cos^2(pi v/2)
+    Real weight;   ///< weight times (pi/2) cos(pi v/2), for an integral over the sine
+    Real weight_2; ///< weight times pi sin(pi v/2) cos(pi v/2), for an integral over its square
 };
 
 using MappedNodes = std::vector<MappedNode>;
-constexpr std::size_t most_mapped_rules = 64; ///< that a thread keeps
+constexpr std::size_t most_mapped_rules = 64; ///< the most rules that a thread keeps
 
 MappedNodes mapped(std::size_t n) {
     const auto rule =
@@ -51,12 +52,12 @@ MappedNodes mapped(std::size_t n) {
     const Real quarter = pi<Real>() / 4;
     MappedNodes nodes;
     nodes.reserve(n);
-    // Sines of the smaller angle, so that both squares are exact to the last digit.
+    // The sine of the smaller angle gives both squares with all their digits.
     const auto add = [&](std::size_t k, bool upper) {
         const Real angle = rule.from_end[k] * quarter / 2; // half of pi (1 - v)/2, or of pi v/2
         const Real small = sin(angle);
         const Real near = 2 * small * cos(angle); // the sine of the smaller angle
-        const Real far = 1 - 2 * small * small;   // and its cosine
+        const Real far = 1 - 2 * small * small;   // its cosine
         MappedNode node;
         node.sine = upper ? far : near;
         node.rest = upper ? Real(2 * small * small) : Real(1 - near);
@@ -76,7 +77,8 @@ MappedNodes mapped(std::size_t n) {
     return nodes;
 }
 
-/// One for a thread, since the numbers are cheap beside the integrands that they serve.
+/// The mapped rule of n nodes, kept for each thread: its cost is small compared with that of the
+/// integrands.
 std::shared_ptr<const MappedNodes> mapped_nodes(std::size_t n) {
     thread_local BoundedCache<std::pair<std::size_t, unsigned>, const MappedNodes> known(
         most_mapped_rules);
@@ -84,7 +86,7 @@ std::shared_ptr<const MappedNodes> mapped_nodes(std::size_t n) {
                      [&] { return std::make_shared<const MappedNodes>(mapped(n)); });
 }
 
-/// The sum of a rule, and of the magnitudes of its terms.
+/// The sum of a rule, and the sum of the magnitudes of its terms.
 struct Sum {
     Real value{0};
     Real magnitude{0};
@@ -98,11 +100,12 @@ struct Sum {
     }
 };
 
-/// Roots at both ends, none near beyond: r = length sin^2.
+/// The integral with roots at both ends and none near beyond them: r = length sin^2(pi v/2).
 Sum between_ends(const At& f, const Real& length, std::size_t n) {
     Sum sum;
     const auto nodes = mapped_nodes(n);
     for (const MappedNode& node : *nodes) {
+        // dr = length pi sin(pi v/2) cos(pi v/2) dv
         sum.add(node.weight_2 * f(Real(length * node.sine_2), Real(length * node.cosine_2)));
     }
     sum.value *= length;
@@ -110,8 +113,9 @@ Sum between_ends(const At& f, const Real& length, std::size_t n) {
     return sum;
 }
 
-/// A root `beyond` the end that r is counted from: r = beyond sinh^2 w takes away both, and
-/// w = w_end sin the one at the other end. f is called with r and the rest of the length.
+/// The integral with a root at the distance `beyond` before the end r = 0: r = beyond sinh^2 w
+/// removes this root and that at r = 0, and w = w_end sin(pi v/2) the root at the other end. f is
+/// called with r and the rest of the length.
 template <class F>
 Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_t n) {
     const Real w_end = asinh(sqrt(Real(length / beyond)));
@@ -126,7 +130,7 @@ Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_
         const Real rest =
             to_go < w ? Real(beyond * hyperbolic_sine(to_go) * hyperbolic_sine(Real(w_end + w)))
                       : Real(length - r);
-        const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w
+        const Real both = 2 * s * sqrt(Real(1 + s_2)); // sinh 2w, from dr = beyond sinh 2w dw
         sum.add(node.weight * both * f(r, rest));
     }
     sum.value *= beyond * w_end;
@@ -134,7 +138,8 @@ Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_
     return sum;
 }
 
-/// The rule of n nodes over what is one interval of a map, or each half where both ends have one.
+/// The rule of n nodes over the interval of a map, or over each half if there are near roots beyond
+/// both ends.
 class Mapped {
 public:
     Mapped(const At& f, const Real& length, const Real& beyond_lo, const Real& beyond_hi)
@@ -188,7 +193,7 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     std::size_t evaluations = 0;
     std::optional<Sum> last;
     double last_n = 0;
-    // The digits of `last`, which the next sum shares with it.
+    // The number of digits that the next sum shares with the last one.
     const auto next = [&](double n) {
         const auto nodes = static_cast<std::size_t>(n);
         Sum sum = rule(nodes);
@@ -206,7 +211,7 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
         return QuadratureResult<Real>{last->value, from_ln_size(-std::min(digits, target) * ln_10),
                                       evaluations, true};
     };
-    // Three small rules tell whether the digits grow like the nodes.
+    // Three small rules show whether the digits grow like the nodes.
     double n = std::max(10.0, target / 8);
     (void)next(n);
     const double first = next(n * node_ratio);
@@ -217,8 +222,8 @@ std::optional<QuadratureResult<Real>> integrate_root_ends(const IntegrandRef<Rea
     if (second < 3 || second < growth_asked * first) {
         return std::nullopt;
     }
-    // Then one that is to have nearly all, and one that has them all; always one of the same sizes,
-    // so that few tables of nodes are made.
+    // Then one rule that is expected to have nearly all digits, and one with all digits; the sizes
+    // are always the same, so that few tables of nodes are made.
     const double per_node = second / (n * node_ratio);
     n *= node_ratio * node_ratio;
     double m = n * last_ratio;

@@ -15,8 +15,8 @@ namespace edgeproof::quadrature {
 
 namespace {
 
-/// The error of a level that is `difference` from the one before, which was `last` from its own:
-/// the rule of LevelEstimate.
+/// The predicted error of a level by LevelEstimate: `difference` is that from the level before,
+/// `last` the difference before.
 template <Arithmetic T> T foreseen(const T& difference, const T& last) {
     using std::log;
     using std::pow;
@@ -61,14 +61,14 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
         return value;
     };
 
-    // A tail ends where its terms stay below roundoff three times running; finer levels then
-    // need not look beyond that abscissa.
+    // A tail ends after three successive terms below roundoff; higher levels do not go beyond this
+    // abscissa.
     const T negligible = tolerance / T(1 << 11);
     T end_lo = nodes.end();
     T end_hi = nodes.end();
     std::optional<R> previous;
-    T before_last(0); // the estimate two levels ago, and
-    T last(0);        // one level ago
+    T before_last(0); // the difference two levels ago
+    T last(0);        // the difference one level ago
     QuadratureResult<R> result{};
     for (int level = 0; level <= options.last_level; ++level) {
         const auto& table = nodes.level(level);
@@ -98,7 +98,8 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
                 }
             }
         }
-        // Level h = 2^-level: the sums of all levels together are h times the new total.
+        // The step of a level is h = 2^-level: the integral is h times the sum over all levels
+        // (`takahasi-mori1974`).
         R estimate_now = *sum * T(nodes.step(level));
         if (level >= options.first_level && previous) {
             const R scale = *magnitude * T(nodes.step(level));
@@ -110,7 +111,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
                 result.converged = true;
                 return result;
             }
-            // Only far from convergence: near the end it may be roundoff that holds it up.
+            // Only far from convergence: near the end roundoff may be the reason.
             if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
                 difference * T(8) > before_last) {
                 previous = std::move(estimate_now);

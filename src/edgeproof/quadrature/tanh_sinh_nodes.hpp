@@ -10,23 +10,24 @@
 
 namespace edgeproof::quadrature {
 
-/// The abscissas and weights of tanh-sinh on the unit interval at one precision. Level k holds
-/// the nodes that level k adds to those before it, from the middle outwards; built when first
-/// asked for. An object belongs to one thread and one precision: `tanh_sinh_nodes<T>()` has both
-/// in its key.
+/// The abscissas and weights of tanh-sinh (`takahasi-mori1974`) on the unit interval at one
+/// precision. Level k holds the nodes that are not in a lower level, from the middle outwards; it
+/// is computed at its first use. An object belongs to one thread and one precision
+/// (`tanh_sinh_nodes<T>()` returns it).
 template <Arithmetic T> class TanhSinhNodes {
 public:
     struct Node {
         T t;      ///< abscissa in the transformed variable, t >= 0
-        T near;   ///< distance from the nearer end point, exact to the last digit
-        T far;    ///< distance from the other one
+        T near;   ///< distance from the nearer end point, with all its digits
+        T far;    ///< distance from the other end point
         T weight; ///< d near/dt
     };
 
     TanhSinhNodes() : end_(T(0)) {
         using std::asinh;
         using std::log;
-        // The outermost node lies so near the end that even d^(-1/2) is done with there.
+        // The outermost node is so near the end that even an integrand like d^(-1/2) is negligible
+        // beyond it.
         const T depth = log(T(10)) * T(static_cast<int>(smallest_exponent()));
         end_ = asinh(depth / pi<T>());
     }
@@ -40,7 +41,7 @@ public:
         return h;
     }
 
-    /// The nodes that `level` adds.
+    /// The nodes that are new in `level`.
     [[nodiscard]] const std::vector<Node>& level(int level) const {
         while (levels_.size() <= static_cast<std::size_t>(level)) {
             add_level();
@@ -72,6 +73,7 @@ private:
                 break;
             }
             const T e = exp(T(pi<T>() * sinh(t)));
+            // near = (1 - tanh((pi/2) sinh t))/2 = 1/(1 + exp(pi sinh t)) (`takahasi-mori1974`)
             const T sum = T(1) + e;
             // d/dt 1/(1 + exp(pi sinh t)) = pi cosh t e/(1 + e)^2
             nodes.push_back({t, T(1) / sum, e / sum, T(pi<T>() * cosh(t)) * e / sum / sum});
@@ -83,7 +85,7 @@ private:
     mutable std::deque<std::vector<Node>> levels_;
 };
 
-constexpr std::size_t most_tanh_sinh_tables = 16; ///< that a thread keeps
+constexpr std::size_t most_tanh_sinh_tables = 16; ///< the most tables that a thread keeps
 
 /// The node tables of this thread at its working precision.
 template <Arithmetic T> [[nodiscard]] std::shared_ptr<const TanhSinhNodes<T>> tanh_sinh_nodes() {

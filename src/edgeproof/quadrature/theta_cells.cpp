@@ -18,7 +18,8 @@ public:
         : f_(f), centre_(centre), half_length_(half_length), goal_(goal), bits_(bits),
           rule_(gauss_legendre_balls(goal.nodes, bits)), most_(f.count()),
           value_(f.count(), Ball(0, bits)), sum_(f.count(), Ball(0, bits)) {
-        // 64 M/(15 (rho - 1) rho^(2n - 1)) for an interval of length 2, rho = 4.
+        // 64 M/(15 (rho - 1) rho^(2n - 1)) for an interval of length 2, rho = 4 (`trefethen2013`,
+        // theorem 19.3).
         const long power = 2 * (2 * static_cast<long>(goal.nodes) - 1);
         Ball error = Ball(Rational(64, 45), 64);
         arb_mul_2exp_si(error.data(), error.data(), -power);
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    /// The bounds over theta_.
+    /// Bounds the integrands over theta_.
     bool bounded() {
         span_->map(s_, rate_, theta_, centre_, half_length_, bits_);
         const Magnitude rate(rate_);
@@ -79,8 +80,8 @@ private:
         }
         return true;
     }
-    /// Whether s varies over the real cell s_ by more than what it is known to in its middle: where
-    /// it does not, halves of the cell are bounded no better.
+    /// True if s varies over the real cell s_ by more than its uncertainty in the middle. Otherwise
+    /// halving the cell does not improve the bounds.
     [[nodiscard]] bool resolved(const Ball& middle) {
         Ball width(0, 64);
         Ball known(0, 64);
@@ -102,7 +103,8 @@ private:
         Ball middle = (lo + hi) / 2;
         arb_get_mid_arb(middle.data(), middle.data());
         const Ball half = (hi - lo) / 2;
-        // The ellipse with rho = 4: its half axes are 17/8 and 15/8 of the half length.
+        // The ellipse with rho = 4: its semi-axes are 17/8 and 15/8 of the half length
+        // (`trefethen2013`, chapter 8).
         acb_set_arb(theta_, middle.data());
         arb_add_error(acb_realref(theta_), Ball(half * 17 / 8).data());
         arb_add_error(acb_imagref(theta_), Ball(half * 15 / 8).data());
@@ -169,7 +171,8 @@ void ThetaSpan::map(acb_t s, acb_t rate, const acb_t t, const Ball& centre, cons
         acb_add_arb(s, s, centre.data(), bits);
         return;
     }
-    // ds = side root t^(root - 1) dt, and |dtheta| = |ds|/sqrt(d^2 - (s - c)^2).
+    // ds = side root t^(root - 1) dt, and |dtheta| = |ds|/sqrt(d^2 - (s - c)^2)
+    // (docs/curved-slopes.md).
     AcbValue power;
     acb_pow_ui(power, t, static_cast<ulong>(root - 1), bits);
     acb_mul(s, power, t, bits);

@@ -8,17 +8,17 @@
 
 namespace edgeproof::roots {
 
-/// A root between two places of opposite sign (or a root itself).
+/// A root between two places at which f has opposite signs, or an exact root.
 template <class T> struct BracketedRoot {
     T x;
-    T width; ///< of the last bracket: the root of the computed f lies within
+    T width; ///< the width of the last bracket, which contains a root of the computed f
     std::size_t evaluations = 0;
 };
 
-/// The root of a continuous f between lo and hi, f_lo and f_hi of opposite signs, to a bracket no
-/// wider than `relative` times |x| (Chandrupatla, Adv. Eng. Softw. 28 (1997) 145: inverse quadratic
-/// interpolation where it is safe, else halving). Throws DomainError without a change of sign,
-/// BudgetError after 400 evaluations.
+/// The root of a continuous f between lo and hi, where f_lo and f_hi have opposite signs, to a
+/// bracket of at most `relative` times |x| (`chandrupatla1997`: inverse quadratic interpolation
+/// where it is safe, else halving). Throws DomainError without a change of sign, BudgetError after
+/// 400 evaluations.
 template <Arithmetic T, class F>
 [[nodiscard]] BracketedRoot<T> bracketed_root(const F& f, T lo, T f_lo, T hi, T f_hi,
                                               const T& relative) {
@@ -35,7 +35,8 @@ template <Arithmetic T, class F>
     }
     T fraction = T(1) / T(2);
     for (std::size_t n = 1; n <= 400; ++n) {
-        // `lo` is the latest place, `hi` the other side of the root, `old` the one before.
+        // `lo` is the latest place, `hi` a place on the other side of the root, `old` the place
+        // before `lo` or `hi`.
         const T x = lo + fraction * (hi - lo);
         const T f_x = f(x);
         if (f_x == T(0)) {
@@ -65,10 +66,12 @@ template <Arithmetic T, class F>
         const T phi = (f_lo - f_hi) / (f_old - f_hi);
         fraction = T(1) / T(2);
         if (phi * phi < xi && (T(1) - phi) * (T(1) - phi) < T(1) - xi) {
+            // inverse quadratic interpolation through the three places
             fraction = f_lo / (f_hi - f_lo) * (f_old / (f_hi - f_old)) +
                        (old - lo) / (hi - lo) * (f_lo / (f_old - f_lo)) * (f_hi / (f_old - f_hi));
         }
-        // No step shorter than what closes the bracket from the other side.
+        // Steps are at least long enough that the next place can end the search from the other
+        // side.
         const T least = allowed / (T(2) * width);
         if (fraction < least) {
             fraction = least;

@@ -5,10 +5,11 @@
 
 namespace edgeproof::roots {
 
-/// The place of the least value of a function with one minimum in (lo, hi), by golden section: one
-/// evaluation a step, each of which shrinks the interval by 0.618. No bound: near a minimum values
-/// are flat, so half the digits of Number are all that can be had. `found(value)` ends the search
-/// as soon as it is true of either of the two values held.
+/// The place of the minimum of a function with one minimum in (lo, hi), by golden section
+/// (`kiefer1953`): each step needs one evaluation and shrinks the interval by the factor 0.618.
+/// There is no proved bound. Near a minimum the values are flat, so that only half the digits of
+/// Number can be reached. The search ends when `found(value)` is true for either of the two current
+/// values.
 template <class Number, class Function, class Found>
 [[nodiscard]] Number place_of_minimum(const Function& f, Number lo, Number hi, int steps,
                                       const Found& found) {

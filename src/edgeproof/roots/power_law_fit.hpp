@@ -8,15 +8,16 @@
 
 namespace edgeproof::roots {
 
-/// y = factor x^exponent, by least squares in the logarithms.
+/// y = factor x^exponent, by least squares in the logarithms (DLMF 3.11(v)). Units: those of the
+/// points.
 struct PowerLawFit {
     double factor = 0;
     double exponent = 0;
     std::size_t points = 0;
 };
 
-/// Of the points with x > 0 and y > 0: others have no logarithms. Nothing for fewer than two
-/// different x. An estimate.
+/// The fit of the points with x > 0 and y > 0. Returns nothing if there are fewer than two
+/// different x. This is an estimate.
 [[nodiscard]] inline std::optional<PowerLawFit>
 power_law_fit(const std::vector<std::pair<double, double>>& points) {
     double n = 0;

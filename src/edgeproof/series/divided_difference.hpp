@@ -9,13 +9,14 @@
 
 namespace edgeproof::series {
 
-/// f at two points, and (f(s) - f(x))/(s - x) *without* the subtraction: every operation carries
-/// the quotient forward by a formula that has no cancellation as s -> x, where it becomes f'(x).
-/// This is what the regularised principal value needs: there, s comes as near to x as the nodes
-/// of the quadrature go.
+/// The values of f at two points, and the quotient (f(s) - f(x))/(s - x) *without* the subtraction:
+/// every operation computes the quotient by a formula that has no cancellation as s -> x, where it
+/// becomes f'(x). The regularised principal value (docs/pressure.md, "The singular integral, and
+/// how its pole is taken out") needs this, since the nodes of the quadrature come very near to x.
+/// The units are those of f and of its derivative.
 template <class T> class DividedDifference {
 public:
-    /// The function f(z) = z between x and s = x + delta (delta given exactly).
+    /// The function f(z) = z at x and s = x + delta (delta given exactly).
     static DividedDifference variable(const T& x, const T& delta) {
         return {x, T(x + delta), T(1), delta};
     }
@@ -40,6 +41,7 @@ public:
     friend DividedDifference operator-(const DividedDifference& f, const DividedDifference& g) {
         return {T(f.x - g.x), T(f.s - g.s), T(f.q - g.q), f.delta_};
     }
+    // Leibniz's rule: (f g)[x, s] = f(x) g[x, s] + f[x, s] g(s)
     friend DividedDifference operator*(const DividedDifference& f, const DividedDifference& g) {
         return {T(f.x * g.x), T(f.s * g.s), T(f.x * g.q + f.q * g.s), f.delta_};
     }
@@ -55,6 +57,7 @@ private:
     T delta_;
 };
 
+/// sqrt: (sqrt s - sqrt x)/(s - x) = 1/(sqrt s + sqrt x).
 template <class T> [[nodiscard]] DividedDifference<T> sqrt(const DividedDifference<T>& f) {
     using std::sqrt;
     const T rx = sqrt(f.x);
@@ -63,7 +66,7 @@ template <class T> [[nodiscard]] DividedDifference<T> sqrt(const DividedDifferen
     return {rx, rs, sum == T(0) ? T(0) : T(f.q / sum), f.delta()};
 }
 
-/// (F(f(s)) - F(f(x)))/(s - x) from F's own difference, or by the derivative where s = x.
+/// (F(f(s)) - F(f(x)))/(s - x) from the difference of F; from the derivative of F if s = x.
 template <class T>
 [[nodiscard]] DividedDifference<T> from_difference(const DividedDifference<T>& f, T at_x, T at_s,
                                                    const T& difference, const T& derivative) {
@@ -71,7 +74,7 @@ template <class T>
     return {at_x, at_s, same ? T(derivative * f.q) : T(difference / f.delta()), f.delta()};
 }
 
-/// Whether f(s)/f(x) - 1 is so large that subtraction loses nothing.
+/// True if f(s)/f(x) - 1 is so large that the subtraction loses no digits.
 template <class T> [[nodiscard]] bool far_apart(const T& ratio) {
     return ratio < T(-1) / T(2) || ratio > T(1);
 }
@@ -89,7 +92,7 @@ template <class T> [[nodiscard]] DividedDifference<T> log(const DividedDifferenc
     const T lx = log(f.x);
     const T ls = log(f.s);
     const T ratio = f.difference() / f.x;
-    // Far apart, the plain difference is the one that does not cancel (1 + ratio would).
+    // If the values are far apart, the plain difference does not cancel, but 1 + ratio would.
     const T difference = far_apart(ratio) ? T(ls - lx) : T(log1p(ratio));
     return from_difference<T>(f, lx, ls, difference, T(T(1) / f.x));
 }
@@ -120,6 +123,7 @@ template <class T>
     return power_by_squaring(DividedDifference<T>::constant(T(1), f.delta()), f, n);
 }
 
+/// sin and cos by the difference as a product (DLMF 4.21(i)).
 template <class T> [[nodiscard]] DividedDifference<T> sin(const DividedDifference<T>& f) {
     using std::cos;
     using std::sin;
@@ -137,6 +141,7 @@ template <class T> [[nodiscard]] DividedDifference<T> cos(const DividedDifferenc
 template <class T> [[nodiscard]] DividedDifference<T> tan(const DividedDifference<T>& f) {
     return sin(f) / cos(f);
 }
+/// atan s - atan x = atan((s - x)/(1 + x s)) if 1 + x s > 0 (DLMF 4.24(iii)).
 template <class T> [[nodiscard]] DividedDifference<T> atan(const DividedDifference<T>& f) {
     using std::atan;
     const T product = T(1) + f.x * f.s;
@@ -145,10 +150,12 @@ template <class T> [[nodiscard]] DividedDifference<T> atan(const DividedDifferen
     const T difference = product > T(0) ? T(atan(T(f.difference() / product))) : T(as - ax);
     return from_difference<T>(f, ax, as, difference, T(T(1) / (T(1) + f.x * f.x)));
 }
+/// asin f = atan(f/sqrt(1 - f^2)).
 template <class T> [[nodiscard]] DividedDifference<T> asin(const DividedDifference<T>& f) {
     const auto one = DividedDifference<T>::constant(T(1), f.delta());
     return atan(f / sqrt((one - f) * (one + f)));
 }
+/// sinh and cosh by exponentials (DLMF 4.28).
 template <class T> [[nodiscard]] DividedDifference<T> sinh(const DividedDifference<T>& f) {
     const auto two = DividedDifference<T>::constant(T(2), f.delta());
     return (exp(f) - exp(-f)) / two;
@@ -161,13 +168,14 @@ template <class T> [[nodiscard]] DividedDifference<T> tanh(const DividedDifferen
     return sinh(f) / cosh(f);
 }
 
+/// acos f = pi/2 - asin f.
 template <class T> [[nodiscard]] DividedDifference<T> acos(const DividedDifference<T>& f) {
     using std::acos;
     const DividedDifference<T> g = asin(f);
     return {T(acos(f.x)), T(acos(f.s)), T(-g.q), f.delta()};
 }
-/// By asinh(s) - asinh(x) = asinh((s - x)(s + x)/(s sqrt(1 + x^2) + x sqrt(1 + s^2))) for s, x of
-/// one sign; else the difference does not cancel.
+/// asinh s - asinh x = asinh((s - x)(s + x)/(s sqrt(1 + x^2) + x sqrt(1 + s^2))) (DLMF 4.38(iii))
+/// for s and x of the same sign; otherwise the difference does not cancel.
 template <class T> [[nodiscard]] DividedDifference<T> asinh(const DividedDifference<T>& f) {
     using std::asinh;
     using std::sqrt;
@@ -180,18 +188,19 @@ template <class T> [[nodiscard]] DividedDifference<T> asinh(const DividedDiffere
     const T difference = one_sign ? T(asinh(T(f.difference() * (f.s + f.x) / sum))) : T(as - ax);
     return from_difference<T>(f, ax, as, difference, T(T(1) / rx));
 }
+/// acosh f = log(f + sqrt(f^2 - 1)) (DLMF 4.37(iv)).
 template <class T> [[nodiscard]] DividedDifference<T> acosh(const DividedDifference<T>& f) {
     const auto one = DividedDifference<T>::constant(T(1), f.delta());
     return log(f + sqrt((f - one) * (f + one)));
 }
-/// By atanh(s) - atanh(x) = atanh((s - x)/(1 - x s)).
+/// atanh s - atanh x = atanh((s - x)/(1 - x s)) (DLMF 4.38(iii)).
 template <class T> [[nodiscard]] DividedDifference<T> atanh(const DividedDifference<T>& f) {
     using std::atanh;
     const T difference = atanh(T(f.difference() / (T(1) - f.x * f.s)));
     return from_difference<T>(f, T(atanh(f.x)), T(atanh(f.s)), difference,
                               T(T(1) / ((T(1) - f.x) * (T(1) + f.x))));
 }
-/// Of points of opposite signs |s| - |x| = s + x or its negative, as good as these two are known.
+/// For points of opposite signs, |s| - |x| is s + x or -(s + x), with the accuracy of these two.
 template <class T> [[nodiscard]] DividedDifference<T> abs(const DividedDifference<T>& f) {
     if (f.x < T(0) && !(f.s > T(0))) {
         return -f;

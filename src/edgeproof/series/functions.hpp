@@ -7,11 +7,13 @@
 
 #include <cmath>
 
-/// Elementary functions of truncated series, each by the recurrence that its differential
-/// equation gives; the constant term uses the function of T.
+/// Elementary functions of truncated series, each by the recurrence that follows from its
+/// differential equation (`knuth1997`, section 4.7, for powers; derivatives of DLMF 4.7, 4.20,
+/// 4.24(ii), 4.38(ii)). The constant term is the function in T.
 namespace edgeproof::series {
 
-/// x^(p) for any exponent p of T, by n y' x = p y x'. Throws DomainError without a constant term.
+/// y = x^p with y_0 = y0, for any exponent p in T, by x y' = p y x'. Throws DomainError if x has no
+/// constant term.
 template <class T> [[nodiscard]] Series<T> pow_with_constant(const Series<T>& x, const T& p, T y0) {
     if (x[0] == T(0)) {
         throw DomainError("a power of a series with no constant term");
@@ -42,7 +44,8 @@ template <class T> [[nodiscard]] Series<T> pow_int(const Series<T>& x, long n) {
     return power_by_squaring(Series<T>(T(1), x.order()), x, n);
 }
 
-/// The series f with f(x_0) = f0 and f' = g x', g known: the common form of log, atan, asin, ...
+/// The series f with f(x_0) = f0 and f' = g x' for a known g: the common form of log, atan, asin,
+/// ...
 template <class T>
 [[nodiscard]] Series<T> integrate_along(const Series<T>& g, const Series<T>& x, const T& f0) {
     if (x.order() == 1) {
@@ -61,6 +64,7 @@ template <class T> [[nodiscard]] Series<T> log1p(const Series<T>& x) {
     return integrate_along(T(1) / (T(1) + x), x, T(log1p(x[0])));
 }
 
+/// exp x, by y' = y x'.
 template <class T> [[nodiscard]] Series<T> exp(const Series<T>& x) {
     using std::exp;
     Series<T> y(T(exp(x[0])), x.order());
@@ -79,9 +83,9 @@ template <class T> [[nodiscard]] Series<T> atan(const Series<T>& x) {
     return integrate_along(T(1) / (T(1) + x * x), x, T(atan(x[0])));
 }
 
-/// atan by edgeproof/precision/elementary.hpp.
+/// atan by the function of precision/elementary.
 template <class T> [[nodiscard]] Series<T> arc_tangent(const Series<T>& x) {
-    using edgeproof::arc_tangent; // of numbers
+    using edgeproof::arc_tangent; // the function of numbers
     return integrate_along(T(1) / (T(1) + x * x), x, T(arc_tangent(x[0])));
 }
 
@@ -101,7 +105,7 @@ template <class T> [[nodiscard]] Series<T> acos(const Series<T>& x) {
     return integrate_along(T(-1) / sqrt(T(1) - x * x), x, T(acos(x[0])));
 }
 
-/// sin x and cos x together.
+/// sin x and cos x together, by s' = c x', c' = -s x'.
 template <class T> [[nodiscard]] std::pair<Series<T>, Series<T>> sin_cos(const Series<T>& x) {
     using std::cos;
     using std::sin;
@@ -127,6 +131,7 @@ template <class T> [[nodiscard]] Series<T> tan(const Series<T>& x) {
     return s / c;
 }
 
+/// sinh, cosh and tanh by exponentials (DLMF 4.28).
 template <class T> [[nodiscard]] Series<T> sinh(const Series<T>& x) {
     const Series<T> e = exp(x);
     return (e - T(1) / e) / T(2);
@@ -159,7 +164,7 @@ template <class T> [[nodiscard]] Series<T> atanh(const Series<T>& x) {
     return integrate_along(T(1) / (T(1) - x * x), x, T(atanh(x[0])));
 }
 
-/// Euler's gamma function: its Taylor series about x_0, composed with x - x_0.
+/// Euler's gamma function: its Taylor series about x_0, composed with x - x_0 by Horner's rule.
 template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
     const std::size_t n = x.order();
     const std::vector<T> outer = gamma_taylor_in<T>(x[0], n);
@@ -173,7 +178,7 @@ template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
     return result;
 }
 
-/// |x| near a point where x does not vanish. Throws DomainError where it does.
+/// |x| near a point where x is not zero. Throws DomainError if x is zero there.
 template <class T> [[nodiscard]] Series<T> abs(const Series<T>& x) {
     if (x[0] == T(0)) {
         throw DomainError("|x| has no power series where x vanishes");

@@ -16,8 +16,8 @@ class ex;
 
 namespace edgeproof::series {
 
-/// What a field of coefficients has to say: whether one vanishes (symbols: identically), and what
-/// a rational number is in it.
+/// Operations on coefficients: vanishes() is true if a coefficient is zero (for symbols:
+/// identically), and field_number() converts a rational number.
 [[nodiscard]] inline bool vanishes(const Real& c) { return c == 0; }
 [[nodiscard]] bool vanishes(const GiNaC::ex& c);
 template <class T> [[nodiscard]] T field_number(const Rational& q);
@@ -26,29 +26,29 @@ template <> [[nodiscard]] inline Real field_number<Real>(const Rational& q) {
 }
 template <> [[nodiscard]] GiNaC::ex field_number<GiNaC::ex>(const Rational& q);
 
-/// A truncated series in w = eps^(1/2), from any power of it on: printed expansions go in powers
-/// of eps and of its root. The coefficient of the lowest power is not zero, unless nothing is
-/// known but that all are, up to `end()`.
+/// A truncated series in w = eps^(1/2) that may begin with any power of w: printed expansions are
+/// in powers of eps and of its root. The coefficient of the lowest power is not zero, unless all
+/// known coefficients are.
 template <class T> class Laurent {
 public:
-    /// c, known to `order` powers of w.
+    /// The constant c, known for `order` powers of w.
     Laurent(const T& c, std::size_t order) : Laurent(0, Series<T>(c, order)) {}
     Laurent(long lowest, Series<T> s) : lowest_(lowest), s_(std::move(s)) { drop_zeros(); }
-    /// w^k
+    /// w^k, known for `order` powers of w.
     static Laurent power(long k, std::size_t order) { return {k, Series<T>(T(1), order)}; }
 
     [[nodiscard]] long lowest() const noexcept { return lowest_; }
-    /// The first power of w that is not known.
+    /// The lowest power of w whose coefficient is not known.
     [[nodiscard]] long end() const noexcept { return lowest_ + static_cast<long>(s_.order()); }
     [[nodiscard]] const Series<T>& series() const noexcept { return s_; }
-    /// The coefficient of w^k. Throws DomainError beyond what is known.
+    /// The coefficient of w^k. Throws DomainError if it is not known.
     [[nodiscard]] T operator[](long k) const {
         if (k >= end()) {
             throw DomainError("an expansion is not known to the order asked for");
         }
         return k < lowest_ ? T(0) : s_[static_cast<std::size_t>(k - lowest_)];
     }
-    /// As a series from w^0 on. Throws DomainError if it begins with a negative power.
+    /// The same series from w^0 on. Throws DomainError if it begins with a negative power.
     [[nodiscard]] Series<T> taylor() const {
         if (lowest_ < 0) {
             throw DomainError("an expansion that begins with a negative power stands where a "
@@ -87,6 +87,7 @@ public:
         y.want_leading();
         return {x.lowest_ - y.lowest_, x.s_ / y.s_};
     }
+    /// x^q, with the lowest power of w taken out.
     friend Laurent pow(const Laurent& x, const Rational& q) {
         x.want_leading();
         const Rational lowest = q * x.lowest_;

@@ -9,13 +9,13 @@
 
 namespace edgeproof::series {
 
-/// A polynomial q_0 + q_1 sigma + ... over a field T. It stands as a coefficient of Series where
-/// an integrand is expanded in u and its terms are integrated over sigma.
+/// A polynomial q_0 + q_1 sigma + ... over a field T. It serves as a coefficient of a Series in u
+/// whose terms are integrated over sigma (docs/expansions.md).
 template <class T> class Polynomial {
 public:
     Polynomial() = default;
     Polynomial(const T& c) : q_{c} {} // NOLINT: a scalar is a polynomial
-    Polynomial(int c) : q_{T(c)} {}   // NOLINT: Series writes T(0), T(1)
+    Polynomial(int c) : q_{T(c)} {}   // NOLINT: Series uses T(0), T(1)
     explicit Polynomial(std::vector<T> q) : q_(std::move(q)) {}
     /// c sigma^k
     static Polynomial monomial(const T& c, std::size_t k) {
@@ -73,7 +73,7 @@ public:
         }
         return Polynomial(std::move(q));
     }
-    /// True for the constant c (trailing zero coefficients do not count).
+    /// Trailing zero coefficients do not count.
     friend bool operator==(const Polynomial& x, const Polynomial& y) {
         for (std::size_t k = 0; k < std::max(x.size(), y.size()); ++k) {
             if (!(x[k] == y[k])) {
@@ -83,8 +83,8 @@ public:
         return true;
     }
 
-    /// integral over 0 < sigma < 1 of the polynomial / sqrt(1 - sigma), exactly:
-    /// sum q_j B(j+1, 1/2), B(1, 1/2) = 2, B(j+1, 1/2) = B(j, 1/2) 2j/(2j+1).
+    /// The exact integral over 0 < sigma < 1 of the polynomial divided by sqrt(1 - sigma): the sum
+    /// of q_j B(j+1, 1/2), with B(1, 1/2) = 2 and B(j+1, 1/2) = B(j, 1/2) 2j/(2j+1) (DLMF 5.12.1).
     [[nodiscard]] T integrate_beta() const {
         T sum(0);
         T beta(2);
@@ -98,8 +98,8 @@ public:
         return sum;
     }
 
-    /// The quotient by (1 - sigma), dropping the remainder, which is the value at sigma = 1 and is
-    /// zero for every polynomial that the caller may pass.
+    /// The quotient by 1 - sigma without the remainder. The remainder is the value at sigma = 1,
+    /// which must be zero.
     [[nodiscard]] Polynomial over_one_minus_sigma() const {
         std::vector<T> r;
         T partial(0);

@@ -4,7 +4,7 @@
 
 namespace edgeproof::series {
 
-/// f(g(z)) for g with no constant term (Horner). Throws DomainError when g has one.
+/// f(g(z)) by Horner's rule. Throws DomainError if g has a constant term.
 template <class T> [[nodiscard]] Series<T> compose(const Series<T>& f, const Series<T>& g) {
     if (!(g[0] == T(0))) {
         throw DomainError("the inner series of a composition has a constant term");
@@ -18,8 +18,9 @@ template <class T> [[nodiscard]] Series<T> compose(const Series<T>& f, const Ser
     return r;
 }
 
-/// The g with f(g(z)) = z for f = f_1 z + f_2 z^2 + ... (Lagrange: g_n = [z^{n-1}] (z/f)^n / n).
-/// Throws DomainError when f has a constant term or f_1 vanishes.
+/// The series g with f(g(z)) = z for f = f_1 z + f_2 z^2 + ... (Lagrange's inversion, DLMF
+/// 1.10(vii): g_n is the coefficient of z^{n-1} in (z/f)^n/n). Throws DomainError if f has a
+/// constant term or f_1 vanishes.
 template <class T> [[nodiscard]] Series<T> revert(const Series<T>& f) {
     if (!(f[0] == T(0)) || f.order() < 2 || f[1] == T(0)) {
         throw DomainError("only a series f_1 z + f_2 z^2 + ... with f_1 != 0 can be reverted");

@@ -10,13 +10,13 @@
 namespace edgeproof::series {
 
 /// A truncated power series c_0 + c_1 z + ... + c_{n-1} z^{n-1} + O(z^n) over a field T
-/// (floating-point or symbolic). The result of an operation on two series is known to the smaller
-/// of their orders, so a truncation is never forgotten. A coefficient has the units of the
-/// function divided by those of z^k; no operation uses finite differences.
+/// (floating-point or symbolic). The result of an operation on two series has the smaller of their
+/// orders. The coefficient of z^k has the unit of the function divided by that of z^k. No operation
+/// uses finite differences.
 template <class T> class Series {
 public:
     Series() = default;
-    /// The constant c, known to `order` terms. Throws DomainError for order 0.
+    /// The constant c with `order` terms. Throws DomainError for order 0.
     Series(const T& c, std::size_t order) : c_(order, T(0)) {
         if (order == 0) {
             throw DomainError("a truncated series needs at least one term");
@@ -28,7 +28,7 @@ public:
             throw DomainError("a truncated series needs at least one term");
         }
     }
-    /// c + z, known to `order` terms.
+    /// c + z with `order` terms.
     static Series variable(const T& c, std::size_t order) {
         Series s(c, order);
         if (order > 1) {
@@ -107,7 +107,8 @@ public:
         }
         return r;
     }
-    /// x / y. Throws DomainError when y has no constant term.
+    /// The quotient, term by term from x = r y (`knuth1997`, section 4.7). Throws DomainError if
+    /// the constant term of y is 0.
     friend Series operator/(const Series& x, const Series& y) {
         if (y.c_[0] == T(0)) {
             throw DomainError("division by a series with no constant term");
@@ -129,7 +130,7 @@ private:
     std::vector<T> c_;
 };
 
-/// d/dz: one term fewer is known (a constant known to one term has no known derivative).
+/// d/dz, with one term less. Throws DomainError for a series of one term.
 template <class T> [[nodiscard]] Series<T> derivative(const Series<T>& s) {
     if (s.order() < 2) {
         throw DomainError("the derivative of a series known to one term is unknown");
@@ -141,7 +142,7 @@ template <class T> [[nodiscard]] Series<T> derivative(const Series<T>& s) {
     return Series<T>(std::move(d));
 }
 
-/// The antiderivative with constant term c: one term more is known.
+/// The antiderivative with the constant term c, with one term more.
 template <class T> [[nodiscard]] Series<T> antiderivative(const Series<T>& s, const T& c) {
     std::vector<T> r(s.order() + 1, T(0));
     r[0] = c;

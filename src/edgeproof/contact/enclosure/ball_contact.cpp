@@ -58,7 +58,8 @@ void BallContact::solve(const formula::Exact& contact_modulus, const Load& load)
         a_ = known_a_ ? given : solve_right_edge_for_force(given);
         b_ = solve_left_edge(a_);
     } catch (const BudgetError&) {
-        isolated = false; // too few bits; or an edge on a corner, where no number of them will do
+        // Too few bits, or an edge on a corner, which no number of bits can isolate.
+        isolated = false;
     }
     if (!isolated || edge_may_be_on_knot()) {
         if (!isolated) {
@@ -75,7 +76,7 @@ void BallContact::solve(const formula::Exact& contact_modulus, const Load& load)
     fix();
 }
 
-/// Of the edges that are solved for.
+/// Considers the edges that are solved for.
 bool BallContact::edge_may_be_on_knot() const {
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         if (!bends(i) || power_) {
@@ -89,7 +90,7 @@ bool BallContact::edge_may_be_on_knot() const {
     return false;
 }
 
-/// The knot at which a flat that the minimum is ends.
+/// The knot at which a flat minimum ends.
 std::optional<std::size_t> BallContact::flat_end(Edge edge) const {
     const bool right = edge == Edge::right;
     std::optional<std::size_t> end;
@@ -115,7 +116,8 @@ Ball BallContact::minimum_end(Edge edge) const {
     return edge == Edge::right ? slope_.knots[*end] : -slope_.knots[*end];
 }
 
-/// g' of Profile::tilted_wedge and Profile::tilted_flat_and_rounded, alpha > 0 in the latter.
+/// g' of Profile::tilted_wedge (moore-hills EQ26) and Profile::tilted_flat_and_rounded (moore-hills
+/// EQ33), with alpha > 0 in the latter.
 void BallContact::tilt_by(const Ball& alpha) {
     const auto given = [&](const char* name) {
         return constant(profile_.parameters().at(name).expr());
@@ -197,7 +199,8 @@ BallContact BallContact::between(const Ball& a, const Ball& b) const {
 }
 
 Ball BallContact::zone_mean_slope() const {
-    // The integral of (k + r s)/w between two marks: s = c + y, and w' = -y/w.
+    // The integral of (k + r s)/w between two marks, with s = c + y, h' = -1/w and w' = -y/w
+    // (docs/mechanics.md); the mean slope of docs/partial-slip.md.
     const Ball c = (a_ - b_) / 2;
     const Extent<Ball> e{a_, b_};
     const std::vector<Mark<Ball>> list = marks(e);
@@ -219,7 +222,7 @@ BallContact BallContact::mirrored() const {
     m.b_ = a_;
     m.known_a_ = known(Edge::left);
     m.known_b_ = known_a_;
-    // A tilt that is known by a ball is in these, and not in the profile.
+    // A tilt given by a ball is contained in these numbers and not in the profile.
     const std::size_t n = slope_.knots.size();
     for (std::size_t i = 0; i < n; ++i) {
         m.slope_.knots[i] = -slope_.knots[n - 1 - i];
@@ -248,6 +251,7 @@ void BallContact::read_profile() {
         const Ball m = constant(exponent.expr());
         power_law_integral_.emplace(exponent, m);
         const Ball C = constant(profile_.parameters().at("C").expr());
+        // moore-hills EQ11
         power_ = PowerLaw<Ball>{m, modulus_ * C * sqrt(Ball::pi(bits_)) / 2 * gamma(m / 2 + 1) /
                                        gamma((m + 3) / 2)};
     }
@@ -262,6 +266,7 @@ Ball BallContact::imbalance(const Extent<Ball>& e) const {
 }
 
 Ball BallContact::force_of(const Extent<Ball>& e) const {
+    // moore-hills EQ22, by docs/mechanics.md, "One measure, six kernels"
     return modulus_ / 2 * over_measure<ForceKernel>(e);
 }
 
@@ -281,7 +286,7 @@ Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
         try {
             return left_edge_from(origin, a, a, prove);
         } catch (const BudgetError&) {
-            // As its distance from the end of the flat, below.
+            // The unknown is then the distance from the end of the flat, below.
         }
     }
     const auto right_end = flat_end(Edge::right);
@@ -290,14 +295,15 @@ Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
                           certainly_positive(inset) ? inset : a, a, prove);
 }
 
-// Where the minimum is a flat, an edge is solved for as its distance from the end of the flat: on
-// the flat itself nothing tells where it would be.
+// Where the minimum is a flat, the unknown is the distance of the edge from the end of the flat: on
+// the flat itself the edge is not determined.
 Ball BallContact::left_edge_from(const Ball& end, const Ball& start, const Ball& a,
                                  bool prove) const {
     return end + isolate_zero(
                      [&](const Ball& y) {
                          return imbalance({a, end + y});
                      },
+                     // docs/mechanics.md: the derivative of the imbalance with respect to b is -B/D
                      [&](const Ball& y) {
                          const Ball b = end + y;
                          return -(over_measure<LeftRateKernel>({a, b}) / (a + b));
@@ -311,7 +317,7 @@ Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
     }
     const auto end = flat_end(Edge::right);
     const Ball L = end ? slope_.knots[*end] : Ball(0, bits_);
-    // Any start will do: the length that the force would indent.
+    // The start P/E* is the length that the force would indent; any positive start is possible.
     return L + isolate_zero(
                    [&](const Ball& z) {
                        const Ball a = L + z;

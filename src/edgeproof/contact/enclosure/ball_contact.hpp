@@ -18,23 +18,25 @@
 
 namespace edgeproof::contact {
 
-/// A normal contact in ball arithmetic: every value is an enclosure, proved. For profiles with a
-/// closed form: g' piecewise linear (logarithms), or a power law (power_law_integral.hpp). The
-/// formulas are those of contact/law/: eqn:SIEPressure integrated exactly; the arithmetic is Arb's.
+/// A normal contact in ball arithmetic (Arb, `johansson2017`): every value is a proved enclosure.
+/// For profiles with a closed form: g' piecewise linear (logarithms), or a power law
+/// (power_law_integral.hpp). The formulas are those of contact/law/. Lengths in one unit, pressures
+/// in the unit of contact_modulus, forces per unit length.
 ///
-/// The edges are enclosed by the interval form of Newton's method, which proves that the edge
-/// inside the ball exists and is the only one. Radii grow with the condition of the problem;
-/// callers ask for more bits (escalate.hpp) until they are narrow enough.
+/// The edges are enclosed by the interval form of Newton's method (`moore-kearfott-cloud2009`),
+/// which proves that there is exactly one edge in the ball. Radii grow with the condition of the
+/// problem; callers increase the bits (escalate.hpp) until the radii are small enough.
 class BallContact : public ProvedPressure {
 public:
-    /// Throws DomainError for a profile without a closed form, or when `bits` are too few to
-    /// separate the edges from the knots (ask for more).
+    /// Throws DomainError for a profile without a closed form, and BudgetError if `bits` are too
+    /// few to isolate the edges.
     BallContact(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
                 long bits);
-    /// Where both edges are known (exact_edges.hpp), so that nothing is solved for.
+    /// The contact of two known edges (exact_edges.hpp); nothing is solved for.
     BallContact(const Profile& profile, const formula::Exact& contact_modulus,
                 const ExactEdges& edges, long bits);
-    /// Of a tilted wedge or punch whose tilt is known by a ball; `near` is one of a tilt in it.
+    /// The contact of a tilted wedge or punch whose tilt lies in the ball `alpha`; `near` is the
+    /// profile of a tilt in or near it.
     BallContact(const Profile& near, const Ball& alpha, const formula::Exact& contact_modulus,
                 const Load& load, long bits);
 
@@ -42,70 +44,73 @@ public:
 
     [[nodiscard]] bool piecewise_linear() const { return !power_; }
     [[nodiscard]] const Ball& modulus() const { return modulus_; }
-    /// Where the minimum, which may be a flat, ends on that side: its distance from the origin.
+    /// The distance from the origin at which the minimum, which may be a flat, ends on that side.
     [[nodiscard]] Ball minimum_end(Edge edge) const;
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
-    /// The distance of an edge from the origin, where it is given, or proved by exact algebra
+    /// The distance of an edge from the origin, if it is given, or proved by exact algebra
     /// (exact_edges.hpp).
     [[nodiscard]] const std::optional<formula::Exact>& known(Edge edge) const {
         return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
     }
-    /// Whether an edge that is not known so may lie on a knot, as far as the bits tell.
+    /// True if an edge that is not known exactly may lie on a knot at this number of bits.
     [[nodiscard]] bool edge_may_be_on_knot() const;
+    /// The normal force P per unit length.
     [[nodiscard]] Ball force() const;
+    /// The moment of p about the origin (moore-hills EQ22).
     [[nodiscard]] Ball moment() const;
     [[nodiscard]] Ball force_rate() const; ///< dP/da
-    /// P(a), P'(a), P''(a), ..., `count` of them, along the family of contacts that share the
-    /// profile; not finite where an edge may be on a knot.
+    /// P(a), P'(a), P''(a), ... (`count` values) along the family of contacts of this profile; not
+    /// finite if an edge may lie on a knot.
     [[nodiscard]] std::vector<Ball> force_derivatives(std::size_t count) const;
     /// b(a), b'(a), b''(a), ...
     [[nodiscard]] std::vector<Ball> left_edge_derivatives(std::size_t count) const;
-    /// P'(a + z) along the family of contacts, for every right edge of the ball a.
+    /// P'(a + z) along the family of contacts, for every right edge in the ball a.
     [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
-    /// p at the distance u from an edge. Not finite when the ball of x meets a corner.
+    /// p at the distance u from an edge. Not finite if the ball of x contains a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
-    /// Where the edge is given as well, the distances from the knots are exact.
+    /// If the edge is known exactly as well, the distances from the knots are exact.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
-    /// A ball whose lower end no pressure over u is below, finite where the ball of x meets a
-    /// corner.
+    /// A ball whose lower end is a lower bound of the pressure over u; finite also if the ball of x
+    /// contains a corner.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
-    /// p(u + z) in powers of z: coefficients that hold for every u of a ball, so that the last one
-    /// bounds Taylor's remainder over it. Not finite when the ball of x meets a knot.
+    /// p(u + z) in powers of z. The coefficients hold for every u of the ball, so that the last one
+    /// bounds Taylor's remainder over it. Not finite if the ball of x contains a knot.
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
-    /// The distances of the corners, where p is infinite.
+    /// The distances of the corners from the edge. There p is infinite.
     [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
-    /// p/sqrt(u) has a power series at least up to this distance from the edge: to the next knot,
-    /// or (a power law) to where its majorant still converges.
+    /// A distance from the edge up to which p/sqrt(u) has a power series: the distance of the next
+    /// knot, or, for a power law, a distance at which its majorant still converges.
     [[nodiscard]] Ball reach(Edge edge) const override;
-    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach.
+    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach (docs/extents.md).
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, given
-    /// so or proved, is expanded from inside the contact. One that may lie on a knot, as far as the
-    /// bits tell, has no enclosed expansion: the coefficients are not finite.
+    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, as given
+    /// or as proved, is expanded from inside the contact. If an edge may lie on a knot at this
+    /// number of bits, the coefficients are not finite.
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-    /// What the logarithms of a piecewise linear slope are made of (logarithmic_pressure.hpp): the
-    /// marks of its knots; whether one is inside and g' does not go on by one formula there; the
-    /// integral of g'' over the angle. p is `pressure_factor` times them, for a power law P'(a)/pi.
+    /// The parts of the pressure of a piecewise linear slope (logarithmic_pressure.hpp): the slope;
+    /// the marks of its knots; whether a knot is inside and the formula of g' changes there; the
+    /// integral of g'' over the angle; the factor E*/(2 pi) of the sum, or P'(a)/pi for a power
+    /// law.
     [[nodiscard]] const LinearSlope<Ball>& slope() const { return slope_; }
     [[nodiscard]] const std::vector<Mark<Ball>>& knot_marks() const { return fixed_.marks; }
     [[nodiscard]] bool bends_inside(std::size_t knot) const { return fixed_.bends[knot]; }
     [[nodiscard]] const Ball& arc() const { return fixed_.arc; }
     [[nodiscard]] const Ball& pressure_factor() const { return fixed_.factor; }
-    /// The same contact seen in a mirror, edges and all.
+    /// The mirror image of the contact, with its edges.
     [[nodiscard]] BallContact mirrored() const;
-    /// The contact of the same profile whose right edge is a number in the ball. Throws BudgetError
-    /// where the bits, or the ball, do not isolate the left edge.
+    /// The contact of the same profile whose right edge lies in the ball. Throws BudgetError if the
+    /// bits, or the ball, do not isolate the left edge.
     [[nodiscard]] BallContact with_right_edge(const Ball& a) const;
 
-    /// The zone -b < x < a of the same profile, whatever it takes to make it a contact (a tilt):
-    /// its pressures are those of eqn:SIEPressure, to which a tilt adds nothing. Of a power law,
-    /// symmetric zones only.
+    /// The zone -b < x < a of the same profile, with the tilt that makes it a contact: a tilt does
+    /// not change the formula of the pressure (docs/partial-slip.md, "The corrective contact"). For
+    /// a power law only symmetric zones are allowed.
     [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
-    /// Of that zone, piecewise linear: the force; E*/2 times the kernel A, or B, of
-    /// docs/mechanics.md; the mean of g' over the zone, weighted by 1/(pi w).
+    /// For such a zone of a piecewise linear slope: the force; E*/2 times the kernel integral A or
+    /// B of docs/mechanics.md; the mean of g' over the zone with the weight 1/(pi w).
     [[nodiscard]] Ball zone_force() const { return force_of({a_, b_}); }
     [[nodiscard]] Ball zone_rate(Edge edge) const { return force_rate_of({a_, b_}, edge); }
     [[nodiscard]] Ball zone_mean_slope() const;
@@ -122,30 +127,30 @@ private:
     [[nodiscard]] std::vector<Mark<BallSeries>> marks(const Extent<BallSeries>& e) const;
     [[nodiscard]] Ball constant(const formula::Expr& e) const;
     void find_knots_on_edges();
-    /// What the pressure has of the contact and not of the point.
+    /// The parts of the pressure that do not depend on the point.
     struct Fixed {
-        std::vector<Mark<Ball>> marks; ///< of the knots
-        std::vector<bool> bends;       ///< whether a knot inside has a part in the pressure
+        std::vector<Mark<Ball>> marks; ///< the marks of the knots
+        std::vector<bool> bends;       ///< true for knots inside where the formula of g' changes
         std::vector<Ball> insets;      ///< a - knot
         std::vector<Ball> outsets;     ///< b + knot
-        /// The same two where they are exactly known.
+        /// The insets and outsets that are known exactly.
         std::vector<std::optional<Rational>> exact_insets;
         std::vector<std::optional<Rational>> exact_outsets;
         Ball length;
         Ball arc;    ///< the integral of g'' over the angle h
-        Ball factor; ///< E*/(2 pi); of a power law P'(a)/pi
+        Ball factor; ///< E*/(2 pi); for a power law P'(a)/pi
     };
     void fix();
     struct Place;
     [[nodiscard]] Place place(Edge edge, const Ball& u) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
-    /// False at a knot where g' goes on by one formula (the origin of a parabola).
+    /// False at a knot where the formula of g' does not change (the origin of a parabola).
     [[nodiscard]] bool bends(std::size_t knot) const;
-    /// Of the knots.
+    /// The marks of the knots.
     [[nodiscard]] std::vector<Mark<Ball>> marks(const Extent<Ball>& e) const;
-    /// `prove`: else the zero is the middle of a ball, about right.
+    /// Without `prove` the zero is the approximate place that the search found.
     [[nodiscard]] Ball solve_left_edge(const Ball& a, bool prove = true) const;
-    /// The left edge to a given right one, solved for as its distance from `end`.
+    /// The left edge for a given right one; the unknown is its distance from `end`.
     [[nodiscard]] Ball left_edge_from(const Ball& end, const Ball& start, const Ball& a,
                                       bool prove) const;
     [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P, bool prove = true) const;
@@ -157,8 +162,8 @@ private:
     Profile profile_;
     long bits_;
     Ball modulus_;
-    LinearSlope<Ball> slope_; ///< of a power law the knot alone
-    /// Knots that are known to lie on an edge exactly, which no ball tells.
+    LinearSlope<Ball> slope_; ///< for a power law only its knot
+    /// The edge on which a knot lies exactly, if this is known; balls cannot decide it.
     std::vector<std::optional<Edge>> on_edge_;
     std::optional<formula::Exact> known_a_;
     std::optional<formula::Exact> known_b_;
@@ -169,18 +174,20 @@ private:
     Fixed fixed_;
 };
 
-/// Of a constant; false where it is not told from zero.
+/// True if a constant is proved to be zero.
 [[nodiscard]] bool certainly_zero(const formula::Expr& e);
 
-/// c_0 ... c_{terms-1} to `digits` correct digits each (a coefficient that vanishes: to that many
-/// digits of its natural size |c_0|/length^k). Throws BudgetError as below.
+/// c_0 ... c_{terms-1} to `digits` correct digits each. A coefficient that vanishes is correct to
+/// that many digits of its natural size |c_0|/length^k. Throws BudgetError as enclosed_pressure
+/// does.
 [[nodiscard]] std::vector<Ball> enclosed_expansion(const Profile& profile,
                                                    const formula::Exact& contact_modulus,
                                                    const Load& load, Edge edge, std::size_t terms,
                                                    unsigned digits);
 
-/// The pressure to `digits` correct digits: precision doubles until the enclosure's relative
-/// radius is below 10^-(digits + 2). Throws BudgetError when the budget of bits does not suffice.
+/// The pressure to `digits` correct digits: the precision doubles until the relative radius of the
+/// enclosure is below 10^-(digits + 2). `u` is the distance from the edge (length); the pressure is
+/// in the unit of contact_modulus. Throws BudgetError if the budget of bits is not enough.
 [[nodiscard]] Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,
                                      const Load& load, Edge edge, const formula::Exact& u,
                                      unsigned digits);

@@ -10,7 +10,7 @@
 
 namespace edgeproof::contact {
 
-/// Of the knots as the edges move.
+/// The marks of the knots for edges that are series.
 std::vector<Mark<BallSeries>> BallContact::marks(const Extent<BallSeries>& e) const {
     std::vector<Mark<BallSeries>> list;
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
@@ -29,8 +29,9 @@ BallSeries BallContact::left_edge_series(std::size_t order) const {
     if (profile_.symmetric()) {
         return a;
     }
-    // Exact in what a step doubles: where the true b agrees with the balls to k terms, the step's
-    // balls hold it to 2k. The constant term is the edge already isolated.
+    // Newton's step is exact in the terms that it doubles: if the balls contain the true b to k
+    // terms, the balls after the step contain it to 2k terms. The constant term is the edge that
+    // was isolated before.
     return left_edge_by_newton(
         a, b_, [&](const Extent<BallSeries>& e) { return linear_imbalance(slope_, e, marks(e)); },
         [&](const Extent<BallSeries>& e) {
@@ -42,6 +43,7 @@ std::vector<Ball> BallContact::left_edge_derivatives(std::size_t count) const {
     const BallSeries b = left_edge_series(count);
     std::vector<Ball> all;
     Ball factorial(1, bits_);
+    // b^(k)(a) is k! times the coefficient of z^k.
     for (std::size_t k = 0; k < count; ++k) {
         factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
         all.push_back(b[k] * factorial);
@@ -79,6 +81,7 @@ std::vector<Ball> BallContact::right_expansion(std::size_t terms) const {
         }
         return series::Series<Ball>(std::move(c));
     };
+    // docs/expansions.md, "The right edge"
     const LawSeries<Ball> law{series(total_rate_series(terms)), series(left_edge_series(terms))};
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ + b_));
 }
@@ -104,7 +107,7 @@ std::vector<Ball> enclosed_expansion(const Profile& profile, const formula::Exac
             bool enough = true;
             for (const Ball& coefficient : c) {
                 const bool relative = coefficient.relative_accuracy_bits() >= wanted;
-                // A coefficient that vanishes is known by its size beside its neighbours'.
+                // A coefficient that vanishes is compared with the natural size of its neighbours.
                 const Ball small =
                     natural /
                     Ball(Rational(Integer(Integer(1) << static_cast<unsigned>(wanted))), bits);

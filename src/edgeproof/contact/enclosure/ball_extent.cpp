@@ -15,8 +15,8 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long scan_bits = 192;
-constexpr long narrowest = 40; ///< bits to which the scan tells places apart
-constexpr long kept_bits = 48; ///< of the working ones, lost on the way to a place
+constexpr long narrowest = 40; ///< intervals are halved to 2^-40 of their distance from the edge
+constexpr long kept_bits = 48; ///< bits that are lost on the way to a crossing
 
 Rational power_of_two(long k) {
     const Integer p = Integer(1) << static_cast<unsigned>(k < 0 ? -k : k);
@@ -25,14 +25,15 @@ Rational power_of_two(long k) {
 
 } // namespace
 
-/// An interval that is told: all on one side, a root of f = level (f monotone), or not told. Not of
-/// the anonymous namespace: the search, which has some, is not either.
+/// An interval with a decision: all on one side, a root of f = level (f monotone), or undecided. It
+/// is not in the anonymous namespace because BallExtentSearch::Search, which has such members, is
+/// not.
 struct ToldPiece {
     Rational lo;
     Rational hi;
     Side from;
     Side to;
-    std::optional<int> root; ///< +1: of f = tolerance, -1: of f = -tolerance
+    std::optional<int> root; ///< +1: a root of f = tolerance, -1: of f = -tolerance
 };
 
 class BallExtentSearch::Search {
@@ -70,13 +71,13 @@ private:
     std::size_t n_;
     formula::Exact tolerance_;
     ExtentRange range_;
-    int most_doublings_ = 5;        ///< of the bits of the scan
-    std::vector<ToldPiece> pieces_; ///< of the scan; adjacent ones that are not told are one
+    int most_doublings_ = 5;        ///< of the bits of the scan, before it gives up
+    std::vector<ToldPiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
 };
 
 namespace {
 
-/// Pieces that are not told and lie beside each other become one.
+/// Joins undecided pieces that are adjacent.
 void merge_unknown(std::vector<ToldPiece>& pieces) {
     std::vector<ToldPiece> merged;
     for (ToldPiece& piece : pieces) {
@@ -146,7 +147,7 @@ bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Ratio
         pieces.push_back({lo, hi, from, to, outside == Side::above ? 1 : -1});
         return true;
     }
-    // Both levels are crossed: they are told apart by halving.
+    // Both levels are crossed: halving separates them.
     return false;
 }
 
@@ -170,8 +171,8 @@ void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, 
     tell(f, m, hi, finest, pieces);
 }
 
-/// Where f meets a level, f being monotone from lo to hi: found by Newton, which proves nothing,
-/// then held between two places where the signs differ.
+/// The place where f is equal to a level, f being monotone from lo to hi. Newton's method finds it
+/// and proves nothing; then two places with opposite signs enclose it (docs/extents.md).
 Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& piece) {
     const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
     const bool rises = piece.from < piece.to;
@@ -224,7 +225,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         scan();
     }
     const RelativeError f = error(bits);
-    // What the scan did not tell is looked at again, as far as these bits go.
+    // The pieces that the scan did not decide are examined again at this number of bits.
     std::vector<ToldPiece> pieces;
     for (const ToldPiece& piece : pieces_) {
         if (piece.from == Side::unknown) {
@@ -267,12 +268,13 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
             place = Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
             const bool corner = same && f.corner_between(piece.lo, piece.hi);
             if (corner && within) {
-                // Out and in again, on the two sides of the corner.
+                // The error leaves the tolerance and returns on the other side of the corner.
                 found.crossings.push_back(place);
                 leave(place);
                 within = false;
             } else if (corner && pieces[i - 1].to == Side::above) {
-                // From above to f = -1 and back: in and out on either side.
+                // f passes from above the tolerance to -1 and back: it enters and leaves on either
+                // side of the corner.
                 found.crossings.insert(found.crossings.end(), 3, place);
                 found.measure += place - place;
                 entered = place;

@@ -9,39 +9,45 @@
 
 namespace edgeproof::contact {
 
-/// Where n terms are within a tolerance of the pressure (extent.hpp), proved: every u of the range
-/// is shown to be on one side of the tolerance, or lies in a crossing.
+/// Where the sum of n terms is within a tolerance of the pressure (extent.hpp), proved: every u of
+/// the range is shown to be on one side of the tolerance, or lies in the ball of a crossing. All
+/// balls are lengths.
 struct EnclosedExtents {
-    Ball first_exit; ///< no u of the range before it reaches the tolerance; the range's end if none
-    Ball measure;
-    std::vector<Ball> crossings; ///< in order; beside a corner a crossing may stand for 1, 3, ...
+    /// The least u of the range at which the tolerance is reached; the range's end if there is
+    /// none.
+    Ball first_exit;
+    Ball measure;                ///< the total length within the tolerance
+    std::vector<Ball> crossings; ///< ascending; near a corner an entry may contain 1, 3, ...
     bool leaves = true;
-    bool starts_within = true; ///< within the tolerance where the range begins
-    /// Whether each crossing's ball holds exactly one root, the error being monotone there.
+    bool starts_within = true; ///< true if the range begins within the tolerance
+    /// For each crossing, true if its ball holds exactly one root; the error is then monotone
+    /// there.
     std::vector<bool> single;
     Ball length; ///< a + b
 };
 
-/// The search. Next to the edge the omitted terms are bounded by a majorant of the expansion; from
-/// there on p and its Taylor remainder are enclosed over intervals, halved until f = p_local/p - 1
-/// is certainly within the tolerance, certainly beyond it, or certainly monotone, when the signs at
-/// the interval's ends tell how often the tolerance is crossed.
+/// The search of docs/extents.md. Next to the edge the omitted terms are bounded by a majorant of
+/// the expansion. In the rest of the range p and its Taylor remainder are enclosed over intervals.
+/// These are halved until f = p_local/p - 1 is certainly within the tolerance, certainly beyond it,
+/// or certainly monotone. In the last case the signs at the ends give the number of crossings.
 class BallExtentSearch {
 public:
-    /// A contact at a number of bits; throws BudgetError where they are too few.
+    /// Returns a contact at a number of bits; throws BudgetError if they are too few.
     using Contact = std::function<const ProvedPressure&(long bits)>;
 
-    /// Throws InputError as within_tolerance does. `contact` outlives the object.
+    /// Throws InputError as within_tolerance does. `contact` must outlive the object.
     BallExtentSearch(Contact contact, Edge edge, std::size_t n, const formula::Exact& tolerance,
                      ExtentRange range);
     ~BallExtentSearch();
     BallExtentSearch(const BallExtentSearch&) = delete;
     BallExtentSearch& operator=(const BallExtentSearch&) = delete;
 
-    /// Throws BudgetError, saying why, where so many bits, or `most_evaluations`, do not decide: an
-    /// error that touches the tolerance, or a crossing on an end of the range.
+    /// Throws a BudgetError with the reason if these bits, or `most_evaluations`, are not enough
+    /// for a decision. This happens where an error touches the tolerance, or a crossing lies on an
+    /// end of the range.
     [[nodiscard]] EnclosedExtents at(long bits);
-    /// Of f over intervals and at points, so far, each times its cost (proved_pressure.hpp).
+    /// The number of evaluations of f over intervals and at points so far, each times its cost
+    /// (proved_pressure.hpp).
     [[nodiscard]] std::size_t evaluations() const;
 
     static constexpr std::size_t most_evaluations = 60'000;

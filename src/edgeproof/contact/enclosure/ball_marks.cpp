@@ -40,6 +40,7 @@ BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_
     }
     const Ball gap = D * abs(offset);
     const int side = certainly_positive(offset) ? 1 : certainly_negative(offset) ? -1 : 0;
+    // docs/pressure.md, "Closed form: piecewise linear slopes"
     const Ball beyond = green_excess(v, right_x, left_x, w_x, side);
     g.value = log1p(beyond / gap);
     if (!contains_zero(offset)) {
@@ -48,7 +49,7 @@ BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_
         return g;
     }
     g.least = log1p(clamped(beyond) / Ball(gap.upper(), offset.bits()));
-    // |t ln(C/t)| grows with t up to C/e: over |offset| <= t it is at most t ln(C/t).
+    // |t ln(C/t)| grows with t up to t = C/e: for |offset| <= t the moment is at most t ln(C/t).
     const Ball sum = Field<Ball>::root(v.right * left_x) + Field<Ball>::root(right_x * v.left);
     const Ball C(Ball(sum * sum / D).upper(), offset.bits());
     const Ball t(abs(offset).upper(), offset.bits());

@@ -5,23 +5,26 @@
 
 namespace edgeproof::contact {
 
-/// The mark of v, clamped to the contact: distances from the edges that may be negative count as
-/// 0 ... their upper end, so that a ball of b that straddles a knot needs no case of its own.
+/// The mark of v, limited to the contact: a distance from an edge that may be negative is replaced
+/// by the interval from 0 to its upper end, so that a ball of b that contains a knot needs no
+/// special case.
 [[nodiscard]] Mark<Ball> clamped_mark(const Extent<Ball>& e, const Ball& v);
 
-/// max(x, 0), as a ball.
+/// max(x, 0) as a ball.
 [[nodiscard]] Ball clamped(const Ball& x);
 
-/// G(x, v) = ln((sqrt p + sqrt q)^2/(D |v - x|)), p = right_v left_x, q = right_x left_v, and
-/// (v - x) G, which is enclosed also where the ball of v - x holds zero, and is 0 where it is zero.
+/// G(x, v) = ln((sqrt p + sqrt q)^2/(D |v - x|)), p = right_v left_x, q = right_x left_v
+/// (docs/pressure.md, "Closed form: piecewise linear slopes"), and (v - x) G. The latter is also
+/// enclosed if the ball of v - x contains zero, and is 0 if v = x. `right_x`, `left_x`: distances
+/// of x from the edges; D = a + b; `offset` = v - x; all are lengths.
 struct BallGreen {
     Ball value;
     Ball moment;
-    Ball least; ///< below G everywhere in the balls, and finite where the value is not
+    Ball least; ///< a lower bound of G over the balls, finite even if the value is not
 };
 [[nodiscard]] BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_x,
                                    const Ball& D, const Ball& offset);
-/// The same where w_x = sqrt(right_x left_x) is known: no root is left to take.
+/// The same with a known w_x = sqrt(right_x left_x), which saves a square root.
 [[nodiscard]] BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_x,
                                    const Ball& w_x, const Ball& D, const Ball& offset);
 

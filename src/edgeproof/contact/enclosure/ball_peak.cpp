@@ -19,7 +19,7 @@ constexpr std::size_t most_peak_evaluations = 20'000;
 struct PeakPiece {
     Rational lo;
     Rational hi;
-    std::optional<Real> most; ///< no pressure over it is greater, where that is known
+    std::optional<Real> most; ///< an upper bound of the pressure over the piece, if one is known
 };
 
 class PeakSearch {
@@ -27,7 +27,7 @@ public:
     PeakSearch(const ProvedPressure& contact, bool symmetric)
         : contact_(contact), symmetric_(symmetric), bits_(contact.bits()) {
         const Ball length = contact.a() + contact.b();
-        // Beyond the middle of a symmetric contact there is nothing new.
+        // The second half of a symmetric contact is the mirror image of the first.
         end_ = exact_value((symmetric ? Ball(length / 2) : length).upper());
     }
 
@@ -76,7 +76,7 @@ private:
         check_interruption();
         spent_ += contact_.cost();
     }
-    /// A pressure that there is.
+    /// Updates the greatest lower bound by the enclosure of a pressure at a point.
     void take(const Ball& p) {
         if (p.is_finite() && (!best_ || p.lower() > *best_)) {
             best_ = p.lower();
@@ -90,7 +90,7 @@ private:
         take(at_middle);
         const BallSeries p = contact_.pressure_series(Edge::right, u, 2);
         if (p[1].is_finite() && (certainly_positive(p[1]) || certainly_negative(p[1]))) {
-            return; // the greatest one is at an end, and so in the piece beside it
+            return; // monotone: its maximum is at an end, and so also in the adjacent piece
         }
         std::optional<Real> most;
         const auto at_most = [&](const Ball& bound) {
@@ -107,7 +107,7 @@ private:
             return best_ && piece.most && *piece.most < *best_;
         });
     }
-    /// By Newton, where p is concave over all that is left.
+    /// The greatest pressure by Newton's method, if p is concave over all remaining pieces.
     [[nodiscard]] std::optional<Ball> isolated(const std::vector<PeakPiece>& pieces) {
         if (pieces.empty()) {
             return {};
@@ -116,7 +116,7 @@ private:
         const Ball left = over(pieces.front().lo, pieces.back().hi);
         const bool to_the_middle = symmetric_ && pieces.back().hi == end_;
         const Ball centre = Ball(contact_.a() + contact_.b()) / 2;
-        // Over the middle p is concave on both sides alike, and p' = 0 there.
+        // A symmetric interval about the middle: if p is concave there, p' = 0 in the middle.
         Ball place = to_the_middle ? Ball::hull(left, centre * 2 - left) : left;
         Ball bend = curvature(place);
         if (!bend.is_finite() || !certainly_negative(bend)) {
@@ -127,6 +127,7 @@ private:
         }
         for (int step = 0; step < 100; ++step) {
             count();
+            // The interval form of Newton's method (`moore-kearfott-cloud2009`).
             const Ball m(place.midpoint(), bits_);
             const Ball next = m - contact_.pressure_series(Edge::right, m, 2)[1] / bend;
             if (!next.is_finite() || !overlaps(next, place)) {
@@ -139,16 +140,16 @@ private:
             bend = curvature(place);
         }
         if (place.relative_accuracy_bits() < bits_ / 2) {
-            return {}; // halving does more
+            return {}; // halving makes more progress
         }
         const Ball m(place.midpoint(), bits_);
         const BallSeries p = contact_.pressure_series(Edge::right, m, 2);
         const Ball off = place - m;
-        // p(m) + p'(m) z + p'' z^2/2, p'' anywhere between.
+        // Taylor: p(m) + p'(m) z + p'' z^2/2, with p'' enclosed over the whole interval.
         const Ball peak = p[0] + p[1] * off + bend / 2 * off * off;
         return peak.is_finite() ? std::optional(peak) : std::nullopt;
     }
-    /// p'' over u.
+    /// The enclosure of p'' over u.
     [[nodiscard]] Ball curvature(const Ball& u) const {
         return contact_.pressure_series(Edge::right, u, 3)[2] * 2;
     }
@@ -157,7 +158,7 @@ private:
     bool symmetric_;
     long bits_;
     Rational end_;
-    std::optional<Real> best_; ///< a pressure that is reached
+    std::optional<Real> best_; ///< a lower bound of the greatest pressure
     std::size_t spent_ = 0;
 };
 

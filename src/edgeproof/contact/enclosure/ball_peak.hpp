@@ -4,15 +4,16 @@
 
 namespace edgeproof::contact {
 
-/// The greatest pressure of a contact, enclosed: the pressure is bounded over intervals of the
-/// contact, which are halved and left out where they cannot hold the greatest one, since it is
-/// certainly less than at another place, or certainly monotone. Where p is certainly concave over
-/// what is left, the interval form of Newton's method narrows the one place where p' = 0. Where
-/// that is not so (two places as high as each other), what the intervals tell remains, an enclosure
-/// that is wider than the bits allow.
+/// Returns an enclosure of the greatest pressure of a contact (docs/pressure.md, "The greatest
+/// pressure"), in the unit of the contact modulus. The pressure is bounded over intervals of the
+/// contact. They are halved, and dropped where the pressure is certainly less than at another
+/// place, or certainly monotone. Where p is certainly concave over all remaining intervals, the
+/// interval form of Newton's method encloses the one place where p' = 0. Otherwise (for example two
+/// equal maxima) the bounds of the remaining intervals are the result, an enclosure that is wider
+/// than the bits allow.
 ///
-/// `symmetric`: p is even about the middle of the contact. The pressure has no corner inside.
-/// Throws BudgetError where nothing is told.
+/// `symmetric`: p is even about the middle of the contact. The pressure must have no corner inside.
+/// Throws BudgetError if the pressure is not bounded over some interval.
 [[nodiscard]] Ball enclosed_peak(const ProvedPressure& contact, bool symmetric);
 
 } // namespace edgeproof::contact

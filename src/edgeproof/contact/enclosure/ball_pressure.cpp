@@ -7,7 +7,7 @@
 
 namespace edgeproof::contact {
 
-/// x = a - u or u - b by its distances from both edges, and v - x for each knot v.
+/// The point x by its distances from both edges, and v - x for each knot v.
 struct BallContact::Place {
     Ball right;
     Ball left;
@@ -36,10 +36,11 @@ void BallContact::fix() {
         fixed_.exact_outsets.push_back(std::move(outset));
     }
     if (power_) {
-        // p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
+        // p = (P'(a)/pi) I_m(|x|/a): moore-hills EQ03 with s/a for s.
         fixed_.factor = power_->force_rate(a_) / Ball::pi(bits_);
         return;
     }
+    // docs/pressure.md, "Closed form: piecewise linear slopes"
     fixed_.factor = modulus_ / (Ball::pi(bits_) * 2);
     fixed_.marks = marks(Extent<Ball>{a_, b_});
     fixed_.arc = arc_of(slope_, Extent<Ball>{a_, b_}, fixed_.marks);
@@ -53,7 +54,7 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
     if (certainly_negative(u) || certainly_negative(other)) {
         throw DomainError("a point lies outside the contact");
     }
-    // A ball that reaches beyond an edge stands for its part inside.
+    // Only the part of a ball inside the contact counts.
     Place at{
         clamped(edge == Edge::right ? u : other), clamped(edge == Edge::right ? other : u), {}};
     at.offsets.reserve(slope_.knots.size());
@@ -66,7 +67,8 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
 Ball BallContact::pressure(Edge edge, const formula::Exact& u) const {
     Place at = place(edge, constant(u.expr()));
     if (const auto& distance_of_edge = known(edge)) {
-        // x is known exactly: so is whether it is on a knot, and how far from it.
+        // x is known exactly: exact algebra decides whether it lies on a knot, and gives its
+        // distance from the knot.
         const Rational* distance = u.expr().rational();
         for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
             if (at.offsets[i].relative_accuracy_bits() >= bits_ - 8) {
@@ -125,7 +127,7 @@ Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_mod
             try {
                 return BallContact(profile, contact_modulus, load, bits).pressure(edge, u);
             } catch (const BudgetError&) {
-                // Too few bits to isolate an edge: everything is possible yet.
+                // Too few bits to isolate an edge: the pressure is unknown.
                 Ball unknown(1, bits);
                 arb_indeterminate(unknown.data());
                 return unknown;

@@ -42,7 +42,7 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
         }
         const Ball q = abs(x) / a_;
         const Ball y = u * other[0] / (a_ * a_);
-        // q I' = m I - 1/sqrt(1 - q^2), term by term.
+        // q I' = m I - 1/sqrt(1 - q^2) (docs/pressure.md, "Closed form: power laws"), term by term.
         const BallSeries at = BallSeries::variable(q, order);
         BallSeries s = -(at * at) + Ball(1, bits_);
         s.set(0, y);
@@ -80,7 +80,8 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
                 on_knot = true;
                 return Green{zero, zero};
             }
-            // dG/du = w(v)/(w(x) (distance of v - u)).
+            // dG/du = w(v)/(w(x) (distance of v - u)) (docs/pressure.md, "Closed form: piecewise
+            // linear slopes").
             const Mark<Ball>& v = fixed_.marks[i];
             const BallSeries rate = BallSeries(v.w, order) / (w_x * (right ? -offset : offset));
             BallSeries G = integral(rate, ball_green(v, right_x, left_x, D, offset[0]).value);
@@ -103,6 +104,7 @@ std::vector<Ball> BallContact::corners(Edge edge) const {
 Ball BallContact::reach(Edge edge) const {
     Ball least = a_ + b_;
     if (power_) {
+        // docs/extents.md: the majorant of a power law holds for rho < a/(m + 4)
         return a_ / (power_->exponent + 4);
     }
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
@@ -115,20 +117,21 @@ Ball BallContact::reach(Edge edge) const {
 }
 
 Ball BallContact::majorant(Edge edge, const Ball& rho) const {
-    // Each coefficient is at most that of the majorant in size, so that c_k rho^k <= M.
+    // docs/extents.md: the size of each coefficient is at most that of the majorant, so that |c_k|
+    // rho^k <= M.
     const Ball D = a_ + b_;
     const Ball pi = Ball::pi(bits_);
     if (power_) {
-        // p/sqrt(u) = (P'/(pi a)) sqrt(2a - u) 2F1(1, (1 - m)/2; 3/2; y): 2 sqrt(2a), and
-        // (1 - Y)^(-|1 - m|/2) with Y = 2 rho/a + (rho/a)^2 for y.
+        // p/sqrt(u) = (P'/(pi a)) sqrt(2a - u) 2F1(1, (1 - m)/2; 3/2; y) is bounded with 2 sqrt(2a)
+        // for the root and (1 - Y)^(-|1 - m|/2) for 2F1, Y = 2 rho/a + (rho/a)^2.
         const Ball eta = rho / a_;
         const Ball rate = power_->force_rate(a_);
         return rate / (pi * a_) * sqrt(a_ * 2) * 2 *
                pow(1 - eta * 2 - eta * eta, -(abs(1 - power_->exponent) / 2));
     }
-    // With z = u (D - u_v)/((D - u) u_v): G = 2 artanh sqrt(z) = 2 (z^(1/2) + z^(3/2)/3 + ...), and
-    // G/sqrt(u) has no negative coefficient; sqrt(D - u) has |coefficients| that sum to < 2
-    // sqrt(D).
+    // With z = u (D - u_v)/((D - u) u_v), G = 2 artanh sqrt(z) = 2 (z^(1/2) + z^(3/2)/3 + ...), and
+    // G/sqrt(u) has no negative coefficient. The sizes of the coefficients of sqrt(D - u), times
+    // rho^k, sum to less than 2 sqrt(D).
     const bool right = edge == Edge::right;
     const Ball other = D - rho;
     Ball sum(0, bits_);

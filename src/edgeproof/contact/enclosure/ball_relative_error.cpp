@@ -23,7 +23,6 @@ Rational exact_value(const Real& x) {
     return q;
 }
 
-/// A short number in the interval, near its middle.
 Rational middle(const Rational& lo, const Rational& hi) {
     const Ball m(Rational((lo + hi) / 2), 64);
     const Rational near = exact_value(m.midpoint());
@@ -34,7 +33,7 @@ RelativeError::RelativeError(const ProvedPressure& contact, Edge edge, std::size
                              const formula::Exact& tolerance)
     : contact_(contact), edge_(edge), c_(contact.expansion(edge, n)), bits_(contact.bits()),
       tolerance_(enclosed_constant(tolerance, bits_)) {
-    // The remainder must be small beside the tolerance without many halvings.
+    // Enough terms that the remainder is small compared with the tolerance without many halvings.
     const long small = -arf_abs_bound_lt_2exp_si(arb_midref(tolerance_.data()));
     taylor_terms_ = static_cast<std::size_t>(
         std::clamp(fewest_taylor_terms + small / 4, fewest_taylor_terms, most_taylor_terms));
@@ -58,7 +57,6 @@ Ball RelativeError::at(const Rational& u) const {
     const Ball x(u, bits_);
     return local(x) / contact_.pressure(edge_, x) - 1;
 }
-/// f and f' at a point.
 std::pair<Ball, Ball> RelativeError::tangent(const Rational& u) const {
     const BallSeries f = series(Ball(u, bits_), 2);
     return {f[0], f[1]};
@@ -74,6 +72,7 @@ RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) 
         const Ball h = u - Ball(m, bits_);
         Ball f = whole[taylor_terms_];
         Ball rate = f * static_cast<long>(taylor_terms_);
+        // Taylor's polynomial about m with the remainder over u, by Horner's rule.
         for (std::size_t k = taylor_terms_; k-- > 0;) {
             if (k > 0) {
                 rate = rate * h + at[k] * static_cast<long>(k);
@@ -89,7 +88,6 @@ RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) 
     found.side = side_of_whole(u);
     return found;
 }
-/// Within the tolerance from the edge up to here, by the majorant of the expansion.
 bool RelativeError::corner_between(const Rational& lo, const Rational& hi) const {
     const std::vector<Ball> corners = contact_.corners(edge_);
     return certainly_less(tolerance_, Ball(1, bits_)) &&
@@ -105,6 +103,7 @@ Rational RelativeError::safe_distance() const {
     const auto n = static_cast<long>(c_.size());
     Ball u = rho / 2;
     for (int k = 0; k < most_halvings && certainly_positive(u) && M.is_finite(); ++k) {
+        // docs/extents.md, "Next to the edge: a majorant"
         const Ball z = u / rho;
         const Ball tail = M * pow_int(z, n) / (1 - z);
         const Ball least = c_[0] - M * z / (1 - z);
@@ -131,7 +130,6 @@ BallSeries RelativeError::series(const Ball& u, std::size_t order) const {
     }
     return sum * sqrt(at) / contact_.pressure_series(edge_, u, order) + Ball(-1, bits_);
 }
-/// By p over the whole interval, be it infinite (a corner) or zero (the far edge) in it.
 Side RelativeError::side_of_whole(const Ball& u) const {
     const Ball near = local(u);
     const Ball p = contact_.pressure(edge_, u);
@@ -154,7 +152,7 @@ Side RelativeError::side_of_whole(const Ball& u) const {
     if (!least.is_finite() || !certainly_positive(least)) {
         return Side::unknown;
     }
-    // 0 <= |p_local/p| <= |p_local|/least.
+    // |p_local/p| <= |p_local|/least, with the sign of p_local.
     const Ball ratio = near / Ball(least.lower(), bits_);
     return side(Ball::hull(ratio, Ball(0, bits_)) - 1);
 }

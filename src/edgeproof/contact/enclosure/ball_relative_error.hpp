@@ -9,18 +9,19 @@
 
 namespace edgeproof::contact {
 
-/// Where f = p_local/p - 1 lies: below minus the tolerance, ..., or not told.
+/// The side of the tolerance on which f = p_local/p - 1 lies.
 enum class Side { below, within, above, unknown };
 
-/// The number that x is.
+/// The rational number that is equal to x.
 [[nodiscard]] Rational exact_value(const Real& x);
-/// A short number in the interval, near its middle.
+/// A rational number with few digits in the interval, near its middle.
 [[nodiscard]] Rational middle(const Rational& lo, const Rational& hi);
 
-/// f = p_local/p - 1 of n terms at an edge, in balls. Keeps a reference to the contact.
+/// f = p_local/p - 1 for the sum p_local of n terms at an edge, in balls (docs/extents.md). Keeps a
+/// reference to the contact. `u`, `lo` and `hi` are distances from the edge (lengths).
 class RelativeError {
 public:
-    /// Throws BudgetError where the contact's bits do not enclose the expansion.
+    /// Throws BudgetError if the contact does not enclose the expansion.
     RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n,
                   const formula::Exact& tolerance);
 
@@ -28,27 +29,29 @@ public:
     [[nodiscard]] std::size_t cost() const { return contact_.cost(); }
     [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
     [[nodiscard]] Ball length() const { return contact_.a() + contact_.b(); }
+    /// The side on which an enclosure f lies.
     [[nodiscard]] Side side(const Ball& f) const;
     [[nodiscard]] Ball at(const Rational& u) const;
-    /// f and f' at a point.
+    /// f and f' at the distance u from the edge.
     [[nodiscard]] std::pair<Ball, Ball> tangent(const Rational& u) const;
 
     struct Over {
         Side side = Side::unknown;
         bool monotone = false;
     };
-    /// Of every u of an interval.
+    /// The side of f, and whether f is monotone, for all u of an interval.
     [[nodiscard]] Over over(const Rational& lo, const Rational& hi) const;
-    /// A corner certainly lies between, where f = -1, and that is beyond the tolerance.
+    /// True if a corner certainly lies in the interval and f = -1 there is beyond the tolerance.
     [[nodiscard]] bool corner_between(const Rational& lo, const Rational& hi) const;
-    /// Within the tolerance from the edge up to here, by the majorant of the expansion. Throws
-    /// BudgetError where the edge is not told from a knot.
+    /// The distance from the edge up to which f is within the tolerance, by the majorant of the
+    /// expansion. Throws BudgetError if the edge may lie on a knot.
     [[nodiscard]] Rational safe_distance() const;
 
 private:
     [[nodiscard]] Ball local(const Ball& u) const;
     [[nodiscard]] BallSeries series(const Ball& u, std::size_t order) const;
-    /// By p over the whole interval, be it infinite (a corner) or zero (the far edge) in it.
+    /// The side by an enclosure of p over the whole interval, where p may be infinite (a corner) or
+    /// zero (the far edge).
     [[nodiscard]] Side side_of_whole(const Ball& u) const;
 
     const ProvedPressure& contact_;

@@ -22,7 +22,7 @@ std::optional<Rational> simplest_rational(const Ball& x) {
     if (!x.is_finite()) {
         return {};
     }
-    if (contains_zero(x)) { // FLINT gives any whole number there
+    if (contains_zero(x)) { // any integer may be the result of FLINT there
         return Rational(0);
     }
     FmpqValue simplest;
@@ -60,9 +60,8 @@ void ExactContact::read_power_law() {
     }
     const auto n = static_cast<unsigned>(numerator(*m).convert_to<unsigned long>());
     whole_exponent_ = n;
-    // sqrt(pi)/2 Gamma(1 + m/2)/Gamma((3 + m)/2) (moore-hills.tex, line 144): from m = 0, where it
-    // is 1, or m = 1, where it is pi/4, on by steps of 2, each of which multiplies it by
-    // (m + 2)/(m + 3).
+    // sqrt(pi)/2 Gamma(1 + m/2)/Gamma((3 + m)/2) (moore-hills EQ11) is 1 for m = 0 and pi/4 for
+    // m = 1. A step of m by 2 multiplies it by (m + 2)/(m + 3).
     formula::ExactNumber factor =
         n % 2 == 0 ? formula::ExactNumber(1) : formula::ExactNumber::pi() / 4;
     for (unsigned k = n % 2; k < n; k += 2) {
@@ -85,7 +84,7 @@ void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& 
         b_ = a_;
         return;
     } else {
-        // A rational number, or a root of one.
+        // The candidates: a rational number, or the square root of one.
         if (const auto q = simplest_rational(near_a)) {
             guesses.emplace_back(*q);
         }
@@ -149,6 +148,7 @@ formula::ExactNumber ExactContact::force() const {
                    ? power_factor_ * pow(a_, Rational(static_cast<int>(*whole_exponent_) + 1))
                    : formula::ExactNumber::unknown();
     }
+    // moore-hills EQ22, by docs/mechanics.md, "One measure, six kernels"
     return modulus_ / 2 * over_measure<ForceKernel>();
 }
 
@@ -171,9 +171,9 @@ formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumbe
         if (!whole_exponent_ || *whole_exponent_ % 2 == 0) {
             return formula::ExactNumber::unknown(); // a logarithm
         }
-        // p = P'(a)/pi I_m(|x|/a) with I_m(q) = sum over i of C(j, i) q^(2j - 2i) y^(i + 1/2)/
-        // (2i + 1) for m = 2j + 1, y = 1 - q^2: s^2 = q^2 + t^2 in the integral of
-        // s^m/sqrt(s^2 - q^2).
+        // p = P'(a)/pi I_m(|x|/a) (docs/pressure.md, "Closed form: power laws"). With
+        // s^2 = q^2 + t^2 in the integral of s^m/sqrt(s^2 - q^2), m = 2j + 1, y = 1 - q^2:
+        // I_m(q) = sum over i of C(j, i) q^(2j - 2i) y^(i + 1/2)/(2i + 1).
         const unsigned j = *whole_exponent_ / 2;
         const formula::ExactNumber y = u * other / (a_ * a_);
         const formula::ExactNumber square = formula::ExactNumber(1) - y;
@@ -198,6 +198,8 @@ formula::ExactNumber ExactContact::pressure(Edge edge, const formula::ExactNumbe
             return formula::ExactNumber::unknown(); // a logarithm
         }
     }
+    // Without logarithms only the angles remain (docs/pressure.md, "Closed form: piecewise linear
+    // slopes").
     const Extent<formula::ExactNumber> e{a_, b_};
     return modulus_ / (formula::ExactNumber::pi() * 2) * arc_of(slope_, e, marks_) * root;
 }
@@ -228,18 +230,19 @@ std::vector<formula::ExactNumber> ExactContact::expansion(Edge, std::size_t term
         rate = over_linear_measure<RightRateKernel>(slope_, e, moving);
         rate *= modulus_ / 2;
     }
+    // docs/expansions.md, "The right edge"
     return coefficients_of(right_edge_brackets(LawSeries<formula::ExactNumber>{rate, a}, a_),
                            length());
 }
 
 /// With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1, which has an exact
-/// form.
+/// form (docs/expansions.md, "The right edge").
 std::vector<formula::ExactNumber> ExactContact::vanishing_coefficients(std::size_t terms) const {
     using formula::ExactNumber;
     using S = series::Series<ExactNumber>;
     const S a = S::variable(ExactNumber(1), terms);
     S rate(ExactNumber(0), terms);
-    ExactNumber binomial(1); // of m and k
+    ExactNumber binomial(1); // m over k
     for (std::size_t k = 0; k < terms; ++k) {
         rate[k] = binomial;
         binomial *=

@@ -14,21 +14,23 @@
 
 namespace edgeproof::contact {
 
-/// The rational number of the smallest denominator in a ball; nothing for a ball that is not
+/// The rational number with the smallest denominator in a ball; nothing for a ball that is not
 /// finite.
 [[nodiscard]] std::optional<Rational> simplest_rational(const Ball& x);
 
 /// A normal contact in exact arithmetic, as far as its values have an exact form (ExactNumber):
-/// power laws of a whole exponent, piecewise linear slopes where the angles of the knots are
-/// multiples of pi/12. It tells where a value lies exactly on a number of few digits, or half-way
-/// between two, which no enclosure can. The formulas are those of contact/law/, as in BallContact.
-/// (Where a logarithm is left in a pressure there is nothing to tell: logarithms of algebraic
-/// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially dependent
-/// (A. Baker, Mathematika 13 (1966) 204), so that such a value is no rational number.)
+/// power laws with an integer exponent, and piecewise linear slopes where the angles of the knots
+/// are multiples of pi/12. It decides whether a value is equal to a number of few digits, or lies
+/// half-way between two of them, which no enclosure can. The formulas are those of contact/law/, as
+/// in BallContact. Lengths in one unit, pressures in the unit of contact_modulus.
+/// A pressure with a logarithm needs no such decision: by `baker1966`, logarithms of algebraic
+/// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially
+/// dependent, so that the pressure is not a rational number.
 class ExactContact {
 public:
-    /// `near_a` and `near_b` enclose the edges. An edge that is not given is guessed from its ball,
-    /// and known only where the exact equations hold for the guess; they have one solution.
+    /// `near_a` and `near_b` enclose the edges (lengths). An edge that is not given is guessed from
+    /// its ball, and accepted only if the exact equations hold for the guess; their solution is
+    /// unique.
     ExactContact(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
                  const Ball& near_a, const Ball& near_b);
 
@@ -38,12 +40,12 @@ public:
     [[nodiscard]] formula::ExactNumber force() const;
     [[nodiscard]] formula::ExactNumber moment() const;
     [[nodiscard]] formula::ExactNumber pressure(Edge edge, const formula::ExactNumber& u) const;
-    /// c_0 ... c_{terms-1} of a symmetric profile; unknown ones of others, and of more terms than
-    /// are worth the work.
+    /// c_0 ... c_{terms-1} of a symmetric profile; unknown for other profiles and for more than 40
+    /// terms.
     [[nodiscard]] std::vector<formula::ExactNumber> expansion(Edge edge, std::size_t terms) const;
 
 private:
-    /// Of a power law of a rational exponent: 0 where c_k vanishes, else unknown.
+    /// For a power law of a rational exponent: 0 if c_k vanishes, else unknown.
     [[nodiscard]] std::vector<formula::ExactNumber> vanishing_coefficients(std::size_t terms) const;
     void read_power_law();
     void place_knots();
@@ -55,12 +57,12 @@ private:
     Profile profile_;
     formula::ExactNumber modulus_;
     bool power_law_ = false;
-    std::optional<Rational> exponent_; ///< of a power law
+    std::optional<Rational> exponent_; ///< of the power law
     std::optional<unsigned> whole_exponent_;
     formula::ExactNumber power_factor_; ///< P = power_factor a^(m+1)
     LinearSlope<formula::ExactNumber> slope_;
-    std::vector<Mark<formula::ExactNumber>> marks_; ///< of the knots
-    bool placed_ = false;                           ///< all knots are told to be inside or not
+    std::vector<Mark<formula::ExactNumber>> marks_; ///< the marks of the knots
+    bool placed_ = false; ///< true if it is decided for all knots whether they are inside
     formula::ExactNumber a_;
     formula::ExactNumber b_;
 };

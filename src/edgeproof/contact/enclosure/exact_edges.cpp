@@ -14,15 +14,16 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Beyond, the sums are too long to be worth the algebra.
+/// With more knots the exact algebra would take too long.
 constexpr std::size_t most_knots_in_symbols = 60;
 
 formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
 
-/// The integrals of the law over dg', a and b being exact.
+/// The integrals of the law over dg' for exact a and b (docs/mechanics.md, "One measure, six
+/// kernels").
 class SymbolicLaw {
 public:
-    /// Throws BudgetError where the order of a knot and an edge is not decided.
+    /// Throws BudgetError if the order of a knot and an edge cannot be decided.
     SymbolicLaw(const Profile& profile, formula::Expr a, formula::Expr b)
         : extent_{std::move(a), std::move(b)} {
         if (!profile.piecewise_linear() || profile.knots().size() > most_knots_in_symbols) {
@@ -36,11 +37,11 @@ public:
         }
     }
 
-    /// Zero where the edges balance.
+    /// The consistency condition (moore-hills EQ20): zero if the edges are in balance.
     [[nodiscard]] formula::Expr imbalance() const {
         return linear_imbalance(slope_, extent_, marks_);
     }
-    /// P over E*/2.
+    /// P divided by E*/2 (moore-hills EQ22).
     [[nodiscard]] formula::Expr twice_force() const {
         return over_linear_measure<ForceKernel>(slope_, extent_, marks_);
     }
@@ -59,7 +60,7 @@ private:
     std::vector<Mark<formula::Expr>> marks_;
 };
 
-/// The number that the middle of x is.
+/// The midpoint of x as a rational number.
 Rational rational_middle(const Ball& x) {
     const Real m = x.midpoint();
     Rational q;
@@ -67,13 +68,14 @@ Rational rational_middle(const Ball& x) {
     return q;
 }
 
-/// The simplest rational within 2^-(bits/3) of q, relatively, if it is simple enough to be meant.
+/// The simplest rational within the relative distance 2^-(bits/3) of q; nothing if it is not
+/// simple.
 std::optional<Rational> simple_rational(const Rational& q, long bits) {
     if (q <= 0) {
         return std::nullopt;
     }
     const Rational slack = q / Rational(Integer(1) << static_cast<unsigned>(bits / 3));
-    // Convergents of the continued fraction.
+    // The convergents of the continued fraction (DLMF 1.12(ii)).
     Integer p0 = 0;
     Integer q0 = 1;
     Integer p1 = 1;
@@ -95,7 +97,8 @@ std::optional<Rational> simple_rational(const Rational& q, long bits) {
     }
 }
 
-/// What exact numbers an edge may be: a knot, a simple number or the root of one, and it times pi.
+/// The exact numbers that an edge may be equal to: a knot, a simple rational, pi times one, or the
+/// square root of one.
 std::vector<formula::Expr> candidates(const Ball& near, const std::vector<formula::Expr>& knots,
                                       long bits) {
     std::vector<formula::Expr> found;
@@ -120,7 +123,7 @@ std::vector<formula::Expr> candidates(const Ball& near, const std::vector<formul
     return found;
 }
 
-/// Outwards from the origin on one side: the distances of the knots from it.
+/// The distances of the knots on one side of the origin, in ascending order.
 std::vector<formula::Expr> distances(const Profile& profile, Edge edge) {
     std::vector<formula::Expr> list;
     const std::size_t o = profile.origin();
@@ -149,7 +152,7 @@ bool odd_within(const Profile& profile, const formula::Expr& a) {
     const std::vector<formula::Expr> left = distances(profile, Edge::left);
     const std::size_t o = profile.origin();
     const formula::Expr x = formula::Expr::symbol("x");
-    std::size_t i = 0; // knots passed on either side
+    std::size_t i = 0; // number of knots passed on the right; j: on the left
     std::size_t j = 0;
     for (;;) {
         const formula::Expr& to_the_right = profile.pieces()[o + 1 + i].slope;
@@ -189,7 +192,7 @@ std::optional<ExactEdges> exact_edges(const Profile& profile, const formula::Exa
     std::vector<formula::Expr> all_a{load.value.expr()};
     if (!given) {
         all_a = candidates(near_a, distances(profile, Edge::right), bits);
-        if (overlaps(near_a, near_b)) { // the place of a knot in the mirror
+        if (overlaps(near_a, near_b)) { // b may be the mirror image of a knot
             all_a.insert(all_a.end(), on_left.begin(), on_left.end());
         }
     }
@@ -201,7 +204,7 @@ std::optional<ExactEdges> exact_edges(const Profile& profile, const formula::Exa
                     return ExactEdges{load.value, formula::Exact(b)};
                 }
                 const SymbolicLaw law(profile, a, b);
-                // A flat that bears nothing is in balance with any other edge on it.
+                // A flat without force is in balance with any other edge on the flat.
                 if (decided_sign(law.twice_force()) == 1 && (odd || proved_zero(law.imbalance())) &&
                     (given || proved_zero(load.value.expr() -
                                           contact_modulus.expr() / whole(2) * law.twice_force()))) {

@@ -9,23 +9,25 @@
 
 namespace edgeproof::contact {
 
-/// Both edges of a contact as exact numbers: it reaches from -b to a.
+/// Both edges of a contact -b < x < a as exact numbers (lengths).
 struct ExactEdges {
     formula::Exact a;
     formula::Exact b;
 };
 
-/// The edges of the contact where one of them lies on a knot exactly, or where g' is odd all over
-/// it, which no number of bits tells: `near_a` and `near_b`, known to most of their bits, suggest
-/// them, and exact algebra (formula/identity.hpp) proves that they balance (moore-hills.tex,
-/// eqn:Consistency) and carry the load (eqn:AppliedNormalForce_NonSym). Nothing where no edge comes
-/// near a knot, or where there is no such proof: then it is not known whether one lies on a knot.
+/// The exact edges of the contact, where one of them lies on a knot, or where g' is odd in the
+/// whole contact; no number of bits can prove either. `near_a` and `near_b`, which are known to
+/// most of their bits, suggest candidates, and exact algebra (formula/identity.hpp) proves that
+/// they satisfy the consistency condition (moore-hills EQ20) and carry the load (moore-hills EQ22).
+/// Returns nothing if no edge is near a knot, or if there is no such proof: then it is not known
+/// whether an edge lies on a knot. Lengths in one unit; forces in the unit of contact_modulus times
+/// length.
 [[nodiscard]] std::optional<ExactEdges> exact_edges(const Profile& profile,
                                                     const formula::Exact& contact_modulus,
                                                     const Load& load, const Ball& near_a,
                                                     const Ball& near_b);
 
-/// Proved: g'(-x) = -g'(x) for 0 < x < a.
+/// True if g'(-x) = -g'(x) for 0 < x < a is proved.
 [[nodiscard]] bool odd_within(const Profile& profile, const formula::Expr& a);
 
 } // namespace edgeproof::contact

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-/// Balls, series of balls, exact numbers and symbols as fields of the formulas in contact/law/.
+/// Balls, series of balls, exact numbers and symbols as fields for the formulas of contact/law/.
 namespace edgeproof::contact {
 
 template <> struct Field<Ball> {
@@ -26,16 +26,17 @@ template <> struct Field<Ball> {
         return x;
     }
     static Ball smaller(const Ball& x, const Ball& y) { return min(x, y); }
-    /// Of a ball that reaches below zero, the root of its part above.
+    /// The square root of the non-negative part of x.
     static Ball root(const Ball& x) {
         Ball r(0, x.bits());
         arb_sqrtpos(r.data(), x.data(), x.bits());
         return r;
     }
+    /// The angle h of docs/mechanics.md, 2 atan sqrt(near/far), without the quotient.
     static Ball angle(const Ball& near, const Ball& far) {
         return atan2(root(near), root(far)) * 2;
     }
-    /// The difference: more bits make up for what cancels.
+    /// pi - h as a difference: the cancellation costs bits, and the caller uses more bits.
     template <class Mark> static Ball other_angle(const Mark& m) { return pi(m.h) - m.h; }
 };
 
@@ -52,7 +53,7 @@ template <> struct Field<BallSeries> {
         sum = sum + y * x;
     }
     static BallSeries root(const BallSeries& x) { return sqrt(x); }
-    /// Of a knot that may lie on an edge, as far as the bits tell, not finite: said, not guessed.
+    /// 2 atan sqrt(near/far). Not finite for a knot that may lie on an edge.
     static BallSeries angle(const BallSeries& near, const BallSeries& far) {
         return atan(sqrt(near / far)) * Ball(2, near.bits());
     }
@@ -71,6 +72,7 @@ template <> struct Field<formula::ExactNumber> {
     static bool vanishes(const X& x) { return x.is_zero(); }
     static X times(const X& weight, const X& x) { return weight * x; }
     static X root(const X& x) { return sqrt(x); }
+    /// The angle h by its cosine (far - near)/(far + near).
     static X angle(const X& near, const X& far) {
         return angle_of_cosine((far - near) / (far + near));
     }

@@ -8,25 +8,27 @@
 
 namespace edgeproof::contact {
 
-/// How a zero is searched for.
+/// Options of a search for a zero.
 struct ZeroSearch {
-    bool prove = true;     ///< without, only the place that the search came to
-    bool nested = false;   ///< the function is itself solved for: known to fewer bits
-    int most_stalls = 400; ///< steps that lead nowhere, before the search ends
+    bool prove = true;     ///< false: the result is the place found, without a proof
+    bool nested = false;   ///< the function needs another search, so that it has fewer correct bits
+    int most_stalls = 400; ///< number of small steps without progress after which the search ends
 };
 
 [[nodiscard]] inline Ball middle(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
-/// A zero of f, which is monotone on the positive axis, by the interval form of Newton's method:
-/// when middle - f(middle)/f'(X) lies inside X, there is exactly one zero in X, and it lies there.
-/// f(x) > 0 is to mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
-/// Throws BudgetError, which names `what`, where the bits do not isolate it.
+/// The zero of f, which is monotone on the positive axis, by the interval form of Newton's method
+/// (`moore-kearfott-cloud2009`): if middle - f(middle)/f'(X) lies inside X, there is exactly one
+/// zero in X, and it lies in this image.
+/// f(x) > 0 must mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
+/// Throws a BudgetError that names `what` if the bits do not isolate the zero.
 template <class F, class Rate>
 Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
                   const ZeroSearch& search) {
     const long bits = start.bits();
     Ball x = middle(start);
-    // Walk until a sign change is certain, then Newton on midpoints: none of this proves anything.
+    // First search for a certain change of sign, then Newton's method on midpoints; this part
+    // proves nothing.
     std::optional<Ball> lo;
     std::optional<Ball> hi;
     long factor = 2;
@@ -62,9 +64,9 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
             hi = x;
         }
         step = middle(value / rate(x));
-        // No step where the rate may be zero (an edge on the end of a flat): halve instead. So too
-        // where steps do not shrink: beside a corner f goes like a root, and Newton's method to and
-        // fro.
+        // Halve instead of a step where the rate may be zero (an edge on the end of a flat), and
+        // where steps do not shrink: near a corner f behaves like a root, and Newton's method
+        // oscillates.
         Ball next = step.is_finite() ? middle(x - step) : x;
         const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
                             (!hi || certainly_less(next, *hi)) && certainly_positive(next);
@@ -73,7 +75,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
             break;
         }
         const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
-        // Beside a knot f has half the bits, and fewer where it is itself solved for.
+        // Near a knot f has half the bits, or fewer if it needs another search.
         stalls += (slow || !inside) && certainly_less(abs(step), noise * abs(x)) ? 1 : 0;
         if (stalls > search.most_stalls) {
             break;
@@ -91,7 +93,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     if (!search.prove) {
         return x;
     }
-    // The proof.
+    // The proof: the Newton image of the candidate lies inside it.
     Ball radius = abs(x) * tiny;
     if (step.is_finite()) {
         radius += abs(step) * 4;

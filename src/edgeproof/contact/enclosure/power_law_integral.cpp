@@ -18,18 +18,18 @@ Ball unknown(long bits) {
     return x;
 }
 
-/// Everything from 0 to the upper end of x.
+/// The interval from 0 to the upper end of x.
 Ball from_zero(const Ball& x) { return Ball::from_interval(Real(0), x.upper(), x.bits()); }
 
-/// Whether x matters no more beside `sum`, both >= 0. Decides only where to stop.
+/// True if x is negligible compared with `sum`, both >= 0. Only decides where a sum stops.
 bool negligible(const Ball& x, const Ball& sum) {
     return arf_abs_bound_lt_2exp_si(arb_midref(x.data())) <
            arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
 }
 
-/// 1 + n/2 + k over k + 1, times x, in place.
+/// Multiplies x by (1 + n/2 + k)/(k + 1).
 void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
-    // A quotient of small numbers: no division of balls.
+    // A quotient of small integers needs no division of balls.
     if (n && denominator(*n) < (1 << 20)) {
         const long q = denominator(*n).convert_to<long>();
         const long p = numerator(*n).convert_to<long>();
@@ -43,7 +43,7 @@ void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, 
 
 double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
 
-/// m - 2 steps, where m is rational.
+/// m - 2 steps, if m is rational.
 std::optional<Rational> less(const formula::Exact& m, long steps) {
     return m.is_rational() ? std::optional(Rational(m.rational() - 2 * steps)) : std::nullopt;
 }
@@ -84,8 +84,9 @@ PowerLawIntegral::PowerLawIntegral(const formula::Exact& m, const Ball& enclosed
         sqrt(Ball::pi(enclosed_m.bits())) / 2 * gamma(-(left_.n / 2)) / gamma((1 - left_.n) / 2);
 }
 
-/// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (Euler's transformation of 2F1, DLMF
-/// 15.8.1): all terms are positive, and from where their ratio is below 1 on it falls on.
+/// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (DLMF 15.8.1; docs/pressure.md, "Closed
+/// form: power laws"). All terms are positive, and the bound y (1 + n/2 + k)/(k + 1) of their ratio
+/// falls with k.
 Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y,
                                 const Ball& root) {
     const long bits = y.bits();
@@ -99,7 +100,7 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
     Ball sum(0, bits);
     Ball share(0, bits);
     for (long k = 0; k < static_cast<long>(most_terms); ++k) {
-        // A term counts for what it is beside the sum: small ones are made of fewer bits.
+        // Terms that are small compared with the sum are computed with fewer bits.
         const long below = k == 0 ? 0
                                   : arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) -
                                         arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
@@ -108,6 +109,7 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
         if (k > 0 && negligible(share, sum)) {
             Ball ratio = y;
             to_next_term(ratio, first, of.exact, k, bits);
+            // The rest is at most a geometric series.
             if (certainly_less(ratio, Ball(1, bits))) {
                 const Ball factor = pow(q, of.n);
                 return root * factor * (sum + from_zero(share / (1 - ratio)));
@@ -123,7 +125,8 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
     return unknown(bits);
 }
 
-/// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2).
+/// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2) (DLMF 15.8.4; docs/pressure.md, "Closed form:
+/// power laws").
 Ball PowerLawIntegral::apex_power(const Ball& q) const {
     Ball power(0, q.bits());
     if (!contains_zero(q)) {
@@ -135,8 +138,8 @@ Ball PowerLawIntegral::apex_power(const Ball& q) const {
     return power * apex_factor_;
 }
 
-/// 0 < n < 2, n != 1, near q = 0: the sum of beta_k q^(2k)/(n - 2k), beta_k = (2k)!/(4^k k!^2), and
-/// the power of q.
+/// I_n for 0 < n < 2, n != 1, near q = 0 (DLMF 15.8.4; docs/pressure.md): the sum of beta_k
+/// q^(2k)/(n - 2k) with beta_k = (2k)!/(4^k k!^2), and apex_power.
 Ball PowerLawIntegral::apex_sum(const Ball& q) const {
     const long bits = q.bits();
     const Ball square = q * q;
@@ -151,7 +154,7 @@ Ball PowerLawIntegral::apex_sum(const Ball& q) const {
     for (long k = 1;; ++k) {
         term *= square * (2 * k - 1) / (2 * k);
         if (k > 2 && (negligible(term, sum) || k > 4 * bits)) {
-            // 2k - n > 1: the rest is at most a geometric series.
+            // 2k - n > 1, so that the rest is at most a geometric series.
             const Ball rest = from_zero(abs(term) / (1 - square));
             sum += rest * Ball::from_interval(Real(-1), Real(1), bits);
             break;
@@ -166,12 +169,13 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
         return root;
     }
     if (whole_left_ == 0) {
-        // acosh(1/q) = ln((1 + sqrt(y))/q), without the difference that is small near the edge.
+        // acosh(1/q) = ln((1 + sqrt(y))/q) as log1p, since the logarithm is small near the edge.
         return log1p((root + y / (1 + q)) / q);
     }
-    // Of a wide ball neither series may converge.
+    // For a wide ball neither series may converge.
     const bool by_apex = certainly_less(q, most_);
-    // With few words both series take as long for a term; the one at the apex has more around it.
+    // With few words both series cost the same for each term; the series at the apex has a higher
+    // fixed cost.
     const double most_y = left_.few_words ? 0.55 : 0.75;
     if ((approximate(y) <= most_y || !by_apex) && certainly_less(y, most_)) {
         return edge_sum(left_, q, y, root);
@@ -179,7 +183,8 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
     return by_apex ? apex_sum(q) : unknown(q.bits());
 }
 
-/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2}, upwards.
+/// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2} (docs/pressure.md, "Closed form: power laws"), from the
+/// smallest exponent upwards.
 Ball PowerLawIntegral::few_by_parts(const Ball& q, const Ball& y, const Ball& root) const {
     const long bits = root.bits();
     const Ball square = q * q;
@@ -195,12 +200,13 @@ Ball PowerLawIntegral::few_by_parts(const Ball& q, const Ball& y, const Ball& ro
     return sum;
 }
 
-/// The same downwards, as far as it counts: 0 <= I_n <= sqrt(y) for n >= 1.
+/// The same recurrence from m downwards, until the terms are negligible: 0 <= I_n <= sqrt(y) for
+/// n >= 1.
 Ball PowerLawIntegral::by_parts(const Ball& q, const Ball& y, const Ball& root) const {
     const long bits = root.bits();
     const Ball square = q * q;
     Ball sum(0, bits);
-    Ball factor(1, bits); ///< without its powers of q
+    Ball factor(1, bits); ///< the product of (n - 1)/n, without the powers of q
     Ball power(1, bits);
     Ball n = whole_.n;
     for (long k = 0; k < steps_; ++k) {
@@ -234,6 +240,7 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
     }
     const double about_y = approximate(y);
     const double digits = static_cast<double>(bits);
+    // Estimates of the number of terms of each method.
     const double near_edge =
         about_y < 1 ? digits + (1.6 * about_m_ * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
     const double downwards = std::min(static_cast<double>(steps_), 0.7 * digits / about_y);

@@ -11,7 +11,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Up to here Newton's steps from the binary64 edge are as cheap as any.
+/// Up to this precision, Newton's steps start from the edge in binary64.
 constexpr unsigned digits_from_binary64 = 60;
 
 } // namespace
@@ -26,6 +26,7 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
     if (profile.kind() == Profile::Kind::power_law && !profile.piecewise_linear()) {
         const T m = profile.parameters().at("m").template to<T>();
         const T C = profile.parameters().at("C").template to<T>();
+        // moore-hills EQ11; the factor is E* C times the integral of sin^(m+1) from 0 to pi/2
         power_ = PowerLaw<T>{m, T(modulus_ * C * sine_power_integral<T>(T(m + T(1))))};
     }
     if constexpr (!std::same_as<T, double>) {
@@ -34,7 +35,8 @@ ContactLaw<T>::ContactLaw(const Profile& profile, T contact_modulus, unsigned ta
         }
     }
     if constexpr (std::same_as<T, Real>) {
-        // Two thirds of the digits and a few, so that one step of Newton's from there is enough.
+        // Two thirds of the digits and 12 more, so that one further step of Newton's method is
+        // enough.
         const unsigned digits = working_digits() / 3 * 2 + 12;
         if (!symmetric_ && working_digits() > digits_from_binary64) {
             const PrecisionScope scope(digits);
@@ -49,6 +51,7 @@ template <Arithmetic T> T ContactLaw<T>::force(const Extent<T>& e) const {
     if (power_) {
         return power_->force(e.a);
     }
+    // moore-hills EQ22, by docs/mechanics.md, "One measure, six kernels"
     return T(modulus_ / T(2) * over_measure<ForceKernel>(e));
 }
 
@@ -78,6 +81,7 @@ template <Arithmetic T> T ContactLaw<T>::imbalance(const Extent<T>& e) const {
     const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
     const T left = over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
     const T sum = right + left;
+    // moore-hills EQ20
     return sum > T(0) ? T((right - left) / sum) : T(0);
 }
 
@@ -97,7 +101,8 @@ EdgeStep<T> ContactLaw<T>::edge_step(const T& known, const T& unknown, bool solv
     Marks<T, T> marks(e, slope_.knots());
     const T right = over_measure<RightBalanceKernel>(marks, Part::right_of_origin);
     const T left = over_measure<LeftBalanceKernel>(marks, Part::left_of_origin);
-    // d(right - left)/db = -(integral of sqrt((a-v)/(v+b)) dg')/(a+b), and likewise for a.
+    // d(right - left)/db = -(integral of sqrt((a-v)/(v+b)) dg')/(a+b), and the like for a
+    // (docs/mechanics.md).
     const T rate =
         (solve_left ? over_measure<LeftRateKernel>(marks) : over_measure<RightRateKernel>(marks)) /
         e.length();
@@ -122,13 +127,13 @@ std::optional<T> ContactLaw<T>::guessed_edge(const T& known, bool solve_left) co
             return T(solve_left ? guess_->left_edge(k) : guess_->right_edge(k));
         }
     } catch (const Error&) {
-        // Too few digits to decide; the search with all of them can.
+        // Too few digits for a decision: the search uses all of them.
     }
     return std::nullopt;
 }
 
-/// The edge that balances a given one. Newton from the binary64 answer finds it nearly always;
-/// what it does not find, the search with a bracket does.
+/// The edge that is in balance with a given one. Newton's iteration from the binary64 edge nearly
+/// always finds it; otherwise the search with a bracket does.
 template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_left) const {
     using std::abs;
     using std::cbrt;
@@ -141,8 +146,9 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
     }
     const T start = guessed_edge(known, solve_left).value_or(known);
     if (guess_) {
-        // What a step leaves is of the order of its power 3/2, where the edge comes to a knot, and
-        // of its square elsewhere: below roundoff once the step is below the power 2/3 of that.
+        // The error after a step is of the order of the step's power 3/2 if the edge approaches a
+        // knot, and of its square elsewhere. So it is below roundoff once the step is below
+        // roundoff^(2/3).
         const T enough = cbrt(unit_roundoff<T>() * unit_roundoff<T>()) / T(1 << 10);
         T x = start;
         try {
@@ -157,7 +163,7 @@ template <Arithmetic T> T ContactLaw<T>::solve_edge(const T& known, bool solve_l
                 }
             }
         } catch (const BudgetError&) {
-            // A step led to where there is no value; the search looks on the other side.
+            // A step led to a place without a value: the search continues within its bracket.
         }
     }
     return search_edge(known, start, solve_left);
@@ -183,7 +189,7 @@ template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const 
     if (power_) {
         return power_->half_width(P);
     }
-    // A flat at the origin carries no force until the contact leaves it.
+    // A flat at the origin carries no force before the contact extends beyond it.
     T lo(0);
     for (std::size_t i = slope_.origin() + 1; i < slope_.knots().size(); ++i) {
         const Extent<T> e{slope_.knots()[i], slope_.knots()[i]};
@@ -199,7 +205,7 @@ template <Arithmetic T> T ContactLaw<T>::right_edge_for_force(const T& P) const 
         [&](const T& a, std::exception_ptr& failure) { return force_at(a, failure); });
 }
 
-/// Newton's steps from the answer in binary64; nothing where they do not shrink.
+/// Newton's steps from the answer in binary64; nothing if the steps do not shrink.
 template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const T& P) const {
     using std::abs;
     using std::cbrt;
@@ -223,8 +229,8 @@ template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const
                 return std::nullopt;
             }
             x += step;
-            // As far as the steps shrink: an edge just beyond a corner is as near to its answer as
-            // it is to the corner, and no nearer.
+            // The steps end where they no longer shrink: an edge just beyond a corner is found only
+            // to about its distance from the corner.
             if (abs(step) <= T(4) * eps * x ||
                 (previous && abs(step) <= enough * x && !(abs(step) < *previous / T(2)))) {
                 return x;
@@ -232,19 +238,19 @@ template <Arithmetic T> std::optional<T> ContactLaw<T>::refined_from_guess(const
             previous = abs(step);
         }
     } catch (const DomainError&) {
-        // The search tells why, or does better.
+        // The search finds the edge, or throws the reason.
     } catch (const BudgetError&) {
     }
     return std::nullopt;
 }
 
-/// The force at the right edge a, and its rate; nothing where no contact ends there: its balance
-/// may ask for more of the slope on the other side than there is, so that a is too large.
+/// The force at the right edge a, and its rate. Nothing if no contact ends there: its other edge
+/// may need the slope beyond the place where the slope ends, so that a is too large.
 template <Arithmetic T>
 std::optional<ForceAt<T>> ContactLaw<T>::force_at(const T& a, std::exception_ptr& failure) const {
     using std::isfinite;
     if (!symmetric_ && !(slope_.value(slope_.piece_at(a), a) > T(0))) {
-        return ForceAt<T>{T(0), T(0)}; // the right side of the contact is flat: nothing to balance
+        return ForceAt<T>{T(0), T(0)}; // the right side is flat and needs no other edge
     }
     try {
         const Extent<T> e = extent(a);

@@ -12,57 +12,61 @@
 
 namespace edgeproof::contact {
 
-/// P'(a + z) and b(a + z) as truncated series in z: all that an edge expansion needs.
-/// Units: force per unit length over length^(k+1), and length^(1-k).
+/// P'(a + z) and b(a + z) as truncated series in z, the input of an edge expansion. Units of the
+/// coefficients of z^k: force per unit length over length^(k+1), and length^(1-k).
 template <class T> struct LawSeries {
     series::Series<T> force_rate; ///< dP/da, the total derivative along the family of contacts
     series::Series<T> b;          ///< b(a + z); a + z itself for a symmetric contact
 };
 
-/// What the load and the other edge are when one edge is at a: moore-hills.tex eqn:Consistency,
-/// eqn:AppliedNormalForce_NonSym (which holds eqn:AppliedNormalForce for b = a).
-/// Forces are per unit length. Values carry the working precision of the thread that made the
-/// object, less a few digits of roundoff; nothing here is a proved bound.
+/// The load and the other edge as functions of one edge: moore-hills EQ20 and EQ22 (EQ02 for
+/// b = a), in the form of docs/mechanics.md, "One measure, six kernels".
+/// Units: lengths in one unit, forces per unit length in the unit of contact_modulus times length.
+/// Values have the working precision of the thread that constructed the object, less a few digits
+/// of roundoff; they are not proved bounds.
 template <Arithmetic T> class ContactLaw {
 public:
-    /// `contact_modulus` is E* of both bodies together, 1/E* = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2.
-    /// `target_digits`: where quadratures over pieces of g' that are not linear may stop (0: at
-    /// roundoff).
+    /// `contact_modulus` is E* of both bodies, 1/E* = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2, a stress.
+    /// `target_digits`: the digits to which quadratures over pieces of g' that are not linear are
+    /// computed (0: to roundoff).
     ContactLaw(const Profile& profile, T contact_modulus, unsigned target_digits = 0);
 
     [[nodiscard]] const SlopeIn<T>& slope() const noexcept { return slope_; }
     [[nodiscard]] const T& contact_modulus() const noexcept { return modulus_; }
     [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
-    /// Where g' is a power that is not linear: its closed form, since g'' is not integrable in
-    /// practice for m near 0.
+    /// The closed form, if g' is a power law that is not linear. For m near 0 a quadrature of g''
+    /// would not converge in practice.
     [[nodiscard]] const std::optional<PowerLaw<T>>& power_law() const noexcept { return power_; }
 
-    /// b(a) by the consistency condition; a itself for a symmetric profile, with nothing solved.
-    /// Throws DomainError for a <= 0, or when no b closes the contact on the left.
+    /// b(a) by the consistency condition; a itself for a symmetric profile, without solving.
+    /// Throws DomainError for a <= 0, or if no b is in balance with a.
     [[nodiscard]] T left_edge(const T& a) const;
-    /// a = b^{-1}(b).
+    /// a(b), the inverse of left_edge.
     [[nodiscard]] T right_edge(const T& b) const;
-    /// The half-width a at which the normal force is P > 0.
+    /// The right edge a for the normal force P > 0 per unit length.
     [[nodiscard]] T right_edge_for_force(const T& P) const;
 
     [[nodiscard]] Extent<T> extent(const T& a) const { return {a, left_edge(a)}; }
+    /// The normal force P per unit length.
     [[nodiscard]] T force(const Extent<T>& e) const;
-    /// Moment of p about the origin, positive when it presses the right side down.
+    /// The moment of p about the origin (a force), positive when it presses the right side down.
     [[nodiscard]] T moment(const Extent<T>& e) const;
-    /// dP/da along the family of contacts.
+    /// dP/da along the family of contacts (a stress).
     [[nodiscard]] T force_rate(const Extent<T>& e) const;
-    /// dP/db along the family of contacts.
+    /// dP/db along the family of contacts (a stress).
     [[nodiscard]] T left_force_rate(const Extent<T>& e) const;
-    /// How far eqn:Consistency is from holding, scaled to be dimensionless.
+    /// The residual of the consistency condition (moore-hills EQ20), scaled to be dimensionless.
     [[nodiscard]] T imbalance(const Extent<T>& e) const;
 
-    /// The series of the law about e, `order` terms. On a knot the derivatives are those from
-    /// inside the contact; right_edge_on_knot() says when that is so.
+    /// The series of the law about e, `order` terms. If an edge lies on a knot, the derivatives are
+    /// those from inside the contact; right_edge_on_knot() and left_edge_on_knot() report this
+    /// case.
     [[nodiscard]] LawSeries<T> series(const Extent<T>& e, std::size_t order) const;
     [[nodiscard]] bool right_edge_on_knot(const Extent<T>& e) const;
     [[nodiscard]] bool left_edge_on_knot(const Extent<T>& e) const;
 
-    /// Evaluations of integrands so far (pieces of g' that are not linear, and nothing else).
+    /// The number of evaluations of integrands so far (only pieces of g' that are not linear need
+    /// any).
     [[nodiscard]] std::size_t evaluations() const noexcept { return evaluations_; }
 
 private:
@@ -79,7 +83,7 @@ private:
     [[nodiscard]] std::optional<ForceAt<T>> force_at(const T& a, std::exception_ptr& failure) const;
     [[nodiscard]] std::optional<T> refined_from_guess(const T& P) const;
     [[nodiscard]] T solve_edge(const T& known, bool solve_left) const;
-    /// Where Newton starts: nullopt if neither binary64 nor fewer digits decide.
+    /// The start of Newton's iteration; nullopt if neither binary64 nor fewer digits give one.
     [[nodiscard]] std::optional<T> guessed_edge(const T& known, bool solve_left) const;
     [[nodiscard]] T search_edge(const T& known, const T& start, bool solve_left) const;
     [[nodiscard]] Extent<T> extent_with(const T& known, const T& unknown, bool solve_left) const;
@@ -89,8 +93,8 @@ private:
     bool symmetric_;
     unsigned target_digits_;
     std::optional<PowerLaw<T>> power_;
-    std::shared_ptr<const ContactLaw<double>> guess_; ///< starts Newton; decides nothing
-    /// The same law with fewer digits, which starts Newton closer; null where guess_ will do.
+    std::shared_ptr<const ContactLaw<double>> guess_; ///< only starts Newton's iteration
+    /// The same law with fewer digits, which gives a closer start; null where guess_ is enough.
     std::shared_ptr<const ContactLaw> coarser_;
     unsigned coarser_digits_ = 0;
     mutable std::size_t evaluations_ = 0;

@@ -12,20 +12,22 @@ namespace edgeproof::contact {
 
 [[nodiscard]] constexpr std::size_t nth(int k) { return static_cast<std::size_t>(k); }
 
-/// The brackets r_k of c_k = r_k/(pi sqrt(a + b)) at the right edge, for a field T (symbolic ones
-/// included): p(a - u) with s = a - u sigma in eqn:ContactPressure_NonSym, first branch, is
-/// sqrt(u)/(pi sqrt(D)) times the integral over 0 < sigma < 1 of
+/// The brackets r_k of the coefficients c_k = r_k/(pi sqrt(a + b)) at the right edge, over any
+/// field T, symbols included (docs/expansions.md, "The right edge"). With s = a - u sigma in
+/// moore-hills EQ21 (first branch), p(a - u) is sqrt(u)/(pi sqrt(D)) times the integral over
+/// 0 < sigma < 1 of
 /// P'(a - u sigma) (1 - sigma)^(-1/2) [(x + b(s))/D]^(-1/2), D = a + b.
-/// `force_rate` and `b` are P'(a + z) and b(a + z); as many terms come out as go in.
+/// `law` holds P'(a + z) and b(a + z); the result has as many brackets as these series have terms.
 template <class T>
 [[nodiscard]] std::vector<T> right_edge_brackets(const LawSeries<T>& law, const T& a) {
     const auto n = static_cast<int>(std::min(law.force_rate.order(), law.b.order()));
     const T D = a + law.b[0];
     const T zero = Field<T>::number(0, D);
     const T one = Field<T>::number(1, D);
-    // y_k, of u^k in [(x + b(s))/D]^(-1/2), is a polynomial in sigma of degree k: k y_k is the sum
-    // over j of (-j/2 - (k - j)) x_j y_{k-j}. Of (x + b(s))/D the part x_j is a multiple of
-    // sigma^j, and x_1 has a constant, too.
+    // y_k, the coefficient of u^k in [(x + b(s))/D]^(-1/2), is a polynomial in sigma of degree k.
+    // By the recurrence for the power of a series (`knuth1997`, section 4.7), k y_k is the sum over
+    // j of (-j/2 - (k - j)) x_j y_{k-j}. The coefficient x_j of (x + b(s))/D is a multiple of
+    // sigma^j; x_1 also has a constant.
     std::vector<T> x;
     for (int k = 0; k < n; ++k) {
         x.push_back(T(law.b[nth(k)] / D * (k % 2 == 0 ? 1 : -1)));
@@ -49,7 +51,7 @@ template <class T>
         }
         y.push_back(std::move(sum));
     }
-    // Of sigma^j (1 - sigma)^(-1/2): B(j + 1, 1/2).
+    // The integral of sigma^j (1 - sigma)^(-1/2) is B(j + 1, 1/2) (DLMF 5.12.1).
     std::vector<T> beta{Field<T>::number(2, D)};
     for (int j = 1; j < n; ++j) {
         beta.push_back(T(beta.back() * (2 * j) / (2 * j + 1)));
@@ -58,7 +60,7 @@ template <class T>
     for (int k = 0; k < n; ++k) {
         T sum = zero;
         for (int j = 0; j <= k; ++j) {
-            // P' brings (-1)^j p_j sigma^j u^j.
+            // The coefficient of u^j in P' is (-1)^j p_j sigma^j.
             const T rate = law.force_rate[nth(j)] * (j % 2 == 0 ? 1 : -1);
             const std::vector<T>& rest = y[nth(k - j)];
             for (std::size_t l = 0; l < rest.size(); ++l) {
@@ -70,7 +72,7 @@ template <class T>
     return brackets;
 }
 
-/// c_k = r_k/(pi sqrt(a + b)) of the brackets of either edge.
+/// c_k = r_k/(pi sqrt(a + b)) for the brackets of either edge; `length` is a + b.
 template <class T>
 [[nodiscard]] std::vector<T> coefficients_of(std::vector<T> brackets, const T& length,
                                              const T& pi) {
@@ -86,7 +88,8 @@ template <class T>
     return coefficients_of(std::move(brackets), length, Field<T>::pi(length));
 }
 
-/// The steps of the left edge's own derivation (the paper's Appendix), u the distance from -b:
+/// The steps of the paper's derivation for the left edge (moore-hills EQ41 to EQ48;
+/// docs/expansions.md, "The left edge"), u the distance from -b:
 /// s = a + B sigma with B(u) = b^{-1}(b - u) - a, so that
 /// p(-b + u) = -(B/u) sqrt(u)/(pi sqrt(D)) times the integral of
 /// P'(a + B sigma) nearby^(-1/2) last^(-1/2) (1 - sigma)^(-1/2).
@@ -94,12 +97,11 @@ template <class T> struct LeftEdgeDerivation {
     series::Series<T> B;                          ///< b^{-1}(b - u) - a
     series::Series<series::Polynomial<T>> rate;   ///< P'(a + B sigma)
     series::Series<series::Polynomial<T>> nearby; ///< (s - x)/D = 1 - (u - B sigma)/D
-    series::Series<series::Polynomial<T>>
-        last; ///< (x + b(s))/(u (1 - sigma)): exactly divisible, no breakdown
-    /// The integral over sigma of their product, each power of u: the paper's I_1 + I_2 times
-    /// sqrt(u) sqrt(D) (with F = P').
+    series::Series<series::Polynomial<T>> last;   ///< (x + b(s))/(u (1 - sigma)), exactly divisible
+    /// The integral of their product over sigma, for each power of u: the paper's I_1 + I_2 times
+    /// sqrt(u) sqrt(D) (with F = P'; moore-hills EQ46).
     std::vector<T> integral;
-    std::vector<T> brackets; ///< -(B/u) times it: c_k pi sqrt(D)
+    std::vector<T> brackets; ///< -(B/u) times the integral: c_k pi sqrt(D)
 };
 
 template <class T>
@@ -110,12 +112,12 @@ template <class T>
     series::Series<T> shift = law.b.truncated(n);
     shift[0] = T(0);
     LeftEdgeDerivation<T> d;
-    // One term more than is known of b is never needed: B starts at u.
+    // The series needs no further term of b, since B begins with u.
     d.B = n > 1 ? revert(shift) : series::Series<T>(T(0), 1);
     for (std::size_t k = 1; k < n; k += 2) {
         d.B[k] = -d.B[k];
     }
-    // Powers of B sigma, as series in u with coefficients in sigma.
+    // Powers of B sigma as series in u, whose coefficients are polynomials in sigma.
     series::Series<P> step(P(T(0)), n);
     for (std::size_t k = 1; k < n; ++k) {
         step[k] = P::monomial(d.B[k], 1);
@@ -137,7 +139,7 @@ template <class T>
     if (n > 1) {
         d.nearby[1] -= P(T(T(1) / D));
     }
-    // x + b(s) = u + (b(a + B sigma) - b); at sigma = 1 it vanishes identically.
+    // x + b(s) = u + (b(a + B sigma) - b) vanishes identically at sigma = 1.
     const series::Series<P> gap = along(shift);
     std::vector<P> last;
     for (std::size_t k = 1; k < n; ++k) {
@@ -147,7 +149,7 @@ template <class T>
         }
         last.push_back(whole.over_one_minus_sigma());
     }
-    // Its highest term needs b one order further than P': it is not known and not used.
+    // The highest term of `last` would need one more term of b than of P'; it is not used.
     d.last = last.empty() ? series::Series<P>(P(T(1)), 1) : series::Series<P>(std::move(last));
     const P minus_half(T(T(-1) / T(2)));
     const std::size_t m = d.last.order();
@@ -169,16 +171,17 @@ template <class T>
     return d;
 }
 
-/// c_0 ... c_{terms-1} of p = sum c_k u^(k+1/2) at one edge, from the truncated series of the
-/// contact law and from no printed formula. Units: pressure/length^(k+1/2). Digits: those of the
-/// thread's working precision less what the series loses; not a proved bound.
+/// c_0 ... c_{terms-1} of p = sum c_k u^(k+1/2) at one edge (moore-hills EQ04, without its printed
+/// coefficients), from the truncated series of the contact law. Unit: pressure/length^(k+1/2). The
+/// digits are those of the thread's working precision less those that cancel in the series; there
+/// is no proved bound.
 template <Arithmetic T>
 [[nodiscard]] std::vector<T> edge_expansion(const ContactLaw<T>& law, const Extent<T>& e, Edge edge,
                                             std::size_t terms) {
     if (terms == 0) {
         return {};
     }
-    // Left of the origin the derivation loses one order to the division by u.
+    // The left edge's derivation loses one order, since it divides by u.
     const LawSeries<T> series = law.series(e, edge == Edge::right ? terms : terms + 1);
     std::vector<T> c = edge == Edge::right ? right_edge_brackets(series, e.a)
                                            : left_edge_derivation(series, e.a).brackets;

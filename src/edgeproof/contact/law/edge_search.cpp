@@ -8,17 +8,18 @@
 
 namespace edgeproof::contact {
 
-/// The imbalance grows with a and falls with b, so a bracket always exists where a solution does;
-/// Newton runs inside it and falls back on halving (of the logarithm: edges may differ by thirty
-/// decades).
+/// The imbalance grows with a and falls with b (docs/mechanics.md), so that a bracket exists
+/// wherever a solution does. Newton's method runs inside the bracket; where it fails, the bracket
+/// is halved in the logarithm, since the edges may differ by thirty decades.
 template <Arithmetic T>
 T search_edge(const T& start, const std::function<T(const T&)>& imbalance,
               const std::function<EdgeStep<T>(const T&)>& newton) {
     using std::abs;
     using std::isfinite;
     using std::sqrt;
-    // > 0: the unknown edge lies further out. Where there is no value (an exponential beyond the
-    // numbers of T, a quadrature that does not converge) it is too far out.
+    // A positive value means that the unknown edge lies further out. An edge where the imbalance
+    // has no value (an exponential beyond the range of T, a quadrature that does not converge) is
+    // too far out.
     std::exception_ptr failure;
     const auto want_more = [&](const T& unknown) {
         try {
@@ -97,8 +98,8 @@ T search_edge(const T& start, const std::function<T(const T&)>& imbalance,
     throw BudgetError("the search for a contact edge did not converge");
 }
 
-/// P(a) grows from 0 for every convex profile, without bound where it goes on for ever: bracket by
-/// doubling, then Newton inside the bracket.
+/// P(a) grows from 0 for every profile, and without bound if the slope continues: the bracket is
+/// found by doubling, then Newton's method runs inside it.
 template <Arithmetic T>
 T search_right_edge(const T& P, const T& least, const T& first, const ForceOf<T>& force_at) {
     using std::abs;
@@ -106,7 +107,7 @@ T search_right_edge(const T& P, const T& least, const T& first, const ForceOf<T>
     constexpr int most_failures = 80;
     std::exception_ptr failure;
     int failures = 0;
-    // No contact at x counts as one that carries more.
+    // A place x where no contact ends counts as one with a greater force.
     const auto at = [&](const T& x) {
         auto found = force_at(x, failure);
         if (!found && ++failures > most_failures && failure) {
@@ -138,7 +139,7 @@ T search_right_edge(const T& P, const T& least, const T& first, const ForceOf<T>
     T x = (lo + hi) / T(2);
     const T eps = unit_roundoff<T>();
     T last_step = hi - lo;
-    bool carried = false; // some contact carries as much
+    bool carried = false; // true if some contact carries P or more
     for (int k = 0; k < 500; ++k) {
         const auto found = at(x);
         const T value = found ? T(P - found->force) : T(-P);

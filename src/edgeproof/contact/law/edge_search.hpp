@@ -6,35 +6,37 @@
 #include <functional>
 #include <optional>
 
-/// Searches with a bracket, for what Newton's method from binary64 does not find.
+/// Searches for edges within a bracket, for contacts where Newton's method from binary64 fails.
 namespace edgeproof::contact {
 
-/// The imbalance at a trial edge, positive when the edge lies further out, and Newton's step.
+/// The imbalance at a trial edge (positive if the edge must lie further out) and Newton's step
+/// (length).
 template <class T> struct EdgeStep {
     T value;
     T step;
 };
 
-/// The edge at which `imbalance` is zero: it is positive at places nearer to the origin, as
-/// `newton`'s value is. Begins at `start` > 0. Throws DomainError where no edge balances; what the
-/// two functions throw counts as too far out.
+/// The edge (its distance from the origin, a length) at which `imbalance` is zero. `imbalance` is
+/// positive at places nearer to the origin, and so is the value that `newton` returns. The search
+/// begins at `start` > 0. Throws DomainError if no edge is in balance. A DomainError or BudgetError
+/// of the two functions means that the trial edge is too far out.
 template <Arithmetic T>
 [[nodiscard]] T search_edge(const T& start, const std::function<T(const T&)>& imbalance,
                             const std::function<EdgeStep<T>(const T&)>& newton);
 
-/// P of a contact, and dP/da.
+/// P of a contact (force per unit length), and dP/da.
 template <class T> struct ForceAt {
     T force;
     T rate;
 };
-/// Nothing where no contact ends at a: its balance may ask for more of the slope on the other side
-/// than there is; the reason is kept in `failure`.
+/// Returns nothing if no contact ends at a: its other edge may need the slope beyond the place
+/// where the slope ends. The reason is then stored in `failure`.
 template <class T>
 using ForceOf = std::function<std::optional<ForceAt<T>>(const T& a, std::exception_ptr& failure)>;
 
-/// The right edge of the contact that carries P, not nearer than `least`; `first` is tried first,
-/// where `least` is 0. Throws BudgetError where the search does not end, and what was kept as the
-/// reason where no contact carries so much.
+/// The right edge (length) of the contact under the normal force P per unit length, at `least` or
+/// beyond. If `least` is 0, the search begins at `first`. Throws BudgetError if the search does not
+/// end, and the stored reason if no contact carries this force.
 template <Arithmetic T>
 [[nodiscard]] T search_right_edge(const T& P, const T& least, const T& first,
                                   const ForceOf<T>& force_at);

@@ -8,13 +8,14 @@
 
 namespace edgeproof::contact {
 
-/// What the formulas of this folder ask of a number besides +, -, * and / of two of its kind. Each
-/// formula stands once, as a template over U: binary64 and its wider kin, Real, rational numbers,
-/// symbols, exact numbers, balls, and power series over any of them. A kind of number that writes
-/// an operation in another way specialises this (enclosure/fields.hpp has balls and exact numbers).
-/// A member is compiled only for the numbers that it is used with.
+/// The operations, in addition to +, -, * and / of two numbers, that the formulas of this folder
+/// need. Each formula is written once, as a template over U: binary64 and the other floating-point
+/// types, Real, rational numbers, symbols, exact numbers, balls, and power series over any of them.
+/// A type with other definitions of these operations specialises this template
+/// (enclosure/fields.hpp: balls and exact numbers).
+/// A member is compiled only for the types that use it.
 template <class U> struct Field {
-    /// The whole number k, as precise as `like`.
+    /// The integer k; `like` gives the precision and, for series, the order.
     static U number(int k, const U&) { return U(k); }
     static U pi(const U&) {
         if constexpr (Arithmetic<U>) {
@@ -24,27 +25,28 @@ template <class U> struct Field {
         }
     }
     static U over(const U& x, int k) { return U(x / k); }
-    /// Certainly 0: what it multiplies need not be known.
+    /// True if x is certainly 0; the other factor of a product then need not be known.
     static bool vanishes(const U& x) { return x == U(0); }
-    /// A weight (a number, for U a series as well) times x.
+    /// weight x; the weight is a number even if U is a series.
     template <class W> static U times(const W& weight, const U& x) { return U(weight * x); }
-    /// sum += x y: with one rounding where the numbers can do that.
+    /// sum += x y, with a single rounding where the type supports it.
     template <class W> static void add_product(U& sum, const W& x, const U& y) {
         sum = sum + times(x, y);
     }
     static U twice(const U& x) { return U(x * 2); }
     static U smaller(const U& x, const U& y) { return y < x ? y : x; }
-    /// The root of a number that is known not to be negative.
+    /// The square root of a number that is known not to be negative.
     static U root(const U& x) {
         using std::sqrt;
         return U(sqrt(x));
     }
-    /// 2 atan sqrt(near/far), of distances that are known not to be negative.
+    /// 2 atan sqrt(near/far), the angle h of docs/mechanics.md; the distances are known not to be
+    /// negative.
     static U angle(const U& near, const U& far) {
         return U(arc_tangent(U(root(U(near / far)))) * 2);
     }
-    /// pi - h of a mark inside: as 2 atan sqrt((v + b)/(a - v)), since by the left edge the
-    /// difference would cancel.
+    /// pi - h of a mark inside the contact, as 2 atan sqrt((v + b)/(a - v)): near the left edge the
+    /// difference pi - h would lose digits.
     template <class Mark> static U other_angle(const Mark& m) {
         return U(arc_tangent(U(m.w / m.right)) * 2);
     }
@@ -62,8 +64,8 @@ template <class T> struct Field<series::Series<T>> {
         if constexpr (Arithmetic<T>) {
             return arc_tangent(root(near / far)) * T(2);
         } else {
-            // dh/dz = -d(cos h)/dz / sin h: the angle has the cosine (far - near)/(far + near) and
-            // the sine 2 sqrt(far near)/(far + near).
+            // With near = a - v, far = v + b, the angle h has the cosine (far - near)/(far + near)
+            // and the sine 2 sqrt(far near)/(far + near); so dh/dz = -(d(cos h)/dz)/sin h.
             const T start = Field<T>::angle(near[0], far[0]);
             if (near.order() < 2) {
                 return U(start, near.order());
@@ -82,7 +84,7 @@ template <class T> struct Field<series::Series<T>> {
             return pi(m.h) - m.h;
         }
     }
-    /// Known to fewer terms, or to more, the new ones being 0 (a start for Newton's steps).
+    /// The series with fewer terms, or with more terms that are 0 (a start for Newton's steps).
     static U resized(const U& x, std::size_t order) {
         std::vector<T> c = x.coefficients();
         c.resize(order, Field<T>::number(0, x[0]));
@@ -91,7 +93,7 @@ template <class T> struct Field<series::Series<T>> {
     static void set_constant(U& x, const T& c) { x[0] = c; }
 };
 
-/// weight x, sum += x y: by the field of the second factor.
+/// weight x in the field of the second factor.
 template <class W, class U> [[nodiscard]] U times(const W& weight, const U& x) {
     return Field<U>::times(weight, x);
 }

@@ -3,12 +3,14 @@
 #include "edgeproof/contact/law/point.hpp"
 #include "edgeproof/quadrature/near_singularity.hpp"
 
-/// The way back from a traction to what it answers for: its resultant, and its principal value.
-/// The traction is a function of a Point, is taken as it comes (nothing of its form is used but
-/// that it is integrable at the edges and smooth in between), and is asked for anew at every node.
+/// Puts a traction back into the equations that it must satisfy: its resultant and its principal
+/// value (docs/pressure.md, "The forward check"). The traction q is a function of a Point. It is
+/// evaluated anew at every node, and only needs to be integrable at the edges and smooth in
+/// between.
 namespace edgeproof::contact {
 
-/// The integral of q over the contact.
+/// The integral of q over the contact, in the unit of q times length. The quadrature stops at
+/// `target_digits` (0: at roundoff).
 template <Arithmetic T, class Q>
 [[nodiscard]] auto resultant(const Extent<T>& e, const Q& q, unsigned target_digits) {
     const T half = e.length() / T(2);
@@ -26,8 +28,9 @@ template <Arithmetic T, class Q>
     return sum;
 }
 
-/// PV of q(s)/(s - x) ds over the contact: symmetric about x as far as half the way to the nearer
-/// edge, where the pairs q(x+y) - q(x-y) leave nothing singular; the rest is regular.
+/// PV of q(s)/(s - x) ds over the contact, in the unit of q. Up to half the distance to the nearer
+/// edge the integral runs over the pairs (q(x+y) - q(x-y))/y, which are not singular; the rest is
+/// regular.
 template <Arithmetic T, class Q>
 [[nodiscard]] auto principal_value(const Extent<T>& e, const Point<T>& at, const Q& q,
                                    unsigned target_digits) {

@@ -7,39 +7,41 @@
 #include <optional>
 #include <vector>
 
-/// Every quantity of the normal contact is an integral over the measure dg'(v), which convexity
-/// makes positive: P, M, P'(a), dP/db, the consistency condition and p(x) differ only in the
-/// kernel. They follow from moore-hills.tex eqn:SIEPressure and its neighbours (in the form for
-/// -b < x < a) by one integration by parts; the boundary terms vanish by eqn:Consistency. No
-/// kernel changes sign, so no sum of theirs cancels.
+/// Every quantity of the normal contact is an integral over the measure dg'(v), which is positive
+/// because g' does not decrease: P, M, P'(a), dP/db, the consistency condition and p(x) differ only
+/// in the kernel. docs/mechanics.md, "One measure, six kernels", derives them from moore-hills EQ20
+/// and EQ22 by one integration by parts; the boundary terms vanish by the consistency condition
+/// (EQ20). No kernel changes sign, so that no sum cancels. Each kernel below is a row of the table
+/// there.
 ///
-/// They stand here for every field (field.hpp). In balls a radius depends on the order of the
-/// operations: keep it.
+/// The kernels apply to every field (field.hpp). In balls the radius depends on the order of the
+/// operations: do not change it.
 namespace edgeproof::contact {
 
-/// The extent -b < x < a. U is a number, or a series of numbers where a and b move.
+/// The extent -b < x < a (lengths). U is a number, or a power series where a and b move.
 template <class U> struct Extent {
     U a;
     U b;
     [[nodiscard]] U length() const { return a + b; }
 };
 
-/// A point v of the contact in the coordinates that the kernels are written in.
+/// A point v of the contact in the variables of the kernels; all are lengths except the angle h.
 template <class U> struct Mark {
     U right;                      ///< a - v
     U left;                       ///< v + b
-    U y;                          ///< v - c, c = (a - b)/2 the middle
+    U y;                          ///< v - c, with c = (a - b)/2 the middle of the contact
     U w;                          ///< sqrt((a - v)(v + b))
     U h;                          ///< integral from v to a of ds/w(s), between 0 and pi
-    std::optional<Edge> end = {}; ///< at this edge, or certainly beyond it
+    std::optional<Edge> end = {}; ///< set if v is at this edge, or certainly beyond it
 };
 
-/// By the distances of v from both edges.
+/// The mark at the distances a - v and v + b from the edges.
 template <class U> [[nodiscard]] Mark<U> mark_between(const U& right, const U& left) {
     using F = Field<U>;
     return {right, left, F::over(U(left - right), 2), F::root(U(right * left)),
             F::angle(right, left)};
 }
+/// The mark of the place v of the contact e.
 template <class U, class V> [[nodiscard]] Mark<U> mark(const Extent<U>& e, const V& v) {
     return mark_between<U>(U(e.a - v), U(e.b + v));
 }
@@ -56,8 +58,8 @@ template <class U> [[nodiscard]] Mark<U> end_mark(const Extent<U>& e, Edge edge)
     return edge == Edge::right ? right_end(e) : left_end(e);
 }
 
-/// The marks of a contact at the knots of its profile, each worked out once, when it is first asked
-/// for: all the integrals over one contact share them. Holds on to `knots`.
+/// The marks of a contact at the knots of its profile. Each is computed once, at its first use, and
+/// shared by all integrals over the contact. Keeps references to the extent and to `knots`.
 template <class T, class U> class Marks {
 public:
     Marks(const Extent<U>& e, const std::vector<T>& knots)
@@ -70,7 +72,8 @@ public:
         }
         return *known;
     }
-    /// Of all knots of a U that is a number: those that are not inside lie at the ends.
+    /// The marks of all knots, where U is a number; knots that are not inside the contact get the
+    /// mark of an end.
     [[nodiscard]] const std::vector<Mark<U>>& all() {
         if (all_.empty()) {
             for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -89,13 +92,14 @@ private:
     std::vector<Mark<U>> all_;
 };
 
-/// A kernel phi: weight phi(v) at a mark (for corners) and its integral between two marks (for
-/// pieces on which g'' is constant). `e` supplies the extent.
-struct ForceKernel { // P = (E*/2) integral of w dg'
+/// A kernel phi has two functions: `at` is weight phi(v) at a mark (for corners), `between` is the
+/// integral of phi between two marks (for pieces on which g'' is constant). `e` is the extent.
+/// Units of phi: length for P, length^2 for M, 1 for the others.
+struct ForceKernel { // P = (E*/2) integral of w dg' (moore-hills EQ22)
     template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
         return times(weight, m.w);
     }
-    /// Twice the integral.
+    /// Twice the integral of w between two marks.
     template <class U>
     static U twice_between(const Extent<U>& e, const Mark<U>& m, const Mark<U>& n) {
         const U d = Field<U>::over(e.length(), 2);
@@ -130,7 +134,7 @@ struct LeftRateKernel { // dP/db = (E*/2) integral of sqrt((a-v)/(v+b)) dg'
         return n.w - m.w + Field<U>::over(e.length(), 2) * (m.h - n.h);
     }
 };
-struct RightBalanceKernel { // consistency, right of the origin: h
+struct RightBalanceKernel { // consistency (moore-hills EQ20), right of the origin: h
     template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
         return times(weight, m.h);
     }
@@ -138,7 +142,7 @@ struct RightBalanceKernel { // consistency, right of the origin: h
         return n.y * n.h - m.y * m.h + m.w - n.w;
     }
 };
-struct LeftBalanceKernel { // consistency, left of it: pi - h
+struct LeftBalanceKernel { // consistency, left of the origin: pi - h
     template <class U, class W> static U at(const Extent<U>&, const Mark<U>& m, const W& weight) {
         return times(weight, Field<U>::other_angle(m));
     }

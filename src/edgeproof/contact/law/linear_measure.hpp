@@ -7,11 +7,13 @@
 #include <utility>
 #include <vector>
 
-/// Integrals over dg' of a piecewise linear slope, in closed form over any field. (measure.hpp has
-/// those over any slope, in Real, with quadrature.)
+/// Integrals over dg' of a piecewise linear slope, in closed form over any field
+/// (docs/mechanics.md, "One measure, six kernels"). For other slopes, in Real, by quadrature:
+/// measure.hpp.
 namespace edgeproof::contact {
 
-/// g' in numbers of W: at_origin + rate x on pieces that meet at knots.
+/// g' = at_origin + rate x on pieces between knots, in numbers of type W. Knots: lengths; rates:
+/// 1/length.
 template <class W> struct LinearSlope {
     struct Piece {
         W at_origin;
@@ -19,14 +21,14 @@ template <class W> struct LinearSlope {
     };
     std::vector<W> knots;
     std::vector<Piece> pieces; ///< pieces[i] ends at knots[i]
-    std::vector<bool> corners; ///< whether g' jumps at a knot
-    std::vector<W> jumps;      ///< g'(knot+) - g'(knot-), where there is a corner
-    std::size_t origin = 0;    ///< its index among the knots
+    std::vector<bool> corners; ///< true if g' jumps at the knot
+    std::vector<W> jumps;      ///< g'(knot+) - g'(knot-); 0 where there is no corner
+    std::size_t origin = 0;    ///< the index of the origin among the knots
 
     [[nodiscard]] const W& rate(std::size_t piece) const { return pieces[piece].rate; }
     [[nodiscard]] bool has_corner(std::size_t knot) const { return corners[knot]; }
     [[nodiscard]] const W& jump(std::size_t knot) const { return jumps[knot]; }
-    /// Of g'' across a knot.
+    /// The decrease of g'' across a knot.
     [[nodiscard]] W rate_drop(std::size_t knot) const { return rate(knot) - rate(knot + 1); }
 
     void find_jumps() {
@@ -39,8 +41,8 @@ template <class W> struct LinearSlope {
     }
 };
 
-/// `number` makes a W of a constant expression. Of a profile that is not piecewise linear only the
-/// knots.
+/// The slope of `profile`; `number` makes a W of a constant expression. For a profile that is not
+/// piecewise linear only the knots are set.
 template <class W, class Number>
 [[nodiscard]] LinearSlope<W> linear_slope(const Profile& profile, const Number& number) {
     LinearSlope<W> slope;
@@ -58,8 +60,8 @@ template <class W, class Number>
     return slope;
 }
 
-/// The sum of at_knot(i, mark) over the corners and of the rate of g' times
-/// between(i, mark, next mark) over the pieces; what is certainly outside counts nothing.
+/// The sum of at_knot(i, mark) over the corners and of the rate of g' times between(i, mark, next
+/// mark) over the pieces. Knots and pieces that are certainly outside do not count.
 template <class U, class W, class AtKnot, class Between>
 [[nodiscard]] U over_linear_measure(const LinearSlope<W>& slope, const Extent<U>& e,
                                     const std::vector<Mark<U>>& marks, const AtKnot& at_knot,
@@ -69,7 +71,7 @@ template <class U, class W, class AtKnot, class Between>
     for (std::size_t i = 0; i <= marks.size(); ++i) {
         Mark<U> next = i < marks.size() ? marks[i] : right_end(e);
         const bool nothing_inside = previous.end && previous.end == next.end;
-        // A piece with a constant g' weighs nothing, whatever is not known of its ends.
+        // A piece with a constant g' contributes 0, even if its ends are not known.
         if (!nothing_inside && !Field<W>::vanishes(slope.rate(i))) {
             sum = std::move(sum) + times(slope.rate(i), between(i, previous, next));
         }
@@ -81,6 +83,7 @@ template <class U, class W, class AtKnot, class Between>
     return sum;
 }
 
+/// The integral of a kernel of kernels.hpp over dg'.
 template <class Kernel, class U, class W>
 [[nodiscard]] U over_linear_measure(const LinearSlope<W>& slope, const Extent<U>& e,
                                     const std::vector<Mark<U>>& marks) {
@@ -90,8 +93,10 @@ template <class Kernel, class U, class W>
         [&](std::size_t, const Mark<U>& m, const Mark<U>& n) { return Kernel::between(e, m, n); });
 }
 
-/// eqn:Consistency: the right side less the left, zero where the edges balance, positive where the
-/// left edge lies further out. g'(0+) weighs on the right, -g'(0-) on the left.
+/// The consistency condition (moore-hills EQ20) in the form of docs/mechanics.md: its right side
+/// less its left side. It is zero where the edges are in balance, positive if the left edge must
+/// lie further out, and in the unit of a slope. A corner at the origin counts with g'(0+) on the
+/// right and with -g'(0-) on the left.
 template <class U, class W>
 [[nodiscard]] U linear_imbalance(const LinearSlope<W>& slope, const Extent<U>& e,
                                  const std::vector<Mark<U>>& marks) {

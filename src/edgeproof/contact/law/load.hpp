@@ -7,7 +7,7 @@
 
 namespace edgeproof::contact {
 
-/// What the contact is pressed with: the right edge a, or the normal force P per unit length.
+/// The load: the right edge a (length), or the normal force P per unit length.
 struct Load {
     enum class Kind { right_edge, force };
     Kind kind = Kind::right_edge;
@@ -18,8 +18,8 @@ struct Load {
     [[nodiscard]] static Load force(formula::Exact P) { return {Kind::force, std::move(P)}; }
 };
 
-/// The part of the contact that is looked at, as fractions of its length a + b from the edge.
-/// A paper that counts a symmetric contact from the edge to the middle has to = 1/2.
+/// The part of the contact that is examined, as fractions of its length a + b from the edge. For a
+/// symmetric contact from the edge to the middle, `to` is 1/2.
 struct ExtentRange {
     formula::Exact from = formula::Exact::of(Rational(0));
     formula::Exact to = formula::Exact::of(Rational(1));

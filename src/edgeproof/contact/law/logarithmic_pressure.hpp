@@ -6,18 +6,21 @@
 #include <utility>
 #include <vector>
 
-/// p of a piecewise linear slope, over any field: 2 pi p/E* is the integral of G(x, v) dg'(v),
-/// G = ln |(z_x + z_v)/(z_x - z_v)|, z_s = sqrt((a - s)/(s + b)); that of G between two marks is
-/// the difference of (v - x) G + w_x h. Summed by knots, each has one part: its jump of g' times G
-/// and its drop of g'' times (v - x) G.
+/// The pressure of a piecewise linear slope in closed form, over any field (docs/pressure.md,
+/// "Closed form: piecewise linear slopes"): 2 pi p/E* is the integral of G(x, v) dg'(v) with
+/// G = ln |(z_x + z_v)/(z_x - z_v)|, z_s = sqrt((a - s)/(s + b)). The integral of G between two
+/// marks is the difference of (v - x) G + w_x h. In the sum over knots, each knot contributes its
+/// jump of g' times G and its drop of g'' times (v - x) G.
 namespace edgeproof::contact {
 
-/// (e^G - 1) D |v - x|, which has no difference in it, so that G = ln(1 + ...) keeps its relative
-/// digits near an edge: with p = r_v l_x, q = r_x l_v, p - q = D (x - v). `root` is sqrt(p q).
+/// (e^G - 1) D |v - x| = 2 min(p, q) + 2 sqrt(p q), with p = r_v l_x, q = r_x l_v,
+/// p - q = D (x - v) (docs/pressure.md). It contains no difference, so that G = ln(1 + ...) keeps
+/// its relative digits near an edge. `root` is sqrt(p q); all in length^2.
 template <class U> [[nodiscard]] U green_excess(const U& p, const U& q, const U& root) {
     return Field<U>::twice(U(Field<U>::smaller(p, q) + root));
 }
-/// The same by the mark of v. `side`: 1 where v > x, -1 where v < x, 0 where that is not told.
+/// The same for the mark of v and the distances `right_x`, `left_x` of x from the edges; w_x =
+/// sqrt(right_x left_x). `side` is 1 where v > x, -1 where v < x, 0 where this is not known.
 template <class U>
 [[nodiscard]] U green_excess(const Mark<U>& v, const U& right_x, const U& left_x, const U& w_x,
                              int side) {
@@ -26,7 +29,7 @@ template <class U>
     if (side == 0) {
         return green_excess(U(v.right * left_x), U(right_x * v.left), sum);
     }
-    // The smaller of the two is known.
+    // The sign of v - x determines which of p and q is smaller.
     if (side > 0) {
         F::add_product(sum, v.right, left_x);
     } else {
@@ -35,7 +38,7 @@ template <class U>
     return F::twice(std::move(sum));
 }
 
-/// The integral of g'' over the angle h.
+/// The integral of g'' over the angle h (1/length). `marks` are those of all knots of `slope`.
 template <class Slope, class U>
 [[nodiscard]] U arc_of(const Slope& slope, const Extent<U>& e, const std::vector<Mark<U>>& marks) {
     U sum = Field<U>::number(0, e.a);
@@ -50,8 +53,9 @@ template <class Slope, class U>
     return sum;
 }
 
-/// 2 pi p/E*. `arc` is arc_of times w_x. `bends(i)`: knot i is inside, and g' does not go on by one
-/// formula there. `green(i)` gives G (`value`) and (v - x) G (`moment`) of such a knot.
+/// 2 pi p/E* (docs/pressure.md, "Closed form: piecewise linear slopes"). `arc` is arc_of times w_x.
+/// `bends(i)` is true if knot i is inside the contact and the formula of g' changes there.
+/// `green(i)` returns G (`value`) and (v - x) G (`moment`, a length) of such a knot.
 template <class Slope, class U, class Bends, class GreenAt>
 [[nodiscard]] U logarithmic_sum(const Slope& slope, std::size_t knots, const U& arc,
                                 const Bends& bends, const GreenAt& green) {

@@ -8,7 +8,7 @@
 
 namespace edgeproof::contact {
 
-/// Which part of the contact an integral over dg' runs through.
+/// The part of the contact over which an integral over dg' extends.
 enum class Part { all, left_of_origin, right_of_origin };
 
 template <class U> struct LeadingTerm {
@@ -18,7 +18,8 @@ template <class T> struct LeadingTerm<series::Series<T>> {
     static const T& of(const series::Series<T>& x) { return x[0]; }
 };
 
-/// A kernel of kernels.hpp for integrate_measure, which is compiled once for all of them.
+/// A kernel of kernels.hpp as three function pointers, so that integrate_measure is compiled once
+/// for all kernels.
 template <class T, class U> struct MeasureKernel {
     U (*at_knot)(const Extent<U>&, const Mark<U>&, const T& weight);
     U (*at)(const Extent<U>&, const Mark<U>&, const U& weight);
@@ -28,10 +29,11 @@ template <class T, class U, class Kernel> [[nodiscard]] MeasureKernel<T, U> meas
     return {&Kernel::template at<U, T>, &Kernel::template at<U, U>, &Kernel::template between<U>};
 }
 
-/// The integral of kernel(v) dg'(v) over the contact (or a part of it): corners, pieces with
-/// constant g'' in closed form, other pieces by quadrature. U is T, or Series<T> for derivatives
-/// of any order by a (with b a function of a). `marks` are those of the extent. `evaluations`
-/// counts the integrand.
+/// The integral of kernel(v) dg'(v) over the contact or a part of it (docs/mechanics.md, "One
+/// measure, six kernels"): corners and pieces with constant g'' in closed form, other pieces by
+/// quadrature to `target_digits` (0: to roundoff). U is T, or Series<T> for derivatives of any
+/// order with respect to a (b is then a function of a). `marks` are those of the extent.
+/// `evaluations` counts the evaluations of the integrand.
 template <Arithmetic T, class U>
 U integrate_measure(const MeasureKernel<T, U>& kernel, const SlopeIn<T>& slope, Marks<T, U>& marks,
                     Part part, bool symmetric, unsigned target_digits, std::size_t* evaluations) {
@@ -63,8 +65,8 @@ U integrate_measure(const MeasureKernel<T, U>& kernel, const SlopeIn<T>& slope, 
             (part == Part::left_of_origin && i > slope.origin())) {
             continue;
         }
-        // An edge exactly on a knot sees the piece inside the contact only: p depends on nothing
-        // beyond the edge, so one-sided derivatives are the right ones.
+        // If an edge lies exactly on a knot, only the piece inside the contact counts: p does not
+        // depend on g' beyond the edge, so that the one-sided derivatives are the right ones.
         const bool from_left_edge = i == 0 || !(-knots[i - 1] < b0);
         const bool to_right_edge = i == knots.size() || !(knots[i] < a0);
         if ((i > 0 && !(knots[i - 1] < a0)) || (i < knots.size() && !(-knots[i] < b0))) {
@@ -80,30 +82,32 @@ U integrate_measure(const MeasureKernel<T, U>& kernel, const SlopeIn<T>& slope, 
             sum += kernel.between(e, m, n) * piece.rate;
             continue;
         }
-        // The piece's ends move with the edges: v = lo + (hi - lo) r, all distances exact.
+        // The ends of the piece move with the edges: v = lo + (hi - lo) r, with exact distances
+        // from both ends.
         const U lo = from_left_edge ? U(-e.b) : U(e.a * T(0) + knots[i - 1]);
         const U hi = to_right_edge ? e.a : U(e.a * T(0) + knots[i]);
         const U extent = hi - lo;
         const U beyond_right = to_right_edge ? U(e.a * T(0)) : U(e.a - knots[i]);
         const U beyond_left = from_left_edge ? U(e.a * T(0)) : U(e.b + knots[i - 1]);
         const T length = LeadingTerm<U>::of(extent);
-        // A kernel over a symmetric contact: the left half is the right half with v mirrored.
+        // In a symmetric contact the left half is the mirror image of the right half.
         const bool fold = symmetric && part == Part::all;
         if (fold && i <= slope.origin()) {
             continue;
         }
         const auto f = [&](const T& r_lo, const T& r_hi) {
-            // r in units of the leading length, as a fraction of the moving length.
+            // r runs over the leading length of the piece; the fraction r/length applies to the
+            // moving length.
             const U from_lo = extent * T(r_lo / length);
             const U from_hi = extent * T(r_hi / length);
             const U left = beyond_left + from_lo;
             const U right = beyond_right + from_hi;
             const Mark<U> m = mark_between(right, left);
-            // Near the end that is the origin, v itself is the small distance.
+            // Near an end that is the origin, v itself is the small distance.
             const U v = i == slope.origin()       ? U(-from_hi)
                         : i == slope.origin() + 1 ? from_lo
                                                   : U(lo + from_lo);
-            // From the nearer end that is a knot.
+            // The rate in the distance from the nearer end, if that end is a knot.
             const bool by_left = to_right_edge || (!from_left_edge && r_lo < r_hi);
             const U rate = by_left && from_left_edge ? slope.template rate<U>(i, v)
                            : by_left                 ? slope.template rate<U>(i, v, i - 1, from_lo)

@@ -6,15 +6,15 @@
 
 namespace edgeproof::contact {
 
-/// A place inside the contact by its distances from both edges, so that the one it is near is
-/// known to the last digit.
+/// A place inside the contact, given by its distances from both edges (lengths; docs/mechanics.md,
+/// "The contact"), so that the distance from the nearer edge keeps all its digits.
 template <class T> struct Point {
     T right; ///< a - x
     T left;  ///< x + b
     T x;
 };
 
-/// Throws DomainError unless 0 < u < a + b.
+/// The point at the distance u from an edge (lengths). Throws DomainError unless 0 < u < a + b.
 template <class T> [[nodiscard]] Point<T> point_at(const Extent<T>& e, Edge edge, const T& u) {
     const T other = e.length() - u;
     if (!(u > T(0)) || !(other > T(0))) {

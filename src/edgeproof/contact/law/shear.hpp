@@ -7,21 +7,18 @@
 #include <cstddef>
 #include <vector>
 
-/// Shear under full stick: elastically similar half-planes (so that normal and shear problems are
-/// uncoupled), the normal load applied first and held, then a shear force Q per unit length and a
-/// differential bulk tension sigma_0, with no slip anywhere (moore-hills.tex, eqn:Shear_Adhered).
+/// The shear traction under full stick (moore-hills EQ34; derived in docs/shear.md): elastically
+/// similar half-planes, so that normal and shear problems are uncoupled; the normal load is applied
+/// first and held, then a shear force Q per unit length and a differential bulk tension sigma_0; no
+/// slip anywhere.
 ///
-/// Signs. q and Q are the traction on body A, positive towards +x, exerted by body B; sigma_0 is
-/// the bulk tension of B less that of A. A tension in B draws A's surface outwards: q > 0 at the
-/// right edge, q < 0 at the left. (On B everything changes sign: q, Q, and the tension's role.)
+/// Signs: q and Q are the traction on body A, exerted by body B, positive towards +x; sigma_0 is
+/// the bulk tension of B less that of A. A tension in B pulls the surface of A outwards: q > 0 at
+/// the right edge, q < 0 at the left edge. For the traction on B, all signs are opposite.
 ///
-/// Where the factor 1/8 comes from. In plane strain a traction q on a half-plane strains its
-/// surface by du/dx = (2 (1-nu^2)/(pi E)) PV of q(s)/(s - x) ds, and a bulk tension by
-/// (1-nu^2)/E sigma. A is strained by q, B by -q and by sigma_0; without slip both strain alike:
-///     (2/(pi E*)) PV of q(s)/(s - x) ds = (1-nu^2)/E sigma_0,   1/E* = 2 (1-nu^2)/E,
-/// so PV of q(s)/(s - x) ds = pi sigma_0/4, whatever E* is. With w = sqrt((a-s)(s+b)), PV of
-/// 1/(w (s-x)) = 0 and PV of s/(w (s-x)) = pi, so q = (sigma_0/8) (2x + b - a)/w carries no force
-/// and answers for sigma_0; Q/(pi w) answers for Q. Nothing here depends on the profile but a, b.
+/// With w = sqrt((a-s)(s+b)), PV of q(s)/(s - x) ds = pi sigma_0/4 for every E*. The part
+/// (sigma_0/8) (2x + b - a)/w satisfies this and carries no force; the part Q/(pi w) carries the
+/// force Q. Both depend on the profile only through a and b.
 namespace edgeproof::contact {
 
 template <class T> struct ShearLoad {
@@ -29,9 +26,9 @@ template <class T> struct ShearLoad {
     T bulk_tension; ///< sigma_0, a stress
 };
 
-/// q(x), a stress; by the distances from both edges, so that near an edge nothing cancels but Q
-/// against sigma_0. Digits: those of T, less what that costs; a ball is an enclosure, not finite
-/// where the point may be an edge.
+/// q(x), a stress (moore-hills EQ34), from the distances a - x and x + b from both edges (lengths),
+/// so that near an edge only Q and sigma_0 can cancel. The digits are those of T less those that
+/// cancel so. In balls the result is an enclosure; it is not finite where the point may be an edge.
 template <class T>
 [[nodiscard]] T full_stick_traction(const T& right, const T& left, const ShearLoad<T>& load) {
     using std::sqrt;
@@ -42,7 +39,7 @@ template <class T>
 [[nodiscard]] T full_stick_traction(const Point<T>& at, const ShearLoad<T>& load) {
     return full_stick_traction(at.right, at.left, load);
 }
-/// At the distance u from an edge of a contact of `length` a + b.
+/// q at the distance u from an edge of a contact of length a + b.
 template <class T>
 [[nodiscard]] T full_stick_traction(const T& length, const ShearLoad<T>& load, Edge edge,
                                     const T& u) {
@@ -51,15 +48,16 @@ template <class T>
                                : full_stick_traction(other, u, load);
 }
 
-/// The coefficients of u^(-1/2), u^(1/2), u^(3/2), ... of q at an edge (K_II, L_II, M_II, ...),
-/// over any field, with `scale` in place of the sqrt(a + b) in them. `Q_over_pi` = Q/pi, `length` =
-/// D = a + b: with u = D z the traction is [Q/pi +- sigma_0 D (1 - 2z)/8] (1 - z)^(-1/2)/sqrt(D u),
-/// and (1 - z)^(-1/2) is the sum of beta_k z^k.
+/// The coefficients of u^(-1/2), u^(1/2), u^(3/2), ... of q at an edge (K_II, L_II, M_II, ... of
+/// moore-hills EQ39), over any field, with `scale` in place of the sqrt(a + b) in them.
+/// `Q_over_pi` = Q/pi (force per unit length), `length` = D = a + b. With u = D z the traction is
+/// [Q/pi +- sigma_0 D (1 - 2z)/8] (1 - z)^(-1/2)/sqrt(D u), and (1 - z)^(-1/2) is the sum of beta_k
+/// z^k (docs/shear.md, "The expansion at an edge").
 template <class T>
 [[nodiscard]] std::vector<T> full_stick_terms(const T& Q_over_pi, const T& bulk_tension,
                                               const T& length, Edge edge, std::size_t terms,
                                               T scale) {
-    // The tension draws the right edge outwards.
+    // The tension pulls the right edge outwards.
     const T by_tension = (edge == Edge::right ? bulk_tension : T(-bulk_tension)) * length;
     const T lead = Q_over_pi + by_tension / 8;
     T beta = Field<T>::number(1, length);
@@ -74,7 +72,7 @@ template <class T>
     return s;
 }
 
-/// sqrt(a + b) times K_II, L_II, M_II, ...: no root is left to take.
+/// sqrt(a + b) times K_II, L_II, M_II, ...; needs no square root.
 template <class T>
 [[nodiscard]] std::vector<T> full_stick_brackets(const T& Q_over_pi, const T& bulk_tension,
                                                  const T& length, Edge edge, std::size_t terms) {
@@ -82,8 +80,8 @@ template <class T>
                             Field<T>::number(1, length));
 }
 
-/// K_II, L_II, M_II, ...: q = sum of s_k u^(k-1/2) at an edge; s_k has the units of
-/// stress/length^(k-1/2).
+/// The coefficients s_k of q = sum of s_k u^(k-1/2) at an edge: K_II, L_II, M_II, ... (moore-hills
+/// EQ39). Unit of s_k: stress/length^(k-1/2).
 template <class T>
 [[nodiscard]] std::vector<T> full_stick_expansion(const T& length, const ShearLoad<T>& load,
                                                   Edge edge, std::size_t terms) {
@@ -92,8 +90,9 @@ template <class T>
                             terms, T(sqrt(length)));
 }
 
-/// The singular tractions at both edges have the same sign: |sigma_0 (a + b)/Q| < 8/pi, for either
-/// sign of Q and of sigma_0. (At equality one of them vanishes; decided in T as it rounds.)
+/// True if the singular tractions at both edges have the same sign: |sigma_0 (a + b)/Q| < 8/pi, for
+/// either sign of Q and of sigma_0 (moore-hills EQ35, which omits the absolute value). At equality
+/// one of them vanishes; the result then depends on the rounding of T.
 template <Arithmetic T>
 [[nodiscard]] bool same_sign_at_both_edges(const T& length, const ShearLoad<T>& load) {
     using std::abs;

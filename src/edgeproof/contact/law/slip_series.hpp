@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <vector>
 
-/// The sizes of the slip zones in powers of the load ratio tau = |Q|/(f P), P and sigma_0/Q held:
-/// what the expansions of p at both edges give (docs/partial-slip.md, "The series"). Over any field
-/// T that multiplies with, and divides by, whole numbers of type long.
+/// The sizes of the slip zones as power series in the load ratio tau = |Q|/(f P), with P and
+/// sigma_0/Q held, from the expansions of p at both edges (docs/partial-slip.md, "The series").
+/// Over any field T with products and quotients by integers of type long.
 namespace edgeproof::contact {
 
-/// d = kappa_1 tau + kappa_2 tau^2 + ..., [0] is kappa_1; units of length.
+/// d = kappa_1 tau + kappa_2 tau^2 + ... (lengths); element 0 is kappa_1.
 template <class T> struct SlipSeries {
     std::vector<T> right;
     std::vector<T> left;
@@ -17,7 +17,7 @@ template <class T> struct SlipSeries {
 
 namespace slip_series_detail {
 
-/// Coefficients of x^0, x^1, ..., as many as `order`.
+/// The coefficients of x^0, x^1, ...
 template <class T> using Power = std::vector<T>;
 
 template <class T> Power<T> product(const Power<T>& x, const Power<T>& y, const T& zero) {
@@ -30,10 +30,11 @@ template <class T> Power<T> product(const Power<T>& x, const Power<T>& y, const 
     return r;
 }
 
-/// (1 - d/L)^(twice/2), d without a constant term.
+/// (1 - d/L)^(twice/2) for a series d without a constant term.
 template <class T>
 Power<T> half_power(const Power<T>& d, const T& L, long twice, const T& zero, const T& one) {
-    // n y_n = sum over j of ((twice/2) j - (n - j)) x_j y_{n-j}, x = 1 - d/L.
+    // With x = 1 - d/L, n y_n is the sum over j of ((twice/2) j - (n - j)) x_j y_{n-j}
+    // (`knuth1997`, section 4.7).
     Power<T> y(d.size(), zero);
     y[0] = one;
     for (std::size_t n = 1; n < d.size(); ++n) {
@@ -47,8 +48,9 @@ Power<T> half_power(const Power<T>& d, const T& L, long twice, const T& zero, co
     return y;
 }
 
-/// Coefficient `order` of the balance at one edge, over sqrt(D) pi/2: with d the slip zone there,
-/// e the one at the other edge, and c, o the coefficients of p at both,
+/// The coefficient of tau^order of the left side of the equation for the slip zones
+/// (docs/partial-slip.md, "The series"), divided by sqrt(D) pi/2. d is the slip zone at this edge,
+/// e the one at the other edge; c and o are the coefficients of p at these edges. The left side is
 ///     integral of p sqrt((D - e - u)/(d - u)) du over 0 < u < d
 ///   + integral of p sqrt((e - u)/(D - d - u)) du over 0 < u < e (u from the other edge).
 template <class T>
@@ -57,8 +59,8 @@ T balance(const std::vector<T>& c, const std::vector<T>& o, const Power<T>& d, c
     const std::size_t size = order + 1;
     const Power<T> near(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(size));
     const Power<T> far(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(size));
-    // sum over m of x^(m+first) B_m sum over j of c_{m-j} g_j L^(start - j), L = D - other, where
-    // g_j are the coefficients of (1 - z)^(binomial/2) and B_m those of the beta function.
+    // The sum over m of x^(m+first) B_m sum over j of c_{m-j} g_j L^(start - j), L = D - other,
+    // where g_j are the coefficients of (1 - z)^(binomial/2) and B_m are beta functions.
     const auto sum = [&](const std::vector<T>& coefficients, const Power<T>& x,
                          const Power<T>& other, std::size_t first, long binomial, long beta_from,
                          long beta_over) {
@@ -67,7 +69,7 @@ T balance(const std::vector<T>& c, const std::vector<T>& o, const Power<T>& d, c
             return total;
         }
         const std::size_t count = size - first;
-        // (1 - other/D)^(binomial/2 - j)/D^j (of the far zone: with a power less).
+        // (1 - other/D)^(binomial/2 - j)/D^j; the integral over the other zone has one power less.
         std::vector<Power<T>> powers;
         T scale = one;
         for (std::size_t j = 0; j < count; ++j) {
@@ -83,7 +85,7 @@ T balance(const std::vector<T>& c, const std::vector<T>& o, const Power<T>& d, c
             const long k = static_cast<long>(j);
             g.push_back(g.back() * (2 * k - 2 - binomial) / (2 * k));
         }
-        // B_0 = 1 at the near zone (pi/2 taken out), 1/4 at the far one.
+        // B_0 = 1 for this zone (without the factor pi/2), 1/4 for the other zone.
         std::vector<T> beta{first == 1 ? one : T(one / 4)};
         for (std::size_t m = 1; m < count; ++m) {
             const long k = static_cast<long>(m) - 1;
@@ -103,7 +105,7 @@ T balance(const std::vector<T>& c, const std::vector<T>& o, const Power<T>& d, c
         }
         return total;
     };
-    // B(m + 3/2, 1/2) and B(m + 3/2, 3/2) (DLMF 5.12.1).
+    // The ratios of B(m + 3/2, 1/2) and of B(m + 3/2, 3/2) (DLMF 5.12.1).
     const Power<T> here = sum(c, near, far, 1, 1, 3, 4);
     const Power<T> there = sum(o, far, near, 2, -1, 3, 6);
     return here[order] + there[order] / D;
@@ -111,10 +113,10 @@ T balance(const std::vector<T>& c, const std::vector<T>& o, const Power<T>& d, c
 
 } // namespace slip_series_detail
 
-/// The first `terms` coefficients at both edges, from `right` and `left`: c_0, c_1, ... of p, at
-/// least `terms` of each; `length` D = a + b. `lead` = 2 P/(pi sqrt(D)), `tension` =
-/// P (sigma_0/Q)/(4 sqrt(D)); `one` is 1 in T. The first is d_1 = 2 s_0/(f c_0). A coefficient is
-/// as good as T makes it: enclosed over balls. The work grows like terms^4.
+/// The first `terms` coefficients at both edges. `right` and `left` are the coefficients c_0, c_1,
+/// ... of p, at least `terms` of each; `length` D = a + b; `lead` = 2 P/(pi sqrt(D)); `tension` =
+/// P (sigma_0/Q)/(4 sqrt(D)); `one` is 1 in T. The first term gives d_1 = 2 s_0/(f c_0). Over balls
+/// the coefficients are enclosed. The work grows like terms^4.
 template <class T>
 [[nodiscard]] SlipSeries<T> slip_series(const std::vector<T>& right, const std::vector<T>& left,
                                         const T& length, const T& lead, const T& tension,
@@ -123,9 +125,9 @@ template <class T>
     const T zero = one * 0L;
     Power<T> d(terms + 1, zero);
     Power<T> e(terms + 1, zero);
-    // Each order follows from those before: the balance is c_0 d plus what is of higher order.
+    // Each order follows from the lower ones: the equation is c_0 d plus terms of higher order.
     for (std::size_t n = 1; n <= terms; ++n) {
-        // What the load and the tension ask for: tau (lead +- tension (D - d - e)).
+        // The right side of the equation: tau (lead +- tension (D - d - e)).
         const T stick = n == 1 ? length : T(-(d[n - 1] + e[n - 1]));
         const T by_force = n == 1 ? lead : zero;
         const T at_right =
@@ -138,7 +140,7 @@ template <class T>
     return {{d.begin() + 1, d.end()}, {e.begin() + 1, e.end()}};
 }
 
-/// The sum of the first n terms at tau.
+/// The sum of the first n terms at the load ratio tau, by Horner's rule (a length).
 template <class T>
 [[nodiscard]] T slip_sum(const std::vector<T>& kappa, std::size_t n, const T& tau) {
     T sum = kappa[n - 1];

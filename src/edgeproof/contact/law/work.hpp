@@ -4,8 +4,9 @@
 
 namespace edgeproof::contact {
 
-/// What a computation consists of: a plan foretells it, and the mechanics counts it where it is
-/// done. Passed along by whoever wants to know; never global; one object belongs to one thread.
+/// The number of steps of each kind in a computation. A plan predicts the counts, and the mechanics
+/// counts each step where it is done. The object is passed as an argument, is never global, and
+/// belongs to one thread.
 struct Counts {
     std::size_t tilts = 0;            ///< tilts solved for from P and M
     std::size_t load_inversions = 0;  ///< contacts whose size was solved for from P
@@ -16,18 +17,18 @@ struct Counts {
     std::size_t shear_points = 0;     ///< shear tractions
     std::size_t shear_expansions = 0; ///< edges at which q was expanded
     std::size_t resultants = 0;       ///< forces and moments
-    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was sought
-    std::size_t stick_zones = 0;      ///< partial slips solved
-    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was asked for
+    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was searched for
+    std::size_t stick_zones = 0;      ///< stick zones solved
+    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was computed
 
     friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-/// The counts, and what depends on the digits that cancel on the way, which no plan foretells.
+/// The counts, and numbers that depend on the cancelled digits and cannot be predicted.
 struct Work {
     Counts counts;
-    std::size_t raised = 0;      ///< times a contact was solved anew at a higher precision
-    std::size_t evaluations = 0; ///< of the integrands of pressures
+    std::size_t raised = 0;      ///< contacts solved again at a higher precision
+    std::size_t evaluations = 0; ///< evaluations of the integrands of pressures
 };
 
 } // namespace edgeproof::contact

@@ -10,7 +10,7 @@ enum class Edge { right, left };
 [[nodiscard]] constexpr Edge opposite(Edge edge) {
     return edge == Edge::right ? Edge::left : Edge::right;
 }
-/// For what is kept of both edges side by side.
+/// The index of an edge in arrays that hold one entry for each edge.
 [[nodiscard]] constexpr std::size_t index_of(Edge edge) { return edge == Edge::right ? 0 : 1; }
 
 } // namespace edgeproof::contact

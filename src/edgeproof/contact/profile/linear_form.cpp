@@ -16,8 +16,8 @@ bool is_literal_one(const formula::Expr& e) {
     return q != nullptr && *q == 1;
 }
 
-// Products and sums with 0 and 1 are left out so that the pieces of the common profiles stay
-// readable and are recognised as constant.
+// Sums with 0 and products with 0 and 1 are simplified, so that the pieces of the common profiles
+// stay readable and constants are recognised.
 formula::Expr plus(const formula::Expr& x, const formula::Expr& y) {
     return is_literal_zero(x) ? y : is_literal_zero(y) ? x : x + y;
 }

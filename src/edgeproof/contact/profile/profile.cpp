@@ -16,7 +16,7 @@ const formula::Expr symbol_x =
     formula::Expr::symbol("x"); // NOLINT: Expr is immutable and needs no other source
 const formula::Expr number_zero = formula::Expr::number(0); // NOLINT
 
-/// e(-x), negated: a slope seen in a mirror.
+/// -e(-x): the slope of the mirror image.
 formula::Expr mirrored(const formula::Expr& e) {
     const auto linear = as_linear(e, "x");
     if (linear) {
@@ -35,7 +35,8 @@ Profile Profile::assemble(Kind kind, std::vector<formula::Exact> knots,
                           std::vector<formula::Expr> slopes) {
     Profile p;
     p.kind_ = kind;
-    // The origin is a knot even where g' is smooth: consistency weighs its two sides.
+    // The origin is a knot even where g' is smooth: the consistency condition has one integral for
+    // each side of it.
     std::size_t at = 0;
     while (at < knots.size() && knots[at].sign() < 0) {
         ++at;
@@ -112,6 +113,7 @@ Profile Profile::power_law(const formula::Exact& C, const formula::Exact& m) {
     const formula::Expr& c = C.expr();
     const Rational* exponent = m.expr().rational();
     std::vector<formula::Expr> slopes;
+    // moore-hills EQ10
     if (exponent != nullptr && *exponent == 0) {
         slopes = {-c, c};
     } else if (exponent != nullptr && *exponent == 1) {
@@ -132,6 +134,7 @@ Profile Profile::flat_and_rounded(const formula::Exact& t, const formula::Exact&
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
     const formula::Expr& T = t.expr();
     const formula::Expr& r = R.expr();
+    // moore-hills EQ16
     Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {symbol_x / r})
                               : assemble(Kind::flat_and_rounded, {formula::Exact(-T), t},
                                          {(symbol_x + T) / r, number_zero, (symbol_x - T) / r});
@@ -148,6 +151,7 @@ Profile Profile::tilted_wedge(const formula::Exact& phi, const formula::Exact& a
     require(formula::Exact(f - al).sign() > 0 && formula::Exact(f + al).sign() > 0,
             "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
             "give |alpha| < phi: beyond, one face of the wedge lifts off");
+    // moore-hills EQ26
     Profile p = assemble(Kind::tilted_wedge, {formula::Exact(number_zero)}, {-(f + al), f - al});
     p.corner_[0] = true;
     p.symmetric_ = alpha.sign() == 0;
@@ -170,11 +174,12 @@ Profile Profile::tilted_flat_and_rounded(const formula::Exact& alpha, const form
     if (t.sign() == 0) {
         slopes = {symbol_x / r};
     } else if (alpha.sign() == 0) {
-        // Upright, the minimum is the whole flat; the paper's frame then has its origin at the
-        // right end of the flat.
+        // The minimum of an upright punch is the whole flat; the paper's frame (moore-hills EQ33)
+        // then has its origin at the right end of the flat.
         knots = {formula::Exact(-two_t), formula::Exact(number_zero)};
         slopes = {(symbol_x + two_t) / r, number_zero, symbol_x / r};
     } else {
+        // moore-hills EQ33
         knots = {formula::Exact(-(al * r) - two_t), formula::Exact(-(al * r))};
         slopes = {(symbol_x + two_t) / r, -al, symbol_x / r};
     }
@@ -244,7 +249,8 @@ bool Profile::piecewise_linear() const noexcept {
 
 Profile Profile::reflected() const {
     Profile p;
-    // Only the symmetric kinds keep their name in a mirror; a tilted one leans the other way.
+    // The mirror image of a tilted profile is tilted anticlockwise, so that only symmetric profiles
+    // keep their kind.
     p.kind_ = symmetric_ ? kind_ : Kind::piecewise;
     p.symmetric_ = symmetric_;
     if (symmetric_) {

@@ -15,22 +15,23 @@ namespace edgeproof::contact {
 struct SlopePiece {
     formula::Expr slope; ///< g' as an expression in x alone (constants are exact)
 
-    /// g' = at_origin + rate x, where that is what `slope` comes to.
+    /// g' = at_origin + rate x. Present if `slope` has this form.
     struct Linear {
         formula::Expr at_origin; ///< dimensionless
         formula::Expr rate;      ///< 1/length
     };
     std::optional<Linear> linear;
 
-    /// `slope` in the distance from the knot at its left or right end (slope_from_knot.hpp), where
-    /// that keeps digits that x does not.
+    /// `slope` as a function of the distance from the knot at its left or right end
+    /// (slope_from_knot.hpp). Present where this form keeps digits that x loses.
     std::optional<formula::Expr> from_left = {};
     std::optional<formula::Expr> from_right = {};
 };
 
-/// The slope g'(x) of the gap between the bodies: convex (g' does not decrease), piecewise
-/// analytic, with the origin at its minimum (g' <= 0 to the left of it, >= 0 to the right).
-/// Everything in it is exact. The origin always counts as a knot, with or without a corner.
+/// The slope g'(x) of the gap between the bodies (dimensionless). It does not decrease, it is
+/// piecewise analytic, and the origin is at its minimum (g' <= 0 to the left of it, >= 0 to the
+/// right). All numbers in it are exact. The origin always counts as a knot, with or without a
+/// corner.
 class Profile {
 public:
     enum class Kind {
@@ -41,30 +42,33 @@ public:
         piecewise
     };
 
-    /// g' = C sgn(x) |x|^m, m >= 0, C > 0 (moore-hills.tex, eqn:PowerLaw_Profile).
-    /// Throws InputError outside that domain, as all makers do.
+    /// g' = C sgn(x) |x|^m, m >= 0, C > 0 (moore-hills EQ10). C: 1/length^m; m: dimensionless.
+    /// Throws InputError outside that domain, as all these functions do.
     [[nodiscard]] static Profile power_law(const formula::Exact& C, const formula::Exact& m);
-    /// Flat of length 2t between arcs of radius R, t >= 0, R > 0 (moore-hills.tex, lines 191-198).
+    /// A flat of length 2t between arcs of radius R, t >= 0, R > 0 (moore-hills EQ16). t, R:
+    /// lengths.
     [[nodiscard]] static Profile flat_and_rounded(const formula::Exact& t, const formula::Exact& R);
-    /// Half-angle pi/2 - phi, tilted clockwise by alpha, |alpha| < phi (lines 289-294).
+    /// A wedge of half-angle pi/2 - phi, tilted clockwise by alpha, |alpha| < phi (moore-hills
+    /// EQ26). phi, alpha: slopes, dimensionless.
     [[nodiscard]] static Profile tilted_wedge(const formula::Exact& phi,
                                               const formula::Exact& alpha);
-    /// Flat of length 2t between arcs of radius R, tilted clockwise by alpha >= 0, with the origin
-    /// at the minimum (lines 339-346).
+    /// A flat of length 2t between arcs of radius R, tilted clockwise by alpha >= 0, with the
+    /// origin at the minimum (moore-hills EQ33). alpha: slope, dimensionless; t, R: lengths.
     [[nodiscard]] static Profile tilted_flat_and_rounded(const formula::Exact& alpha,
                                                          const formula::Exact& t,
                                                          const formula::Exact& R);
-    /// The user's own: `slopes[i]` (in x) holds between knots[i-1] and knots[i]. Throws InputError
-    /// that names the place where knots do not ascend, g' decreases, or the minimum is not at 0.
-    /// The two outer pieces need to rise, or to have a value, only as far as the contact reaches.
+    /// A profile given by the user: `slopes[i]` (in x) holds between knots[i-1] and knots[i]
+    /// (lengths). Throws an InputError that names the place where the knots do not ascend, g'
+    /// decreases, or the minimum is not at 0.
+    /// The two outer pieces need to rise, and to have a value, only as far as the contact reaches.
     [[nodiscard]] static Profile piecewise(const std::vector<formula::Exact>& knots,
                                            const std::vector<formula::Expr>& slopes);
-    /// The same, given for x > 0 only and continued by g'(-x) = -g'(x).
+    /// A profile given by the user for x > 0 only and continued by g'(-x) = -g'(x).
     [[nodiscard]] static Profile piecewise_symmetric(const std::vector<formula::Exact>& knots,
                                                      const std::vector<formula::Expr>& slopes);
 
     [[nodiscard]] Kind kind() const noexcept { return kind_; }
-    /// "power-law", "flat-and-rounded", ... as in a scene file.
+    /// The name of the kind in a scene file: "power-law", "flat-and-rounded", ...
     [[nodiscard]] std::string kind_name() const;
     /// True if g'(-x) = -g'(x) by construction: then b = a, and nothing is solved for it.
     [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
@@ -74,24 +78,26 @@ public:
     [[nodiscard]] bool has_closed_form() const noexcept {
         return kind_ == Kind::power_law || piecewise_linear();
     }
-    /// Parameters by their name in the paper (m, C, t, R, phi, alpha).
+    /// The parameters by their names in the paper (m, C, t, R, phi, alpha).
     [[nodiscard]] const std::map<std::string, formula::Exact>& parameters() const noexcept {
         return parameters_;
     }
-    /// Ascending; `pieces()[i]` ends at `knots()[i]` and `pieces()[i+1]` begins there.
+    /// The knots in ascending order; `pieces()[i]` ends at `knots()[i]` and `pieces()[i+1]` begins
+    /// there.
     [[nodiscard]] const std::vector<formula::Exact>& knots() const noexcept { return knots_; }
     [[nodiscard]] const std::vector<SlopePiece>& pieces() const noexcept { return pieces_; }
-    /// Index of the origin among the knots.
+    /// The index of the origin among the knots.
     [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
-    /// The place, if any, up to which a user's slope rises on that side, less a millionth of its
-    /// way: beyond, `slopes` ends or decreases, and g' goes on along a straight line so that
-    /// contacts can be searched for. One that reaches it is refused (NormalContact).
+    /// The place up to which a user's slope rises on that side, moved back by a millionth of its
+    /// distance from the last knot; empty if there is no such limit. Beyond it the given slope ends
+    /// or decreases, and g' continues as a straight line so that contacts can be searched for. A
+    /// contact that reaches this place is refused (NormalContact).
     [[nodiscard]] const std::optional<formula::Exact>& rises_to(Edge edge) const noexcept {
         return edge == Edge::right ? right_limit_ : left_limit_;
     }
-    /// Whether g' itself jumps at a knot (a corner), rather than only bends.
+    /// True if g' itself jumps at a knot (a corner); false if g' only bends there.
     [[nodiscard]] bool has_corner(std::size_t knot) const { return corner_.at(knot); }
-    /// The same contact seen in a mirror: g'(x) becomes -g'(-x); right becomes left.
+    /// The mirror image of the profile: g'(x) becomes -g'(-x); right becomes left.
     [[nodiscard]] Profile reflected() const;
 
 private:
@@ -112,7 +118,7 @@ private:
     std::optional<formula::Exact> right_limit_;
 };
 
-/// a + b x with a, b free of `x`, where the expression has that form by inspection of its tree.
+/// Returns a + b x with a, b free of `x` if the expression tree has that form, else nothing.
 [[nodiscard]] std::optional<SlopePiece::Linear> as_linear(const formula::Expr& e,
                                                           std::string_view x);
 

@@ -14,10 +14,11 @@ namespace {
 constexpr unsigned check_digits = 60;
 constexpr int samples = 64;
 
-/// A user reads the place in a few digits.
+/// Messages show the place with 8 digits.
 std::string short_text(const Real& x) { return x.str(8); }
 
-/// The sign of an exact constant; what 4096 bits cannot tell from zero counts as zero.
+/// The sign of an exact constant; a constant that 4096 bits do not separate from zero counts as
+/// zero.
 int sign_or_zero(const formula::Expr& e) {
     try {
         return formula::Exact(e).sign();
@@ -35,8 +36,8 @@ int sign_or_zero(const formula::Expr& e) {
 std::vector<bool> checked_corners(const Profile& profile) {
     const PrecisionScope scope(check_digits);
     const auto& knots = profile.knots();
-    // Of a symmetric profile the right half alone: messages show what was given, not its mirror
-    // image. The origin is its middle knot.
+    // For a symmetric profile only the right half is checked, so that messages show the given half
+    // and not its mirror image. The origin is the middle knot.
     const std::size_t first = profile.symmetric() ? knots.size() / 2 : 0;
     for (std::size_t i = first; i + 1 < knots.size(); ++i) {
         if (formula::Exact(knots[i + 1].expr() - knots[i].expr()).sign() <= 0) {
@@ -76,7 +77,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
             continue;
         }
         if (i == 0 || i == knots.size()) {
-            continue; // an outer piece need not rise for ever
+            continue; // outer pieces: rising_limit
         }
         Real previous = 0;
         for (int k = 0; k <= samples; ++k) {
@@ -102,7 +103,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
 
 namespace {
 
-/// What is seen of a slope at a point of an outer piece, outwards from its knot.
+/// The slope of an outer piece at distances `away` outwards from its knot.
 class OuterPiece {
 public:
     OuterPiece(const Profile& profile, Edge edge)
@@ -112,7 +113,7 @@ public:
     [[nodiscard]] Real place(const Real& away) const {
         return right_ ? Real(knot_ + away) : Real(knot_ - away);
     }
-    /// g' outwards; nothing where it has no finite value.
+    /// g', positive outwards; nothing where g' has no finite value.
     [[nodiscard]] std::optional<Real> value(const Real& away) const {
         try {
             const Real g = slope_.value(piece_, place(away));
@@ -123,12 +124,12 @@ public:
         }
         return std::nullopt;
     }
-    /// g'' is not seen to be negative.
+    /// False if g'' is negative.
     [[nodiscard]] bool rises(const Real& away) const {
         try {
             return !(slope_.rate(piece_, place(away)) < 0);
         } catch (const DomainError&) {
-            return true; // a corner of abs, say
+            return true; // for example a corner of abs
         }
     }
 
@@ -196,12 +197,13 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
             bad = middle;
         }
     }
-    // Some way back, out of the reach of a pole: tan(x) is to be integrated up to there.
+    // The limit is moved back by about a millionth, so that a pole, such as one of tan(x), lies
+    // outside.
     const Rational away = good * (1 - dyadic(-20));
     const Real d = from_rational<Real>(away);
     const Real steep = g.value(d).value_or(previous) / d;
     if (steep > Real(1e300)) {
-        return std::nullopt; // it leaves the range of the numbers (an exponential): it still rises
+        return std::nullopt; // beyond the range of binary64 (an exponential): it still rises
     }
     const double rate = steep.convert_to<double>();
     const formula::Expr knot =

@@ -14,8 +14,8 @@
 
 namespace edgeproof::contact {
 
-/// Evaluates an expression in x over T, Series<T> or DividedDifference<T>: `lift` makes a constant
-/// of that type.
+/// The environment in which an expression in x is evaluated over T, Series<T> or
+/// DividedDifference<T>. `lift` makes a constant of that type.
 template <class U, class T, class Lift> class SlopeEnvironment {
 public:
     SlopeEnvironment(const U& x, const Lift& lift) : x_(x), lift_(lift) {}
@@ -28,7 +28,8 @@ private:
     const Lift& lift_;
 };
 
-/// g' of a Profile in the arithmetic T, at the precision of the thread that makes it.
+/// g' of a Profile (dimensionless; x is a length) in the arithmetic T, at the precision of the
+/// thread that constructs it.
 template <Arithmetic T> class SlopeIn {
 public:
     struct Piece {
@@ -37,10 +38,11 @@ public:
         T rate{};
         formula::Expr expression;
         std::optional<formula::Expr>
-            from_left; ///< in the distance from the knot there (profile.hpp)
+            from_left; ///< in the distance from the knot at the left end (profile.hpp)
         std::optional<formula::Expr> from_right;
     };
-    /// A place by a knot at an end of its piece, where the distance from it is better known.
+    /// A place on a piece that is near the knot at one end of it; the distance from this knot has
+    /// more digits than x.
     struct Beside {
         std::size_t knot;
         T away; ///< x - knot
@@ -71,10 +73,10 @@ public:
     [[nodiscard]] const std::vector<T>& knots() const noexcept { return knots_; }
     [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
     [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
-    /// g'(knot+) - g'(knot-), exactly 0 where there is no corner.
+    /// g'(knot+) - g'(knot-); exactly 0 where there is no corner.
     [[nodiscard]] const T& jump(std::size_t knot) const { return jumps_[knot]; }
     [[nodiscard]] bool has_corner(std::size_t knot) const { return !(jumps_[knot] == T(0)); }
-    /// g'' of a linear piece, and by how much it falls across a knot between two.
+    /// g'' of a linear piece (1/length), and its decrease across a knot between two linear pieces.
     [[nodiscard]] const T& rate(std::size_t piece) const { return pieces_[piece].rate; }
     [[nodiscard]] T rate_drop(std::size_t knot) const { return T(rate(knot) - rate(knot + 1)); }
 
@@ -87,10 +89,11 @@ public:
         const auto lift = [](const T& c) { return c; };
         return evaluate<T>(p.expression, SlopeEnvironment<T, T, decltype(lift)>(x, lift));
     }
-    /// g'' of one piece, for x a number or a series.
+    /// g'' of one piece (1/length); x is a number or a series.
     template <class U> [[nodiscard]] U rate(std::size_t piece, const U& x) const;
-    /// (g'(s) - g'(x))/(s - x) by the expression of one piece, without cancellation; delta = s - x
-    /// is given beside s so that both may be exact.
+    /// (g'(s) - g'(x))/(s - x) by the expression of one piece, without cancellation
+    /// (docs/pressure.md, "The singular integral, and how its pole is taken out"). delta = s - x is
+    /// a parameter of its own so that both s and delta may be exact.
     [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta) const {
         const Piece& p = pieces_[piece];
         if (p.linear) {
@@ -98,7 +101,7 @@ public:
         }
         return quotient_of(p.expression, x, s, delta);
     }
-    /// value() of a piece that begins or ends at the knot.
+    /// value() of a piece that begins or ends at the knot of `beside`.
     [[nodiscard]] T value(std::size_t piece, const T& x, const Beside& beside) const {
         const formula::Expr* form = form_at(piece, beside.knot);
         const auto lift = [](const T& c) { return c; };
@@ -106,13 +109,14 @@ public:
                    ? value(piece, x)
                    : evaluate<T>(*form, SlopeEnvironment<T, T, decltype(lift)>(beside.away, lift));
     }
-    /// rate() likewise, for x a number or a series.
+    /// rate() of a piece that begins or ends at the knot; x is a number or a series, away = x -
+    /// knot.
     template <class U>
     [[nodiscard]] U rate(std::size_t piece, const U& x, std::size_t knot, const U& away) const {
         const formula::Expr* form = form_at(piece, knot);
         return form == nullptr ? rate(piece, x) : rate_of(*form, away);
     }
-    /// quotient() likewise, s being beside the knot.
+    /// quotient() of a piece that begins or ends at the knot of `beside`, which gives s - knot.
     [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta,
                              const Beside& beside) const {
         const formula::Expr* form = form_at(piece, beside.knot);
@@ -121,7 +125,7 @@ public:
         }
         return quotient_of(*form, T(x - knots_[beside.knot]), beside.away, delta);
     }
-    /// The piece that holds at x; at a knot, the one to its right.
+    /// The piece that contains x; at a knot, the one to its right.
     [[nodiscard]] std::size_t piece_at(const T& x) const {
         std::size_t i = 0;
         while (i < knots_.size() && !(x < knots_[i])) {
@@ -131,7 +135,7 @@ public:
     }
 
 private:
-    /// Null where x serves as well.
+    /// The form in the distance from the knot; null if the form in x is as accurate.
     [[nodiscard]] const formula::Expr* form_at(std::size_t piece, std::size_t knot) const {
         const auto& form = piece == knot ? pieces_[piece].from_right : pieces_[piece].from_left;
         return form ? &*form : nullptr;
@@ -170,8 +174,8 @@ U SlopeIn<T>::rate_of(const formula::Expr& g, const U& x) {
         return evaluate<S>(g, SlopeEnvironment<S, T, decltype(lift)>(S::variable(x, 2), lift))[1];
     } else {
         const std::size_t n = x.order();
-        // g'' along the series x(z): the Taylor series of g' at x_0, derived, composed with x -
-        // x_0.
+        // g'' along the series x(z): the derivative of the Taylor series of g' at x_0, composed
+        // with x - x_0 by Horner's rule.
         const auto lift = [n](const T& c) { return U(c, n + 1); };
         const U taylor =
             evaluate<U>(g, SlopeEnvironment<U, T, decltype(lift)>(U::variable(x[0], n + 1), lift));

@@ -47,7 +47,7 @@ void collect(const formula::Expr& e, long& root) {
     }
 }
 
-/// With sign w^root for x.
+/// e with +w^root or -w^root in place of x (docs/curved-slopes.md, "What is integrated").
 formula::Expr with_root(const formula::Expr& e, long root, bool positive) {
     const formula::Expr w = formula::Expr::symbol("x");
     const auto signed_by_side = [&](const formula::Expr& x) { return positive ? x : -x; };

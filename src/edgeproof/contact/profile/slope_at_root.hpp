@@ -6,16 +6,17 @@
 
 namespace edgeproof::contact {
 
-/// A slope beside a knot that is a branch point of it, without the branch point: |x - knot| =
-/// w^root makes (x - knot)^(3/2) the cube of w for root = 2.
+/// A slope near a knot that is a branch point of it, written without the branch point. With
+/// w^root = |x - knot|, (x - knot)^(3/2) becomes w^3 for root = 2 (docs/curved-slopes.md, "What is
+/// integrated").
 struct SlopeAtRoot {
-    formula::Expr slope; ///< in w >= 0, called x
-    long root = 1;       ///< least common denominator of the powers of x - knot
+    formula::Expr slope; ///< as a function of w >= 0; the symbol is called x
+    long root = 1;       ///< the least common denominator of the exponents of x - knot
 };
 
-/// On the side of the knot to its right or its left. Nothing where no power of a multiple of
-/// x - knot has a rational exponent that is not whole, or where their denominators have too large a
-/// common multiple.
+/// Returns this form for the side to the right or to the left of the knot. Returns nothing if no
+/// power of a multiple of x - knot has a rational exponent that is not an integer, or if the common
+/// denominator is greater than 24.
 [[nodiscard]] std::optional<SlopeAtRoot>
 slope_at_root(const formula::Expr& slope, const formula::Expr& knot, bool to_the_right);
 

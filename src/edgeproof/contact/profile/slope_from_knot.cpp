@@ -11,7 +11,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// The first of the constants in e that are no rational numbers, such as pi and sqrt(2).
+/// The first irrational constant in e, such as pi or sqrt(2).
 std::optional<formula::Expr> irrational_part(const formula::Expr& e) {
     if (e.rational() != nullptr) {
         return std::nullopt;
@@ -40,7 +40,7 @@ formula::Expr with_symbol_for(const formula::Expr& e, const formula::Expr& part,
     return args.empty() ? e : formula::Expr::with_args(e, std::move(args));
 }
 
-/// Of a constant that is 0 whatever numbers its irrational parts are: pi/3 - 2*(pi/6).
+/// True if a constant is 0 for any value of its irrational parts, for example pi/3 - 2*(pi/6).
 bool zero_by_form(const formula::Expr& e) {
     if (const Rational* q = e.rational()) {
         return *q == 0;
@@ -52,7 +52,7 @@ bool zero_by_form(const formula::Expr& e) {
     return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
 }
 
-using Polynomial = std::vector<Rational>; ///< from the constant on
+using Polynomial = std::vector<Rational>; ///< coefficients, the constant first
 
 constexpr std::size_t most_coefficients = 33;
 
@@ -66,7 +66,7 @@ Polynomial product(const Polynomial& f, const Polynomial& g) {
     return h;
 }
 
-/// e as a polynomial in the distance x - knot, where it is one with rational coefficients.
+/// e as a polynomial in the distance x - knot; nothing if it is not one with rational coefficients.
 std::optional<Polynomial> as_polynomial(const formula::Expr& e, const Rational& knot) {
     if (const Rational* q = e.rational()) {
         return Polynomial{*q};
@@ -120,7 +120,7 @@ std::optional<Polynomial> as_polynomial(const formula::Expr& e, const Rational& 
     }
 }
 
-/// By Horner's rule, the vanishing constant left out.
+/// The polynomial by Horner's rule, without its constant, which is 0.
 formula::Expr without_constant(const Polynomial& f) {
     const formula::Expr x = formula::Expr::symbol("x");
     formula::Expr sum = formula::Expr::number(f.back());
@@ -130,7 +130,8 @@ formula::Expr without_constant(const Polynomial& f) {
     return sum;
 }
 
-/// `expand`: polynomials, too; which loses what tells the sign of their rate, such as a square.
+/// e as a function of x - knot. With `expand`, polynomials are multiplied out; then the sign of
+/// their rate can no longer be read from the form, for example from a square.
 formula::Expr moved_to(const formula::Expr& knot, const formula::Expr& e, bool expand,
                        bool* vanishes) {
     if (!free_symbols(e).contains("x")) {

@@ -6,13 +6,14 @@
 
 namespace edgeproof::contact {
 
-/// A slope g'(x) as a function of the distance x - knot, called x again: parts that are linear in
-/// x lose their constant exactly where they vanish on the knot, so that (x - 1/5)^(3/2) keeps its
-/// digits however near to 1/5.
+/// Returns a slope g'(x) as a function of the distance x - knot; the symbol of the distance is x
+/// again. Parts that are linear in x and vanish at the knot lose their constant exactly. So (x -
+/// 1/5)^(3/2) keeps its digits at any distance from 1/5.
 [[nodiscard]] formula::Expr slope_from_knot(const formula::Expr& slope, const formula::Expr& knot);
 
-/// The same, with polynomials of rational coefficients multiplied out, where a part of it vanishes
-/// on the knot, and the knot is not 0; else nothing: x itself serves as well.
+/// Returns the same function with polynomials of rational coefficients multiplied out. Returns
+/// nothing where no part of the slope vanishes at the knot, or where the knot is 0: then x itself
+/// has all digits.
 [[nodiscard]] std::optional<formula::Expr> slope_beside_zero(const formula::Expr& slope,
                                                              const formula::Expr& knot);
 

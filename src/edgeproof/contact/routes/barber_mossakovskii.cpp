@@ -9,8 +9,8 @@
 namespace edgeproof::contact {
 namespace {
 
-/// So many digits more, in an arithmetic that can have them: beyond a corner of the profile P'(s)
-/// grows like (s - knot)^(-1/2), so that s takes the digits that s - knot has.
+/// Adds digits while it exists, in an arithmetic that supports it. Beyond a corner of the profile
+/// P'(s) grows like (s - knot)^(-1/2), so that s needs the digits of s - knot.
 template <Arithmetic T> class MoreDigits {
 public:
     explicit MoreDigits(unsigned) {}
@@ -23,7 +23,7 @@ private:
     PrecisionScope scope_;
 };
 
-/// The digits of s/part that are lost when part is taken from s: none where part is of its size.
+/// The number of decimal digits by which part is smaller than s; 0 if it is not smaller.
 template <Arithmetic T> unsigned digits_lost(const T& s, const T& part) {
     if constexpr (std::is_same_v<T, Real>) {
         constexpr double digits_a_bit = 0.30103;
@@ -36,8 +36,8 @@ template <Arithmetic T> unsigned digits_lost(const T& s, const T& part) {
     }
 }
 
-/// Where P'(s) or b(s) is not analytic in (0, a): s on a knot, or b(s) on one. Ascending, and with
-/// twice the digits of the rest where they are solved for.
+/// The places in (0, a) where P'(s) or b(s) is not analytic, since s or -b(s) is a knot, in
+/// ascending order. Places that are solved for have twice the digits of the thread.
 template <Arithmetic T> std::vector<T> kinks(const ContactLaw<T>& law, const Extent<T>& e) {
     const MoreDigits<T> twice(working_digits());
     std::vector<T> s;
@@ -61,11 +61,11 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
     if (at.x < T(0)) {
         throw DomainError("the right branch of Barber-Mossakovskii holds for x >= 0");
     }
-    // P' and b(s) are not analytic at the kinks below x either: the nearest tells how close the
-    // first interval lies to trouble. At the apex it is the origin itself.
+    // P' and b(s) are not analytic at the kinks below x either: the nearest one gives the distance
+    // of a singularity from the first interval. At the apex it is the origin itself.
     T below(0);
     std::vector<T> starts{at.x};
-    std::vector<T> offsets{T(0)}; // of the starts, from x
+    std::vector<T> offsets{T(0)}; // distances of the starts from x
     for (const T& s : kinks(law, e)) {
         const T offset = s - at.x;
         if (!(offset > T(0))) {
@@ -86,6 +86,7 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
         const T s = starts[i] + lo;
         const Extent<T> then = law.extent(s);
         const T rate = law.force_rate(then);
+        // moore-hills EQ21, first branch
         return T(rate / sqrt(T(from_x * (at.x + then.b))));
     };
     const auto result = quadrature::integrate_pieces<T>(integrand, lengths, beyond, T(0),

@@ -11,8 +11,8 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Places of the right edge between `from` and `to` at which one of the edges is on a knot, and
-/// both ends.
+/// The places of the right edge between `from` and `to` at which an edge is on a knot, and both
+/// ends, in ascending order.
 std::vector<Real> knots_passed(const ContactLaw<Real>& law, const Profile& profile,
                                const Real& from, const Real& to) {
     std::vector<Real> cuts{from, to};
@@ -38,9 +38,9 @@ std::vector<Real> knots_passed(const ContactLaw<Real>& law, const Profile& profi
 Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
                   const formula::Exact& friction) {
     constexpr unsigned guard = 10;
-    // P - L and L - L_s are some tau of P; and beside a knot that an edge passes, which that edge
-    // is known to by its place alone, rates go like a root of the distance, at a corner like its
-    // inverse.
+    // P - L and L - L_s are of the order of tau P. Near a knot that an edge passes, the rates
+    // behave like a root of the edge's distance from the knot, at a corner like the inverse of a
+    // root; this distance has only the digits of the edge itself.
     const Real decades = -log10(slip.load_ratio());
     const unsigned wanted =
         2 * (contact.digits() + guard) + (decades > 0 ? static_cast<unsigned>(ceil(decades)) : 0);
@@ -61,6 +61,7 @@ Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
         const Extent<Real> e = law.extent(Real(cuts[i] + lo));
         const Real L = law.force(e);
         const Real growth = 1 + law.force_rate(e) / law.left_force_rate(e); // dD/da
+        // docs/partial-slip.md, "The energy of a cycle"
         return Real((P - L) * (L - least) * growth / e.length());
     };
     const auto sum = quadrature::integrate_pieces<Real>(

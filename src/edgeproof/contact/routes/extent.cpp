@@ -14,10 +14,11 @@ namespace {
 
 struct Crossing {
     Real u;
-    Real estimate; ///< relative
+    Real estimate; ///< relative error
 };
 
-/// Where f = level between two samples: first at the scan's digits, then at full ones.
+/// Finds the place where f = level between two samples (docs/extents.md, "Sampled"), first at the
+/// digits of the scan, then at full digits.
 class Refiner {
 public:
     Refiner(const SignedError& coarse, const SignedError& fine, std::vector<Landmark> marks,
@@ -32,7 +33,8 @@ public:
         }
         const auto rough = root(coarse_, l.u, l.f, r.u, r.f, level, 12);
         const PrecisionScope scope(fine_.working());
-        // A bracket around the rough root, where it holds; else the whole interval anew.
+        // A bracket around the rough root, if f - level changes its sign there; otherwise the whole
+        // interval.
         const Real slack = rough.x * power_of_ten(-10);
         Real lo = rough.x - slack > l.u ? Real(rough.x - slack) : l.u;
         Real hi = rough.x + slack < r.u ? Real(rough.x + slack) : r.u;
@@ -59,8 +61,9 @@ private:
                                            Real(f_lo - level), hi, Real(f_hi - level),
                                            power_of_ten(-static_cast<int>(digits)));
     }
-    /// Beside a corner or the far edge f goes like a logarithm or a root of the distance d from
-    /// it: sought in log d. Nearer than the digits show, the crossing is the place itself.
+    /// A crossing near a corner or the far edge, where f behaves like a logarithm or a root of the
+    /// distance d: the search is in log d. If the crossing is nearer than the digits show, it is
+    /// the corner or edge itself.
     [[nodiscard]] Crossing beside_pole(std::size_t pole, const Real& other, bool to_its_right,
                                        const Real& level) const {
         const PrecisionScope scope(fine_.working());
@@ -101,7 +104,8 @@ Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
             "the range " + range.from.text() + " ... " + range.to.text() +
                 " of the contact does not ascend within 0 ... 1",
             "give 0 <= from < to <= 1");
-    // f is near the tolerance, so that its digits are lost to it; u loses them once more.
+    // f = p_local/p - 1 loses as many digits as the tolerance is small; u loses the same number
+    // again.
     const unsigned small = [&] {
         const PrecisionScope scope(30);
         const Real decades = -log10(tolerance.to<Real>());
@@ -149,7 +153,7 @@ Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
         if (l.side == r.side) {
             continue;
         }
-        // From beyond one tolerance to beyond the other, both are crossed.
+        // A step from beyond one limit to beyond the other crosses both.
         for (int side : {l.side, r.side}) {
             if (side == 0) {
                 continue;

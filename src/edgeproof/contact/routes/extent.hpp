@@ -8,27 +8,29 @@
 
 namespace edgeproof::contact {
 
-/// Where the n-term approximation at an edge is within a tolerance of the pressure:
-/// |1 - p_local(u)/p(u)| < tolerance. All distances are u from that edge, in units of length.
+/// The places where the n-term approximation at an edge is within a tolerance of the pressure:
+/// |1 - p_local(u)/p(u)| < tolerance (moore-hills EQ15; docs/extents.md, "Sampled"). All distances
+/// are u from this edge, in the unit of length.
 ///
-/// Each crossing is refined to the digits of the contact, `estimate` relative. That there are no
-/// more of them is *sampled*, not proved: on several hundred points, geometric towards both edges
-/// and both sides of every knot, with the extrema between them searched. At a corner of the profile
-/// p is infinite, so the approximation is outside every tolerance below 1 there.
+/// Each crossing is refined to the digits of the contact, with the relative error `estimate`. That
+/// there are no others is *sampled*, not proved: at several hundred points, geometric towards both
+/// edges and both sides of every knot, with a search for the extrema between them. At a corner of
+/// the profile p is infinite, so that the approximation is outside every tolerance below 1 there.
 struct Extents {
     Real first_exit; ///< the first u of the range at which the tolerance is reached
-    Real measure;    ///< length of the set within the tolerance, over the whole range
+    Real measure;    ///< total length within the tolerance, over the whole range
     std::vector<Real> crossings;
-    bool leaves = true; ///< false: within the tolerance all over; first_exit is the range's end
+    bool leaves = true; ///< false: all within the tolerance; first_exit is the range's end
     Real length;        ///< a + b
     Real range_from;
     Real range_to;
-    Real estimate;             ///< relative error of the worst crossing, estimated
-    std::size_t samples = 0;   ///< points of the scan
-    std::size_t pressures = 0; ///< pressures computed, scan and refinement
+    Real estimate;             ///< estimated relative error of the least accurate crossing
+    std::size_t samples = 0;   ///< number of points of the scan
+    std::size_t pressures = 0; ///< number of pressures computed by the scan and the refinement
 };
 
-/// Throws InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
+/// `tolerance` is relative (dimensionless), `range` in fractions of the contact's length. Throws
+/// InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
 [[nodiscard]] Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
                                        const formula::Exact& tolerance,
                                        const ExtentRange& range = {});

@@ -9,10 +9,10 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr int per_decade = 12;        // of the scan's geometric points
-constexpr int decades_to_knot = 8;    // how near a knot or the far edge the scan goes
+constexpr int per_decade = 12;        // geometric points of the scan
+constexpr int decades_to_knot = 8;    // decades from a knot or the far edge at which the scan stops
 constexpr int uniform_points = 32;    // between neighbouring landmarks
-constexpr std::size_t look_ahead = 8; // omitted terms that decide where the scan begins
+constexpr std::size_t look_ahead = 8; // omitted terms that determine the start of the scan
 
 } // namespace
 
@@ -30,6 +30,7 @@ Real SignedError::operator()(const Real& u) const {
     return local / contact_.pressure(edge_, u).value - 1;
 }
 
+/// p_local, by Horner's rule (moore-hills EQ04).
 Real SignedError::approximation(const Real& u) const {
     Real sum = c_[terms_ - 1];
     for (std::size_t k = terms_ - 1; k-- > 0;) {
@@ -87,7 +88,7 @@ void ErrorScan::place(const std::vector<Landmark>& marks) {
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
         const Real width = marks[i + 1].u - marks[i].u;
         const Real near = width * power_of_ten(-decades_to_knot);
-        // The edge itself is approached as far as its own omitted terms matter.
+        // Towards the edge itself the scan ends where the omitted terms are small.
         const Real least = i == 0 && first < near ? first : near;
         for (Real d = width / 2; d > least; d *= step) {
             u.push_back(marks[i].u + d);
@@ -108,7 +109,7 @@ void ErrorScan::place(const std::vector<Landmark>& marks) {
     std::sort(u.begin(), u.end());
     u.erase(std::unique(u.begin(), u.end()), u.end());
     const Real end = marks.back().u;
-    // What a range's end that is meant to stand on a corner may miss it by.
+    // A range's end within this distance of a corner counts as on the corner.
     const Real roundoff = end * power_of_ten(10 - static_cast<int>(error_.working()));
     const auto on_pole = [&](const Real& x) {
         return std::any_of(marks.begin(), marks.end(), [&](const Landmark& mark) {
@@ -163,7 +164,7 @@ void ErrorScan::seek_extrema() {
         const Real threshold = m.side != 0 ? Real(m.side * tolerance_)
                                : top       ? tolerance_
                                            : Real(-tolerance_);
-        // The extremum must lie towards the threshold, and near enough to reach it.
+        // The extremum must lie towards the threshold, and may be near enough to reach it.
         const bool towards = (threshold > m.f) == top;
         if (towards && abs(Real(threshold - m.f)) <= reach) {
             found.push_back(extremum(l.u, r.u, top, threshold));
@@ -180,7 +181,7 @@ ErrorSample ErrorScan::extremum(const Real& lo, const Real& hi, bool top,
     if (abs(Real(f - threshold)) > abs(threshold) * power_of_ten(-12)) {
         return {u, f, side(f)};
     }
-    // It all but touches: all digits decide.
+    // The extremum nearly touches the threshold: decide with all digits.
     const PrecisionScope scope(fine_.working());
     const Real tolerance = exact_tolerance_.to<Real>();
     const Real place = least(fine_, lo, hi, top, threshold > 0 ? tolerance : Real(-tolerance),

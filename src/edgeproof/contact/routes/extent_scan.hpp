@@ -10,14 +10,16 @@ namespace edgeproof::contact {
 
 [[nodiscard]] Real power_of_ten(int k);
 
-/// p_local/p - 1 of n terms at an edge, at one precision.
+/// f = p_local/p - 1 for the sum p_local of n terms at an edge, at one precision (docs/extents.md).
 class SignedError {
 public:
     SignedError(const NormalContact& contact, unsigned digits, Edge edge, std::size_t n);
 
+    /// f at the distance u from the edge.
     [[nodiscard]] Real operator()(const Real& u) const;
+    /// p_local at the distance u from the edge.
     [[nodiscard]] Real approximation(const Real& u) const;
-    /// Below this u the omitted terms together stay within a third of the tolerance.
+    /// Up to this u the omitted terms together are estimated to be within a third of the tolerance.
     [[nodiscard]] Real safe_distance(const Real& tolerance) const;
     [[nodiscard]] const NormalContact& contact() const { return contact_; }
     [[nodiscard]] unsigned working() const { return working_; }
@@ -32,28 +34,29 @@ private:
     mutable std::size_t pressures_ = 0;
 };
 
-/// A knot or an end of the contact, as distance from the edge.
+/// A knot or an end of the contact, by its distance from the edge.
 struct Landmark {
     Real u;
-    bool singular; ///< p is infinite there (a corner) or zero (the far edge)
+    bool singular; ///< true if p is infinite there (a corner) or zero (the far edge)
 };
 
-/// Ascending, both ends of the contact among them.
+/// The knots and both ends of the contact in ascending order.
 [[nodiscard]] std::vector<Landmark> landmarks(const NormalContact& contact, Edge edge);
 
-/// A place of the scan: 0 within the tolerance, +1 at or above it, -1 at or below minus it.
+/// A sample of f. side: 0 within the tolerance, +1 at or above it, -1 at or below minus it.
 struct ErrorSample {
     Real u;
     Real f;
     int side;
-    std::optional<std::size_t> pole = {}; ///< the landmark that it stands on, where f is a limit
+    std::optional<std::size_t> pole = {}; ///< the landmark at u, if f is a limit there
 };
 
-/// The error on several hundred points of a range, and at the extrema between them that may reach
-/// the tolerance. Keeps references to the errors.
+/// The error at several hundred points of a range, and at extrema between them that may reach the
+/// tolerance. Keeps references to the errors.
 class ErrorScan {
 public:
-    /// `fine` decides where `error`, at fewer digits, cannot tell an extremum from the tolerance.
+    /// `error` has fewer digits than `fine`, which decides where `error` does not separate an
+    /// extremum from the tolerance.
     ErrorScan(const SignedError& error, const SignedError& fine, const std::vector<Landmark>& marks,
               const formula::Exact& tolerance, Real from, Real to);
     [[nodiscard]] const std::vector<ErrorSample>& samples() const { return samples_; }
@@ -65,9 +68,9 @@ private:
     void place(const std::vector<Landmark>& marks);
     void add(const Real& u);
     void in_order();
-    /// An extremum between the points may reach the tolerance, or dip below it, unseen.
+    /// Adds extrema between the samples that may cross the tolerance.
     void seek_extrema();
-    /// An extremum, or a place where f is beyond the threshold already.
+    /// The extremum between lo and hi, or a place where f is already beyond the threshold.
     [[nodiscard]] ErrorSample extremum(const Real& lo, const Real& hi, bool top,
                                        const Real& threshold) const;
     static Real least(const SignedError& error, const Real& lo, const Real& hi, bool top,

@@ -38,7 +38,7 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, Marks<T, T>&
         },
         [&](std::size_t i) {
             const Mark<T>& v = list[i];
-            const T offset = at.right - v.right; // v - x, from the same edge
+            const T offset = at.right - v.right; // v - x as a difference of distances from one edge
             if (offset == T(0)) {
                 if (slope.has_corner(i)) {
                     throw DomainError("the pressure is infinite at a corner of the profile");
@@ -46,10 +46,11 @@ RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law, Marks<T, T>&
                 return Green{T(0), T(0)};
             }
             const T excess = green_excess(v, at.right, at.left, w_x, offset > T(0) ? 1 : -1);
-            // MPFR's, as the balls of the same formula take Arb's.
+            // MPFR's log1p; the balls of the same formula use Arb's.
             const T G = log1p(T(excess / (e.length() * abs(offset))));
             return Green{G, T(offset * G)};
         });
+    // docs/pressure.md, "Closed form: piecewise linear slopes"
     return {T(law.contact_modulus() / (T(2) * pi<T>()) * sum), T(0), 0, true};
 }
 

@@ -52,6 +52,7 @@ Real NormalContact::moment() const {
     return s.law.moment(s.extent);
 }
 
+/// P^(k)(a), a multiple of a coefficient of the law's series.
 Real NormalContact::force_derivative(unsigned k) const {
     if (k == 0) {
         return force();
@@ -122,6 +123,7 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
     switch (route) {
     case Route::barber_mossakovskii:
         if (point.x < 0) {
+            // moore-hills EQ21, second branch: the first branch of the mirrored problem.
             const auto& mirror = s.mirrored(profile_, modulus_);
             const Extent<Real> e{s.extent.b, s.extent.a};
             p = barber_mossakovskii(mirror, e, Point<Real>{point.left, point.right, Real(-point.x)},
@@ -149,7 +151,8 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         ++(route == Route::closed_form ? work_->counts.closed_forms : work_->counts.quadratures);
         work_->evaluations += p.evaluations;
     }
-    // Roundoff of the whole computation, with the guard that the gaps have eaten given back.
+    // The roundoff of the whole computation; the working precision has made up for the digits lost
+    // in gaps.
     return {p.value, std::max(p.estimate, s.roundoff), route, p.evaluations, working};
 }
 
@@ -157,7 +160,7 @@ std::vector<Real> NormalContact::expansion(Edge edge, std::size_t terms) const {
     if (work_ != nullptr) {
         ++work_->counts.expansions;
     }
-    // High coefficients are sums that cancel by up to the binomials in them.
+    // High coefficients are sums in which terms of the size of binomial coefficients cancel.
     const unsigned working = base_working_ + static_cast<unsigned>(terms);
     const Solved& s = at(working);
     const PrecisionScope scope(working);

@@ -15,17 +15,17 @@
 
 namespace edgeproof::contact {
 
-/// How a pressure was computed.
+/// The method by which a pressure was computed.
 enum class Route {
-    barber_mossakovskii, ///< flat punches laid over each other, tanh-sinh
+    barber_mossakovskii, ///< a sequence of flat punches, tanh-sinh
     singular_integral,   ///< regularised principal value, tanh-sinh
     closed_form,         ///< logarithms, or Gauss's 2F1 for a power law
     automatic            ///< the closed form where there is one, else the singular integral
 };
 [[nodiscard]] std::string route_name(Route route);
 
-/// A value at the digits asked for, with the relative error that its route estimates (quadrature
-/// and roundoff; an estimate, never a bound) and what it cost.
+/// A value to the required digits, with the relative error that its route estimates (quadrature and
+/// roundoff; not a bound) and its cost.
 struct Estimated {
     Real value;
     Real estimate;
@@ -34,13 +34,15 @@ struct Estimated {
     unsigned working_digits = 0;
 };
 
-/// A normal contact given exactly, computed to `digits` digits. The working precision is found
-/// here: digits asked, plus a guard, plus twice the decades between the contact's length and the
-/// smallest gap among edges, knots and the point. One object belongs to one thread.
+/// A normal contact given by exact numbers, computed to `digits` digits. Lengths in one unit,
+/// pressures in the unit of contact_modulus, forces per unit length.
+/// The working precision is the required digits, plus guard digits, plus twice the decades between
+/// the contact's length and the smallest gap between edges, knots and the point. One object belongs
+/// to one thread.
 class NormalContact {
 public:
-    /// Throws InputError when the load is not positive, DomainError when no contact carries it.
-    /// What is done is counted in `work`, which must outlive the contact, where one is given.
+    /// Throws InputError if the load is not positive, DomainError if no contact carries it. The
+    /// steps of the computation are counted in `work`, if given; it must outlive the contact.
     NormalContact(Profile profile, formula::Exact contact_modulus, Load load, unsigned digits,
                   Work* work = nullptr);
     ~NormalContact();
@@ -52,45 +54,47 @@ public:
     [[nodiscard]] const formula::Exact& contact_modulus() const noexcept;
     [[nodiscard]] const Load& load() const noexcept;
 
-    [[nodiscard]] Real a() const;
-    [[nodiscard]] Real b() const;
-    /// Whether an edge that is solved for lies within 1e-300 of a knot (1e-60 where g' is curved)
-    /// and as near as the digits tell: then it is taken to be on the knot, which nothing proves.
+    [[nodiscard]] Real a() const; ///< right edge, a length
+    [[nodiscard]] Real b() const; ///< distance of the left edge from the origin
+    /// True if an edge that is solved for lies within 1e-300 of a knot (1e-60 where g' is curved)
+    /// and the digits do not separate them. It is then taken to be on the knot, without a proof.
     [[nodiscard]] bool edge_taken_on_knot() const noexcept {
         return a_on_knot_.has_value() || b_on_knot_.has_value();
     }
     [[nodiscard]] Real force() const;  ///< P per unit length
     [[nodiscard]] Real moment() const; ///< M about the origin, per unit length
-    /// P'(a), P''(a), ... (k = 1, 2, ...): one-sided, from inside, where an edge is on a knot.
+    /// P'(a), P''(a), ... (k = 1, 2, ...); one-sided, from inside the contact, if an edge is on a
+    /// knot.
     [[nodiscard]] Real force_derivative(unsigned k) const;
     /// b(a), b'(a), ... (k = 0, 1, ...).
     [[nodiscard]] Real left_edge_derivative(unsigned k) const;
 
-    /// p at the distance u inwards from `edge`. Throws DomainError for u outside (0, a + b), or on
-    /// a corner of the profile, where p is infinite; for a route that the profile does not have.
-    /// An exact u is told from a knot down to 1e-400 of the contact, a Real down to its roundoff;
-    /// nearer than that it counts as on the knot.
+    /// p at the distance u inwards from `edge`. Throws DomainError for u outside (0, a + b), on a
+    /// corner of the profile, where p is infinite, and for a route that the profile does not have.
+    /// An exact u is separated from a knot down to 1e-400 of the contact, a Real down to its
+    /// roundoff; a nearer point counts as on the knot.
     [[nodiscard]] Estimated pressure(Edge edge, const Real& u,
                                      Route route = Route::automatic) const;
     [[nodiscard]] Estimated pressure(Edge edge, const formula::Exact& u,
                                      Route route = Route::automatic) const;
-    /// c_0 ... c_{terms-1} at an edge (eqn:LocalPressureI to any order).
+    /// c_0 ... c_{terms-1} at an edge (moore-hills EQ04, to any order), in pressure/length^(k+1/2).
     [[nodiscard]] std::vector<Real> expansion(Edge edge, std::size_t terms) const;
-    /// Distance from `edge` to the nearest place where p is not analytic (a knot, the mirror edge):
-    /// the radius in u within which the expansion converges.
+    /// The distance from `edge` to the nearest place where p is not analytic (a knot, the other
+    /// edge): the radius in u within which the expansion converges.
     [[nodiscard]] Real convergence_radius(Edge edge) const;
 
 private:
     struct Solved;
-    /// What a first look at a point tells: the precision that it needs, and the knot it stands on.
+    /// The precision that a point needs, and the knot on which it lies, if any.
     struct Look {
         unsigned working;
         std::optional<std::size_t> on_knot;
     };
     [[nodiscard]] Solved& at(unsigned working) const;
-    /// An edge that is not given came out as a knot, to all of its digits.
+    /// True if an edge that is not given is equal to a knot in all its digits.
     [[nodiscard]] bool solved_edge_on_knot(const Solved& s) const;
-    /// Takes edges that no digits tell from a knot to be on it; false where there is none.
+    /// Takes edges that the digits do not separate from a knot to be on it; returns false if there
+    /// is none.
     bool take_edges_on_knots(unsigned working);
     [[nodiscard]] Look look(const Real& u, Edge edge, unsigned working, Route route) const;
     [[nodiscard]] Route chosen(Route route) const;
@@ -101,10 +105,10 @@ private:
     Load load_;
     unsigned digits_;
     unsigned base_working_ = 0;
-    std::optional<std::size_t> a_on_knot_; ///< the knot that an edge is taken to be on
+    std::optional<std::size_t> a_on_knot_; ///< the knots that the edges are taken to be on
     std::optional<std::size_t> b_on_knot_;
     Work* work_;
-    mutable bool counted_ = false; ///< the first solution, in work_
+    mutable bool counted_ = false; ///< true once the first solution is counted in work_
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 

@@ -6,20 +6,21 @@
 #include <cmath>
 #include <utility>
 
-/// At which working precision a contact is solved, and a point of it looked at.
+/// The working precision at which a contact is solved, and that of a point.
 namespace edgeproof::contact {
 namespace {
 
-/// An edge that is solved for and lies so many decades beside a knot is on it, or might as well be.
+/// An edge that is solved for, and lies this many decades nearer to a knot than the contact's
+/// length, is taken to be on the knot.
 constexpr unsigned edge_decades = 300;
-constexpr unsigned curved_edge_decades = 60; ///< where each look takes quadratures
+constexpr unsigned curved_edge_decades = 60; ///< for curved slopes, which need quadratures
 
-/// How many decades x lies below `scale`; 0 where it does not.
+/// The number of decades by which x lies below `scale`; 0 if it does not.
 unsigned decades_below(const Real& x, const Real& scale) {
     if (!(x > 0) || !(x < scale)) {
         return 0;
     }
-    // Asked for at every node of some integrals: the logarithm in binary64 will do.
+    // Some integrals call this at every node; the logarithm in binary64 is accurate enough.
     long of_x = 0;
     long of_scale = 0;
     const double leading = mpfr_get_d_2exp(&of_scale, scale.backend().data(), MPFR_RNDN) /
@@ -45,12 +46,12 @@ NormalContact::NormalContact(Profile profile, formula::Exact contact_modulus, Lo
                 load_.value.text() + " is not positive",
             edge ? "give a > 0" : "give P > 0");
     }
-    // Gaps are found at a precision that would see them; a gap that fills it is looked at closer.
+    // The precision is raised until the smallest gap has enough digits.
     unsigned working = digits_ + guard_digits;
     for (;;) {
         const Solved& s = at(working);
         const PrecisionScope scope(working);
-        // An edge that came out on a knot lies beside it by less than these digits show.
+        // An edge equal to a knot lies nearer to it than these digits show.
         const bool on_knot = !edge_taken_on_knot() && solved_edge_on_knot(s);
         const unsigned lost =
             on_knot ? working : decades_below(s.smallest_gap(), s.extent.length());
@@ -133,7 +134,7 @@ NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned worki
                                         Route route) const {
     const Solved& s = at(working);
     const PrecisionScope scope(working);
-    // x - knot is what cancels; a distance from an edge never does.
+    // The cancellation is in x - knot; the distance from an edge has all its digits.
     const Real length = s.extent.length();
     Look found{base_working_, std::nullopt};
     Real gap = length;
@@ -146,7 +147,7 @@ NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned worki
         if (d < gap) {
             gap = d;
             nearest = i;
-            // Within the roundoff of this look, x may be the knot itself.
+            // Within the roundoff of this precision x may be equal to the knot.
             if (d == 0 || decades_below(d, length) + 7 >= working) {
                 found.on_knot = i;
             }
@@ -158,12 +159,12 @@ NormalContact::Look NormalContact::look(const Real& u, Edge edge, unsigned worki
     const unsigned lost = decades_below(gap, length);
     unsigned more = 2 * lost;
     if (route == Route::closed_form) {
-        // There the gap d is in d ln d, which wants no digits of a small one, or at a corner in
-        // ln d, or in a power of d.
+        // In the closed form the gap d occurs in d ln d, so that a small d needs no further digits,
+        // or at a corner in ln d, or in a power of d.
         more = profile_.piecewise_linear() && !profile_.has_corner(nearest) ? 0 : lost;
     }
     if (lost > 3) {
-        // In steps, so that neighbouring points share one solved contact.
+        // In steps of 16 digits, so that neighbouring points share a solved contact.
         found.working += (more + 15) / 16 * 16;
     }
     return found;

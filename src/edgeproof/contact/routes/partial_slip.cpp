@@ -27,7 +27,7 @@ PartialSlip::PartialSlip(const NormalContact& contact, const ShearSpec& shear)
         throw beyond("|Q| is not below f P: the contact slides",
                      "give |Q| < f P, or leave friction out");
     }
-    // With few digits first, the load in parts, so that each start is near.
+    // First with few digits and in parts of the load, so that each start is near its solution.
     const NormalContact coarse(Profile(contact.profile()), contact.contact_modulus(),
                                contact.load(), coarse_slip_digits);
     Zones d{Real(0), Real(0)};
@@ -37,6 +37,7 @@ PartialSlip::PartialSlip(const NormalContact& contact, const ShearSpec& shear)
         const Real whole = at.force;
         const Real c_right = coarse.expansion(Edge::right, 1)[0];
         const Real c_left = coarse.expansion(Edge::left, 1)[0];
+        // the first terms of the series: d_1 (docs/partial-slip.md, "The series")
         const Real lead = 2 * whole / (pi<Real>() * sqrt(at.D));
         const Zones first{Real(lead * (1 + at.turn * at.D) / c_right),
                           Real(lead * (1 - at.turn * at.D) / c_left)};
@@ -67,7 +68,7 @@ PartialSlip::Asked PartialSlip::asked(const NormalContact& contact) const {
             contact.digits() + slip_guard_digits / 2};
 }
 
-/// The integral of p kernel(u, d - u) over a slip zone, cut at the knots in it.
+/// The integral of p kernel(u, d - u) over a slip zone, cut at the knots in the zone.
 template <class F>
 Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& kernel) {
     std::vector<Real> cuts{Real(0)};
@@ -84,8 +85,8 @@ Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& 
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         lengths.push_back(Real(cuts[i + 1] - cuts[i]));
     }
-    // Nodes crowd at a corner, where p is infinite like a logarithm: nearer than this it is as
-    // there.
+    // At a corner p grows like a logarithm. Nodes nearer to it than this take the pressure at this
+    // distance.
     const Real near = at.D * pow(Real(10), -static_cast<int>(at.target));
     const auto f = [&](std::size_t i, const Real& lo, const Real& hi) {
         const Real least = std::min(near, Real(lengths[i] / 2));
@@ -108,6 +109,7 @@ Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& 
     return sum.value;
 }
 
+/// The residuals of the two equations of the header, divided by |Q|/f.
 PartialSlip::Balance PartialSlip::off(const Asked& at, const Zones& d) {
     check_interruption();
     const Real stick = at.D - d.right - d.left;
@@ -127,14 +129,15 @@ PartialSlip::Balance PartialSlip::off(const Asked& at, const Zones& d) {
     return {side(Edge::right), side(Edge::left)};
 }
 
-/// Broyden's method; its first matrix by differences.
+/// Solves the two equations by Broyden's method (`broyden1965`); the first matrix is by
+/// differences.
 PartialSlip::Zones PartialSlip::solve(const Asked& at, Zones d) {
     const Real tiny = pow(Real(10), -static_cast<int>(at.contact.digits() + 2));
     const Real step("1e-6");
     Balance f = off(at, d);
     const Balance by_right = off(at, {Real(d.right * (1 + step)), d.left});
     const Balance by_left = off(at, {d.right, Real(d.left * (1 + step))});
-    // The rates, by the logarithms of the sizes.
+    // The derivatives with respect to the logarithms of the sizes.
     Real rr = (by_right.right - f.right) / step;
     Real lr = (by_right.left - f.left) / step;
     Real rl = (by_left.right - f.right) / step;
@@ -157,6 +160,7 @@ PartialSlip::Zones PartialSlip::solve(const Asked& at, Zones d) {
             return d;
         }
         const Balance g = off(at, d);
+        // Broyden's update of the matrix
         const Real size = x * x + y * y;
         const Real u = (g.right - f.right - rr * x - rl * y) / size;
         const Real v = (g.left - f.left - lr * x - ll * y) / size;
@@ -192,7 +196,7 @@ Real PartialSlip::traction(Edge edge, const formula::Exact& u) const {
     }
     const Asked at = asked(contact_);
     const Real stick = at.D - d_.right - d_.left;
-    const Real near = from - size(edge); // from that end of the stick zone
+    const Real near = from - size(edge); // distance from this end of the stick zone
     const Real far = stick - near;
     const auto side = [&](Edge zone) {
         const Real& gap = zone == edge ? near : far;
@@ -200,6 +204,7 @@ Real PartialSlip::traction(Edge edge, const formula::Exact& u) const {
             return Real(1 / (sqrt(Real(rest * (stick + rest))) * (gap + rest)));
         });
     };
+    // docs/partial-slip.md, "The second route"
     return f * sqrt(Real(near * far)) / pi<Real>() * (side(Edge::right) + side(Edge::left));
 }
 

@@ -10,25 +10,29 @@
 namespace edgeproof::contact {
 
 /// Partial slip in Real from the pressures inside the slip zones alone (docs/partial-slip.md, "The
-/// second route"): no contact is superposed, and no law of the profile is used. With q = f p where
-/// it slips, the integral equation of the stick zone -beta < x < alpha has a bounded solution, of
-/// the resultant Q, where
+/// second route"), without a corrective contact and without the law of the profile. With |q| = f p
+/// in the slip zones, the integral equation of the stick zone -beta < x < alpha has a bounded
+/// solution with the resultant Q if
 ///     integral over both slip zones of p sqrt(|s + beta|/|s - alpha|) ds
 ///         = (|Q| + pi |Q| (sigma_0/Q) (alpha + beta)/8)/f,
-/// and its mirror image; then q/f = (w_s(x)/pi) times the integral of p/(w_s |s - x|) in it. All
-/// terms are positive: nothing cancels. Values are estimates.
+/// and the mirror image of this equation holds. Then q/f = (w_s(x)/pi) times the integral of
+/// p/(w_s |s - x|) in the stick zone. All terms are positive, so that nothing cancels. Values are
+/// estimates.
 class PartialSlip {
 public:
-    /// Keeps references to both. Throws InputError where |Q| >= f P, and where the stick zone would
-    /// reach an edge of the contact.
+    /// Keeps references to both arguments. Throws InputError if |Q| >= f P, and BudgetError if no
+    /// slip zones are found, for example because the stick zone would reach an edge of the contact.
     PartialSlip(const NormalContact& contact, const ShearSpec& shear);
 
     [[nodiscard]] Real load_ratio() const;    ///< |Q|/(f P)
-    [[nodiscard]] Real size(Edge edge) const; ///< d
-    /// How far the sizes may be off, relative.
+    [[nodiscard]] Real size(Edge edge) const; ///< size of the slip zone, a length
+    /// The estimated relative error of the sizes.
     [[nodiscard]] Real estimate() const;
+    /// True if the point at the distance u from the edge lies in the stick zone.
     [[nodiscard]] bool sticks(Edge edge, const Real& u) const;
+    /// q (a stress) at the distance u from the edge.
     [[nodiscard]] Real traction(Edge edge, const formula::Exact& u) const;
+    /// The series of both sizes in powers of load_ratio() (slip_series.hpp).
     [[nodiscard]] SlipSeries<Real> series(std::size_t terms) const;
 
 private:
@@ -36,16 +40,17 @@ private:
         Real right;
         Real left;
     };
+    /// The relative residuals of the two equations.
     struct Balance {
         Real right;
         Real left;
     };
-    /// What the load asks for, at one number of digits.
+    /// The load, and the contact at one number of digits.
     struct Asked {
         const NormalContact& contact;
         Real D;
         Real force; ///< |Q|/f
-        Real turn;  ///< pi (sigma_0/Q)/8
+        Real turn;  ///< pi (sigma_0/Q)/8, 1/length
         unsigned target;
     };
     [[nodiscard]] Asked asked(const NormalContact& contact) const;

@@ -11,7 +11,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Gauss's series may lose so many digits before the quadrature is cheaper.
+/// If Gauss's series would lose more digits than this, the quadrature is cheaper.
 constexpr double most_cancelled_digits = 300;
 constexpr double digits_of_e = 0.4343; // log10 e
 constexpr double most_m = 1e12;
@@ -19,7 +19,7 @@ constexpr double most_m = 1e12;
 mpfr_ptr data_of(Real& x) { return x.backend().data(); }
 mpfr_srcptr data_of(const Real& x) { return x.backend().data(); }
 
-/// x is at most 2^-bits times what makes a difference to `sum`, of the precision of `sum`.
+/// True if x is less than 2^-bits times the roundoff of `sum`, at the precision of `sum`.
 bool below_roundoff(const Real& x, const Real& sum, long bits) {
     return mpfr_zero_p(data_of(x)) != 0 ||
            (mpfr_regular_p(data_of(sum)) != 0 &&
@@ -50,7 +50,7 @@ PowerLawIntegralInReal::PowerLawIntegralInReal(const formula::Exact& m, unsigned
 unsigned PowerLawIntegralInReal::digits_of_m() const {
     return about_m_ > 1 ? static_cast<unsigned>(std::log10(about_m_)) + 2 : 1;
 }
-/// x/(m - k) for a whole number k, in place.
+/// Divides x by m - k, k an integer.
 void PowerLawIntegralInReal::over_m_less(Real& x, long k) const {
     if (words_) {
         x *= words_->under;
@@ -59,7 +59,7 @@ void PowerLawIntegralInReal::over_m_less(Real& x, long k) const {
         x /= Real(m_ - k);
     }
 }
-/// x (k - m) for a whole number k, in place.
+/// Multiplies x by k - m, k an integer.
 void PowerLawIntegralInReal::times_less_m(Real& x, long k) const {
     if (words_) {
         x *= k * words_->under - words_->over;
@@ -70,8 +70,8 @@ void PowerLawIntegralInReal::times_less_m(Real& x, long k) const {
 }
 
 PowerLawIntegralInReal::Value PowerLawIntegralInReal::beside_edge(const Real& y) const {
-    // The terms of the series add up in size to at most (1 + y)^((m-1)/2), and the sum is about
-    // 1/(m y) where that is small.
+    // The sizes of the series' terms add up to at most (1 + y)^((m-1)/2), and the sum is about
+    // 1/(m y) if that is small.
     const double m = about_m_;
     const auto share = static_cast<double>(y);
     const double cancelled =
@@ -80,22 +80,23 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::beside_edge(const Real& y)
                                              : by_gauss(y, static_cast<unsigned>(cancelled) + 1);
 }
 
+/// Gauss's series (DLMF 15.2.1) with additional digits for the cancellation.
 PowerLawIntegralInReal::Value PowerLawIntegralInReal::by_gauss(const Real& y,
                                                                unsigned more_digits) const {
     const PrecisionScope scope(working_digits() + more_digits);
     const Real ratio = at_working_precision(y);
     const auto share = static_cast<double>(y);
-    // From where they fall on, each term is at most 3/4 of the one before.
+    // Where the terms fall, each is at most 3/4 of the one before.
     constexpr long bits_of_the_rest = 3;
     Real term(1);
     Real sum(1);
     for (unsigned k = 0;; ++k) {
-        // (1 - m)/2 + k over 3/2 + k. For odd m the series ends.
+        // The ratio of terms is y ((1 - m)/2 + k)/(3/2 + k). For odd m the series ends.
         term *= ratio;
         times_less_m(term, 2L * k + 1);
         term /= 2 * k + 3;
         sum += term;
-        const bool falls = (about_m_ - 1 - 2.0 * k) * share < k + 1.5; // to a half at least
+        const bool falls = (about_m_ - 1 - 2.0 * k) * share < k + 1.5; // to a half or less
         if (falls && below_roundoff(term, sum, bits_of_the_rest)) {
             break;
         }
@@ -106,12 +107,13 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::by_gauss(const Real& y,
     return {Real(sqrt(ratio) * sum), Real(0)};
 }
 
+/// Euler's integral (DLMF 15.6.1).
 PowerLawIntegralInReal::Value PowerLawIntegralInReal::by_euler(const Real& y) const {
-    // q^2 + y t^2 = 1 - y d (1 + t) with d = 1 - t; times (m - 1)/2 in an exponential.
+    // q^2 + y t^2 = 1 - y d (2 - d) with d = 1 - t; its power (m - 1)/2 as an exponential.
     const PrecisionScope scope(working_digits() + digits_of_m());
     const Real half = (at_working_precision(m_) - 1) / 2;
     const Real share = at_working_precision(y);
-    // Below (1 - y d)^half <= exp(-half y d) = 10^-digits nothing counts.
+    // Where (1 - y d)^half <= exp(-half y d) = 10^-digits, the integrand is negligible.
     const Real far = Real(working_digits() + 2) / Real(digits_of_e) / (half * share);
     const Real length = far < 1 ? far : Real(1);
     const auto result = quadrature::integrate_one_sided<Real>(
@@ -130,8 +132,9 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
     if (2 * y <= 1) {
         return beside_edge(y);
     }
-    const PrecisionScope scope(working_digits() + digits_of_m()); // what h^m loses
-    // q/h = 2^(-halvings/2): near the apex fewer terms, beside q = 1/2 still h < 1.
+    const PrecisionScope scope(working_digits() + digits_of_m()); // for the digits that h^m loses
+    // q/h = 2^(-halvings/2): h = 2q needs fewer terms, but for q >= 1/2 only h = sqrt(2) q is below
+    // 1.
     const long halvings = 2 * q < 1 ? 2 : 1;
     auto& at_cut = at_cut_[static_cast<std::size_t>(halvings - 1)];
     if (!at_cut) {
@@ -143,13 +146,13 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
     const long bits_of_log = std::max(0L, static_cast<long>(mpfr_get_exp(data_of(log_h))));
     const Real power = exp(Real(m_ * log_h)); // h^m
     Real above(1);                            // beta_k q^(2k)
-    Real below(power);                        // that times h^(m-2k): beta_k h^m (q/h)^(2k)
+    Real below(power);                        // beta_k h^m (q/h)^(2k)
     Real sum(0);
     Real term;
     for (unsigned k = 0;; ++k) {
         const double left = about_m_ - 2.0 * k;
         if (std::abs(left * about_log) < 0.5) {
-            // The two are nearly equal: their difference by its own function.
+            // Both terms are nearly equal: their difference by expm1.
             const Real n = m_ - 2 * k;
             sum += n == 0 ? Real(-above * log_h) : Real(-above * expm1(Real(n * log_h)) / n);
         } else {
@@ -157,7 +160,7 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
             over_m_less(term, 2L * k);
             sum += term;
         }
-        // The quotient of 1 - h^n by n is at most |log h|.
+        // |(1 - h^n)/n| is at most |log h|.
         if (below_roundoff(above, sum, bits_of_log + 3) &&
             below_roundoff(below, sum, bits_of_log + 3)) {
             break;

@@ -11,31 +11,33 @@
 
 namespace edgeproof::contact {
 
-/// I_m(q), the integral of s^m/sqrt(s^2 - q^2) over q < s < 1, in Real. It shares neither a series
-/// nor a recurrence with the enclosure of PowerLawIntegral:
+/// I_m(q), the integral of s^m/sqrt(s^2 - q^2) over q < s < 1 (dimensionless), in Real
+/// (docs/pressure.md, "Closed form: power laws"). It shares neither a series nor a recurrence with
+/// the enclosure of PowerLawIntegral:
 ///
-/// q^2 >= 1/2: I_m = sqrt(y) 2F1(1, (1 - m)/2; 3/2; y), y = 1 - q^2, by Gauss's series in y, with
-/// as many digits more as cancel in it (m > 1). Where those are too many (large m), by Euler's
-/// integral of the 2F1 (DLMF 15.6.1), sqrt(y) times the integral of (q^2 + y t^2)^((m-1)/2) over 0
-/// < t < 1, by tanh-sinh.
+/// q^2 >= 1/2: I_m = sqrt(y) 2F1(1, (1 - m)/2; 3/2; y), y = 1 - q^2, by Gauss's series in y (DLMF
+/// 15.2.1), with additional digits for those that cancel (m > 1). Where these are too many (large
+/// m), by Euler's integral of the 2F1 (DLMF 15.6.1): sqrt(y) times the integral of
+/// (q^2 + y t^2)^((m-1)/2) over 0 < t < 1, by tanh-sinh.
 ///
-/// Else: cut at h, (q/h)^2 = 1/2 or (q < 1/2) 1/4. Below, the integral is h^m I_m(q/h). Above, with
-/// beta_k = (2k)!/(4^k k!^2), it is the sum of beta_k q^(2k) (1 - h^(m-2k))/(m - 2k), no term of
-/// which is negative: it converges as (q/h)^(2k), and has no pole where m is even.
+/// q^2 < 1/2: the integral is cut at h with (q/h)^2 = 1/2 or, for q < 1/2, 1/4. The part below h is
+/// h^m I_m(q/h). With beta_k = (2k)!/(4^k k!^2), the part above is the sum of
+/// beta_k q^(2k) (1 - h^(m-2k))/(m - 2k). No term is negative; the sum converges as (q/h)^(2k), and
+/// an even m is no special case.
 class PowerLawIntegralInReal {
 public:
-    /// m > 0, and all results, at the working precision of the thread. `target_digits` of a
-    /// quadrature. Throws DomainError for m <= 0, BudgetError
-    /// for m > 1e12.
+    /// Takes m > 0 and computes all results at the working precision of the thread. `target_digits`
+    /// is that of the quadrature. Throws DomainError for m <= 0, BudgetError for m > 1e12.
     PowerLawIntegralInReal(const formula::Exact& m, unsigned target_digits);
 
     struct Value {
         Real value;
-        Real estimate; ///< of a quadrature, relative; 0 where there is none
+        Real estimate; ///< relative error of the quadrature; 0 without one
         std::size_t evaluations = 0;
         bool converged = true;
     };
-    /// 0 <= q < 1. `y` is 1 - q^2, given beside q so that it keeps its digits near the edge.
+    /// I_m(q) for 0 <= q < 1. `y` is 1 - q^2, an argument of its own so that it keeps its digits
+    /// near the edge.
     [[nodiscard]] Value operator()(const Real& q, const Real& y);
 
 private:
@@ -49,7 +51,7 @@ private:
 
     Real m_;
     double about_m_;
-    /// m = over/under, where that is made of small numbers.
+    /// m = over/under, if these are small integers.
     struct Words {
         long over;
         long under;
@@ -59,10 +61,10 @@ private:
     std::array<std::optional<Value>, 2> at_cut_; ///< I_m(q/h)
 };
 
-/// p = (P'(a)/pi) I_m(|x|/a): eqn:MossakovskiiPressure with s/a for s.
+/// p = (P'(a)/pi) I_m(|x|/a): moore-hills EQ03 with s/a for s.
 class PowerLawPressure {
 public:
-    /// Of a power law of m > 0 that is not piecewise linear.
+    /// For a power law of m > 0 that is not piecewise linear.
     PowerLawPressure(const formula::Exact& m, const ContactLaw<Real>& law, const Extent<Real>& e,
                      unsigned target_digits);
     [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);

@@ -8,11 +8,11 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Of the twenty guard digits of a NormalContact, these are left for what cancels here.
+/// The guard digits of a NormalContact, of twenty, that are left for the cancellation here.
 constexpr unsigned spare_digits = 8;
 constexpr unsigned most_lost = 400;
 
-/// A sum of two terms, and the size that its roundoff goes by.
+/// A sum of two terms, and the size to which its roundoff is relative.
 struct Sum {
     Real value;
     Real size;
@@ -61,8 +61,8 @@ const NormalContact& ShearTraction::finer(unsigned extra) const {
     return *slot;
 }
 
-/// `at(contact)` gives a Sum at the precision of that contact; digits are added until those that
-/// cancelled are made good.
+/// `at(contact)` returns a Sum at the precision of that contact. Digits are added until they make
+/// up for those that cancelled.
 template <class At> EstimatedTraction ShearTraction::escalated(const At& at) const {
     unsigned extra = 0;
     for (;;) {
@@ -79,7 +79,7 @@ template <class At> EstimatedTraction ShearTraction::escalated(const At& at) con
         if (extra == most_lost) {
             return {Real(0), std::max(roundoff, Real(abs(s.value))), working};
         }
-        // In steps, so that neighbouring points share one solved contact.
+        // In steps of 16 digits, so that neighbouring points share a solved contact.
         extra = std::min(most_lost, (lost + 15) / 16 * 16);
     }
 }
@@ -89,6 +89,7 @@ EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
         ++work_->counts.shear_points;
     }
     const PrecisionScope scope(pressure.working_digits);
+    // q = (Q/P) p (docs/shear.md, "P and Q in proportion").
     const Real q = spec_.Q.to<Real>() / force() * pressure.value;
     return {q, Real(abs(q) * pressure.estimate), pressure.working_digits};
 }
@@ -121,8 +122,10 @@ EstimatedTraction ShearTraction::traction(Edge edge, const formula::Exact& u) co
         const Point<Real> at = point_at(e, edge, u.to<Real>());
         const Real Q = spec_.Q.to<Real>();
         const Real tension = spec_.bulk_tension.to<Real>();
-        // Near the other edge the distance from it has lost digits too; they count as cancelled.
+        // Near the other edge the distance from it has lost digits as well; they count as
+        // cancelled.
         const Real other = edge == Edge::right ? at.left : at.right;
+        // moore-hills EQ34 with the sizes of both terms.
         const Real size = (abs(Q) / pi<Real>() + abs(tension) * e.length() / 8) /
                           sqrt(Real(at.right * at.left)) *
                           (other < e.length() / 100 ? Real(e.length() / other) : Real(1));
@@ -148,7 +151,7 @@ std::vector<EstimatedTraction> ShearTraction::expansion(Edge edge, std::size_t t
         s.push_back(escalated([&](const NormalContact& contact) {
             const Real length = contact.a() + contact.b();
             const Real zero(0);
-            // One term by each cause, so that what they cancel is known.
+            // One term for each cause, so that the cancellation between them is known.
             const Real by_force = full_stick_expansion(
                 length, ShearLoad<Real>{spec_.Q.to<Real>(), zero}, edge, k + 1)[k];
             const Real by_tension = full_stick_expansion(

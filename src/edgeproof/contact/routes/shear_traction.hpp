@@ -10,60 +10,61 @@
 
 namespace edgeproof::contact {
 
-/// How the shear comes to the contact.
+/// The order in which the normal load and the shear load are applied.
 enum class LoadingPath {
     normal_first, ///< P is held, then Q and sigma_0 are applied (shear.hpp)
     together      ///< P and Q grow in proportion, without bulk tension: q = (Q/P) p
 };
 
-/// The shear of a contact, exactly as given; signs as in shear.hpp.
+/// The shear load of a contact as exact numbers; signs as in shear.hpp.
 struct ShearSpec {
     formula::Exact Q;            ///< force per unit length
-    formula::Exact bulk_tension; ///< sigma_0
+    formula::Exact bulk_tension; ///< sigma_0, a stress
     LoadingPath path = LoadingPath::normal_first;
-    /// The coefficient of friction; none: nothing slips.
+    /// The coefficient of friction; without one nothing slips.
     std::optional<formula::Exact> friction = {};
 };
 
-/// A value with its absolute error as estimated from the digits that cancelled; no proved bound.
+/// A value with its absolute error, estimated from the digits that cancelled; not a proved bound.
 struct EstimatedTraction {
     Real value;
     Real error;
     unsigned working_digits = 0;
 };
 
-/// q of a contact under full stick, to the digits of the contact: where Q and sigma_0 cancel, more
-/// are worked with, up to 400. A value that they do not tell from zero is 0, with the error that
-/// they leave.
+/// q of a contact under full stick, to the digits of the contact. Where Q and sigma_0 cancel, up to
+/// 400 more digits are used. A value that they do not distinguish from zero is 0, with the
+/// remaining error.
 ///
-/// `together`: while the contact grows by da, without slip, dQ adds dq = dQ/(pi sqrt((a-x)(x+b)))
-/// (eqn:Shear_Adhered with sigma_0 = 0, whatever is locked in beneath), as dP adds dp = dP/(pi
-/// sqrt((a-x)(x+b))) (the flat punch of eqn:ContactPressure_NonSym). With dQ = (Q/P) dP both sums
-/// run alike, so q = (Q/P) p, on either side of any contact (moore-hills.tex, line 413, which
-/// cites Hills2011 for it).
+/// `together`: q = (Q/P) p on either side of any contact (docs/shear.md, "P and Q in proportion";
+/// moore-hills S54). While the contact grows by da without slip, dQ adds dQ/(pi sqrt((a-x)(x+b)))
+/// to q (moore-hills EQ34 with sigma_0 = 0), and dP adds dP/(pi sqrt((a-x)(x+b))) to p (the flat
+/// punch of moore-hills EQ21).
 class ShearTraction {
 public:
-    /// Keeps references to `contact` and `work` (where what is done is counted). Throws InputError
-    /// for a bulk tension on the path `together`: the similarity holds without one only.
+    /// Keeps references to `contact` and `work` (the counts of work done). Throws InputError for a
+    /// bulk tension on the path `together`, where q = (Q/P) p holds only without one.
     ShearTraction(const NormalContact& contact, ShearSpec spec, Work* work = nullptr);
 
     [[nodiscard]] const ShearSpec& spec() const noexcept { return spec_; }
-    /// Throws DomainError for u outside (0, a + b), as NormalContact::pressure does.
+    /// q (a stress) at the distance u from an edge. Throws DomainError for u outside (0, a + b), as
+    /// NormalContact::pressure does.
     [[nodiscard]] EstimatedTraction traction(Edge edge, const formula::Exact& u) const;
     [[nodiscard]] EstimatedTraction traction(Edge edge, const Real& u) const;
-    /// The coefficients of u^(k-1/2) (normal_first) or u^(k+1/2) (together), k < terms.
+    /// The coefficients of u^(k-1/2) (normal_first) or u^(k+1/2) (together), k < terms, in
+    /// stress/length^(k-1/2) or stress/length^(k+1/2).
     [[nodiscard]] std::vector<EstimatedTraction> expansion(Edge edge, std::size_t terms) const;
-    /// On the path `together`, from a pressure or coefficients of p that are known already.
+    /// The same on the path `together`, from a known pressure or known coefficients of p.
     [[nodiscard]] EstimatedTraction similar_to(const Estimated& pressure) const;
     [[nodiscard]] std::vector<EstimatedTraction> similar_to(const std::vector<Real>& c) const;
-    /// Twice the power of u that the expansion starts with: -1 or 1.
+    /// Twice the exponent of u in the first term of the expansion: -1 or 1.
     [[nodiscard]] int leading_half_powers() const noexcept {
         return spec_.path == LoadingPath::together ? 1 : -1;
     }
 
 private:
     [[nodiscard]] const Real& force() const;
-    /// The contact with so many digits more.
+    /// The contact with `extra` more digits.
     [[nodiscard]] const NormalContact& finer(unsigned extra) const;
     template <class At> [[nodiscard]] EstimatedTraction escalated(const At& at) const;
 

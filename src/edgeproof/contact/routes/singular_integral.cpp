@@ -12,8 +12,8 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
                                     const Point<T>& at, unsigned target_digits) {
     using std::sqrt;
     const SlopeIn<T>& slope = law.slope();
-    // Cut at both edges, at every knot inside and at x itself; each cut by its distances from both
-    // edges, and by which piece of g' begins there.
+    // The integral is cut at both edges, at every knot inside and at x. Each cut has its distances
+    // from both edges; piece_of holds the piece of g' that begins there.
     struct Cut {
         T right;
         T left;
@@ -63,7 +63,7 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
 
     std::vector<T> lengths;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        // The difference that does not cancel: of the distances from the nearer edge.
+        // The difference of the distances from the nearer edge, which cancels less.
         lengths.push_back(cuts[i].left < cuts[i + 1].right ? T(cuts[i + 1].left - cuts[i].left)
                                                            : T(cuts[i].right - cuts[i + 1].right));
     }
@@ -71,7 +71,7 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
     while (!cuts[point_cut].is_point) {
         ++point_cut;
     }
-    std::vector<T> gap(lengths.size(), T(0)); // between x and the nearer end of the interval
+    std::vector<T> gap(lengths.size(), T(0)); // distance from x to the nearer end of each interval
     for (std::size_t i = point_cut + 1; i < lengths.size(); ++i) {
         gap[i] = gap[i - 1] + lengths[i - 1];
     }
@@ -82,14 +82,15 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
     const auto integrand = [&](std::size_t i, const T& lo, const T& hi) {
         const T right = cuts[i + 1].right + hi;
         const T left = cuts[i].left + lo;
-        // s - x by the lengths in between: whatever roundoff they have, it is the same at every
-        // node, so that the integrand stays smooth.
+        // s - x as a sum of lengths. Their roundoff is the same at every node, so that the
+        // integrand is smooth.
         const T delta = i < point_cut ? T(-(hi + gap[i])) : T(lo + gap[i]);
         const T w = sqrt(T(right * left));
-        // From the nearer cut: beside the origin, where |s|^m is steep, s itself is that distance.
+        // s from the nearer cut. Near the origin, where |s|^m is steep, s is equal to that
+        // distance.
         const T s = lo < hi ? T(cuts[i].x + lo) : T(cuts[i + 1].x - hi);
         const auto& knot = lo < hi ? cuts[i].knot : cuts[i + 1].knot;
-        const T away = lo < hi ? lo : T(-hi); // from that cut
+        const T away = lo < hi ? lo : T(-hi); // the distance from that cut
         if (piece_of[i] == piece_of_x) {
             return T((knot ? slope.quotient(piece_of_x, at.x, s, delta, {*knot, away})
                            : slope.quotient(piece_of_x, at.x, s, delta)) /
@@ -97,10 +98,12 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
         }
         const T at_s =
             knot ? slope.value(piece_of[i], s, {*knot, away}) : slope.value(piece_of[i], s);
+        // docs/pressure.md, "The singular integral, and how its pole is taken out"
         return T((at_s - at_x) / (delta * w));
     };
     const auto result = quadrature::integrate_pieces<T>(integrand, lengths, T(0), T(0),
                                                         {.target_digits = target_digits});
+    // moore-hills EQ01
     const T factor = law.contact_modulus() / (T(2) * pi<T>()) * sqrt(T(at.right * at.left));
     return {T(factor * result.value), result.estimate, result.evaluations, result.converged};
 }

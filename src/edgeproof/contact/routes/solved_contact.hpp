@@ -9,10 +9,10 @@
 namespace edgeproof::contact {
 
 inline constexpr unsigned guard_digits = 20;
-/// A point given exactly is told from a knot down to this many decades below roundoff.
+/// A point given exactly is separated from a knot down to this many decades below roundoff.
 inline constexpr unsigned knot_decades = 400;
 
-/// The contact in numbers at one working precision. The mirrored law serves the left branch.
+/// The contact solved at one working precision. The mirrored law serves points left of the origin.
 struct NormalContact::Solved {
     Solved(const Profile& profile, const formula::Exact& modulus, const Load& load, unsigned target)
         : target_digits(target), roundoff(pow(Real(10), -static_cast<int>(target))),
@@ -21,7 +21,7 @@ struct NormalContact::Solved {
         extent = law.extent(load.kind == Load::Kind::right_edge ? value
                                                                 : law.right_edge_for_force(value));
     }
-    /// The knots in the coordinates of the kernels, worked out where they are asked for.
+    /// The marks of the knots (kernels.hpp), computed at the first use.
     Marks<Real, Real>& marks() {
         if (!known_marks) {
             known_marks.emplace(extent, law.slope().knots());
@@ -41,7 +41,8 @@ struct NormalContact::Solved {
         }
         return *mirror;
     }
-    /// The smallest distance of an edge from a knot, but not zero: what b - knot cancels to.
+    /// The smallest positive distance of an edge from a knot, which determines the cancellation in
+    /// a - knot and b + knot.
     [[nodiscard]] Real smallest_gap() const {
         Real gap = extent.length();
         for (const Real& knot : law.slope().knots()) {
@@ -55,7 +56,7 @@ struct NormalContact::Solved {
     }
 
     unsigned target_digits;
-    Real roundoff; ///< of all that is computed with it, relative
+    Real roundoff; ///< the relative roundoff of all values computed with it
     ContactLaw<Real> law;
     Extent<Real> extent;
     std::unique_ptr<ContactLaw<Real>> mirror;

@@ -27,8 +27,9 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contac
     }
     const Load load = Load::force(P);
     const Ball moment = enclosed_constant(M, bits);
+    // M(alpha) increases with alpha (docs/mechanics.md, "Profiles").
     const auto too_small =
-        [&](const formula::Exact& alpha) { // positive where the tilt lies beyond alpha
+        [&](const formula::Exact& alpha) { // positive if the tilt is greater than alpha
             return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
         };
     for (unsigned k = digits; k >= fewest_tilt_digits; k -= digits / 8 + 1) {

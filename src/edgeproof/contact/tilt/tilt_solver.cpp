@@ -16,7 +16,7 @@ constexpr int most_decades = 1000;
 
 formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
 
-/// An exact decimal within 10^-digits of v, relative.
+/// A decimal within the relative distance 10^-digits of v, as an exact number.
 formula::Exact decimal(const Real& v, unsigned digits) {
     return formula::Exact::parse(
         v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific));
@@ -27,14 +27,15 @@ int sign_or_zero(const formula::Exact& x, bool& certain) {
         return x.sign();
     } catch (const BudgetError&) {
         certain = false;
-        return 0; // equal as far as can be told
+        return 0; // not known to differ from 0
     }
 }
 
-/// One unknown v > 0 and one y > 0 that is a monotone function of it: the tilt near one end of its
-/// range, and the moment from what it is there. Neither cancels, however small both get.
+/// A monotone function y(v) > 0 of one unknown v > 0: v is the distance of the tilt from one end of
+/// its range, and y the difference of the moment from its value there. Neither loses digits when
+/// both are small.
 struct Branch {
-    formula::Exact v_end;                                        ///< v runs in (0, v_end)
+    formula::Exact v_end;                                        ///< v lies between 0 and v_end
     std::function<formula::Exact(const formula::Exact& v)> tilt; ///< alpha(v)
     formula::Exact moment_at_zero;                               ///< y = sense (M - this)
     int sense;
@@ -45,7 +46,7 @@ public:
     Solver(const TiltedPunch& punch, const formula::Exact& modulus, const formula::Exact& P)
         : punch_(punch), modulus_(modulus), P_(P) {}
 
-    /// y at v to `wanted` digits; digits are added for what cancels in it.
+    /// y at v to `wanted` digits; the working precision grows by the digits that cancel.
     [[nodiscard]] Real y(const Branch& branch, const Real& v, unsigned wanted) {
         unsigned working = wanted + 30;
         for (int k = 0; k < 30; ++k) {
@@ -67,13 +68,13 @@ public:
                 }
                 working = needed;
             } else {
-                working *= 2; // nothing but roundoff is left
+                working *= 2; // only roundoff is left
             }
         }
         throw BudgetError("the moment of a tilted punch is lost in roundoff");
     }
 
-    /// The v at which y is `target`, to `digits` digits.
+    /// The v (a slope) at which y is `target` (a moment per unit length), to `digits` digits.
     [[nodiscard]] Real solve(const Branch& branch, const formula::Exact& target, unsigned digits) {
         const Real rough = [&] {
             const PrecisionScope scope(rough_digits + 30);
@@ -127,7 +128,8 @@ private:
     std::size_t contacts_ = 0;
 };
 
-/// Which of two branches that meet at the middle of the range holds the solution, and the tilt.
+/// Decides which of two branches that meet in the middle of the range contains the solution, and
+/// solves for the tilt.
 SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near, const Branch& far,
                     const formula::Exact& M, unsigned digits) {
     const auto target = [&](const Branch& b) {
@@ -198,6 +200,8 @@ SolvedTilt tilt_of_punch(const TiltedPunch& punch, const formula::Exact& modulus
                          "give M about that minimum (M_c - P (t + alpha R) from the middle of the "
                          "flat), or alpha itself");
     }
+    // The tilt from which on the contact lies within one arc: there P = pi E* c^2/(4 R) (Hertz,
+    // docs/mechanics.md) with c = alpha R.
     const formula::Expr lift = formula::Expr::call(
         "sqrt", {number(4) * P.expr() / (formula::Expr::pi() * modulus.expr() * punch.R.expr())});
     const formula::Exact half(lift / number(2));

@@ -7,15 +7,18 @@
 
 namespace edgeproof::contact {
 
-/// x^e for one exponent and many x > 0, at the working precision of the thread that made it, within
-/// some units of the last bit: by Newton's iteration for the inverse root where the exponent is a
-/// quotient of small numbers (a handful of products instead of a logarithm and an exponential), by
-/// Arb otherwise.
+/// Computes x^e for one exponent and many x > 0, at the working precision of the thread that
+/// created the object, to within some units in the last place. If the exponent is a quotient of
+/// small integers, Newton's iteration for the inverse root takes a few products instead of a
+/// logarithm and an exponential. Other exponents use Arb.
 class RealPower {
 public:
     explicit RealPower(const formula::Exact& exponent);
+    /// @param exponent e
 
     void operator()(Real& out, const Real& x);
+    /// @param[out] out x^e
+    /// @param x x > 0
     [[nodiscard]] const Real& exponent() const noexcept { return exponent_; }
 
 private:
@@ -30,7 +33,7 @@ private:
     bool by_root_ = false;
     long numerator_ = 0;
     unsigned long denominator_ = 1;
-    std::vector<Step> steps_; ///< of growing precision
+    std::vector<Step> steps_; ///< with growing precision
     Real square_;
     Real root_power_;
 };

@@ -14,8 +14,7 @@ namespace {
 constexpr long box_bits = 64;
 constexpr slong most_box_bits = 1L << 20;
 constexpr int most_radii = 24; ///< number of radii tried
-constexpr long steepest =
-    256; ///< largest |g' - g0|/r in a disk, in units of the mean of g'' over the contact
+constexpr long steepest = 256; ///< largest |g' - g0|/r of a disk, over the mean of g''
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral whose result is wide anyway
 

@@ -31,7 +31,6 @@
 ///   curved/slope_monotonicity.hpp     proves that g' does not decrease
 ///   curved/pressure_disk.hpp          Taylor series of p; Cauchy's estimate bounds the remainder
 ///   design/design.hpp                 the parameter for which an approximation reaches farthest
-///   design/design.hpp                 where an approximation reaches farthest
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/integrated_zones.hpp"

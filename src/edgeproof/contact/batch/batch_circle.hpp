@@ -55,8 +55,8 @@ struct BatchCircle {
 void sine_and_cosine(Real& sine, Real& cosine, const Real& x);
 
 /// Returns x 2^(-exponent) as a binary64 number, for estimates.
-/// Returns the binary exponent of x; 0 for x = 0.
 [[nodiscard]] double in_units(const Real& x, long exponent);
+/// Returns the binary exponent of x; 0 for x = 0.
 [[nodiscard]] long exponent_of(const Real& x);
 
 } // namespace edgeproof::contact

@@ -19,7 +19,6 @@ constexpr double slow = 1.1;
 
 } // namespace
 
-/// Returns the distance in phi between the piece and the nearest pole 1/(S - S_x).
 double BatchIntegral::pole_excess(const BatchPiece& piece, const Task& task) const {
     const double end = task.above ? piece.phi_right : piece.phi_right + piece.angle_double;
     const double between = std::sin((end + at_.phi) / 2);
@@ -107,7 +106,6 @@ void BatchIntegral::choose_far(const BatchPiece& piece, Task& task, double exces
         gauss_legendre_log_error(ellipse, ln_M, static_cast<std::size_t>(times) * task.n);
 }
 
-/// The quotient (G - G_x)/(S - S_x) by the formula of the piece, for x in the piece or near it.
 void BatchIntegral::choose_quotient(const BatchPiece& piece, Task& task,
                                     double ln_tolerance) const {
     const double half = piece.doubled ? piece.angle_double : piece.angle_double / 2;

@@ -323,7 +323,6 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
     }
 }
 
-/// Returns (G(s) - G(x))/(S - S_x) at a node so close to x that the difference cancels.
 Real BatchIntegral::quotient(const BatchPiece& piece, const BatchNodes& nodes,
                              std::size_t k) const {
     const Task& task = tasks_[at_.piece];

@@ -67,19 +67,31 @@ private:
         Real left;
     };
 
+    /// Sets the place and the piece of a point (length).
     void locate(const Point<Real>& at);
+    /// Sets the distances from the point to each piece, and the sizes of the integrals.
     void set_tasks();
+    /// Chooses the rule for piece i; `ln_tolerance` is ln of the absolute error allowed.
     void choose(std::size_t i, double ln_tolerance);
+    /// Returns the distance in phi between the piece and the nearest pole 1/(S - S_x).
     [[nodiscard]] double pole_excess(const BatchPiece& piece, const Task& task) const;
+    /// Chooses the number of nodes; `excess` is the result of pole_excess.
     void choose_far(const BatchPiece& piece, Task& task, double excess, double ln_tolerance) const;
+    /// The same for the quotient by the formula of the piece, for x in the piece or near it.
     void choose_quotient(const BatchPiece& piece, Task& task, double ln_tolerance) const;
+    /// Adds the integral over a piece to `sum`.
     void add_share(Real& sum, const BatchPiece& piece, Task& task);
+    /// Adds the sum over the nodes of a piece to `sum`; `term` adds the terms of given nodes.
     template <class Term>
     void add_nodes(Real& sum, const BatchPiece& piece, Task& task, const Term& term);
+    /// Returns the integral of d phi/|S - S_x| over a piece that does not contain x.
     [[nodiscard]] Real pole_integral(const BatchPiece& piece, const Task& task);
+    /// Returns (G(s) - G(x))/(S - S_x) at node `k` close to x.
     [[nodiscard]] Real quotient(const BatchPiece& piece, const BatchNodes& nodes,
                                 std::size_t k) const;
+    /// Returns the integral of d phi/(s + x) over a piece of a folded contact.
     [[nodiscard]] Real mirror_integral(const BatchPiece& piece) const;
+    /// Returns the logarithms of all corners.
     [[nodiscard]] Real corners(const Point<Real>& at);
 
     unsigned digits_;

@@ -165,7 +165,6 @@ Real BatchPiece::rise_to_hi(const Real& x, const Real& step) const {
     return folded ? Real(step * (alpha + beta * (x + hi->v))) : Real(beta * step);
 }
 
-/// Returns G(x) - G(v) with x = v + step.
 Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
                              const Real& step) const {
     if (abs(step) * 1024 > width) {
@@ -180,7 +179,6 @@ Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
     return step * (v == 0 ? Real(x * q) : Real(middle_of(G_v) / v + x * q));
 }
 
-/// Adds a node given by its angles from both ends of the piece (radians).
 void BatchPiece::add(BatchNodes& nodes, const Real& from_hi, const Real& from_lo,
                      const Real& weight) const {
     Real sine;

@@ -82,6 +82,7 @@ public:
     /// Returns the tanh-sinh nodes that a level adds.
     [[nodiscard]] const BatchNodes& level(int level) const;
 
+    /// True if g' is linear on the piece.
     [[nodiscard]] bool linear() const { return !curved; }
     /// Returns G(x) minus G at the left end, for x in the piece or near it; `step` is x minus the
     /// left end (lengths).
@@ -128,6 +129,7 @@ public:
                                    const Real& step) const;
 
 private:
+    /// Adds a node given by its angles from both ends of the piece (radians).
     void add(BatchNodes& nodes, const Real& from_hi, const Real& from_lo, const Real& weight) const;
     Real circle_length_;
     Real sine_hi_;

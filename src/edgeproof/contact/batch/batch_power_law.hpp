@@ -53,21 +53,34 @@ private:
     };
     struct Choice {
         std::size_t n;
+        /// the ellipse of the rule, and ln of the bound of the integrand on it
         double rho;
         double ln_M;
     };
     /// Returns I_m by the recurrence; `base` returns I_n.
     template <class Base> [[nodiscard]] Share lifted(const Base& base);
+    /// Returns I_n by Euler's integral with a Gauss rule.
     [[nodiscard]] Share edge_by_rule(const Choice& choice);
+    /// Replaces the mean by W (1 + (2b/3) times the mean).
     void close_edge(Share& share);
+    /// Returns I_n by Euler's integral with tanh-sinh.
     [[nodiscard]] Share edge_by_levels();
+    /// Returns I_n near the apex with a Gauss rule.
     [[nodiscard]] Share apex_by_rule();
+    /// Returns I_m as the integral of a power; `q` is |x|/a.
     [[nodiscard]] Share powers_by_rule(double q);
+    /// The same with tanh-sinh.
     [[nodiscard]] Share powers_by_levels();
+    /// Returns I_m by tanh-sinh over ln s, very close to the apex.
     [[nodiscard]] Share far_by_levels();
+    /// Chooses the rule for edge_by_rule; `q` is |x|/a.
     [[nodiscard]] Choice choose_edge(double q) const;
+    /// Adds levels of tanh-sinh until the error is below the tolerance; `add_level` adds the terms
+    /// of a level to a sum and returns their number.
     template <class AddLevel> [[nodiscard]] Share by_levels(const AddLevel& add_level);
+    /// Adds weight (1 - from y)^((m - 1)/2) of the nodes to `sum`.
     void add_powers(Real& sum, const Nodes& nodes);
+    /// Returns the nodes of powers_by_rule, of powers_by_levels, and of edge_by_levels.
     [[nodiscard]] const Nodes& power_nodes(std::size_t n);
     [[nodiscard]] const Nodes& power_level(int level);
     [[nodiscard]] const Nodes& edge_level(int level);

@@ -46,7 +46,6 @@ RealPower::RealPower(const formula::Exact& exponent) : exponent_(exponent.to<Rea
     }
 }
 
-/// Computes y^n for n >= 1 at the precision of `out`.
 void RealPower::raise(Real& out, const Real& y, unsigned long n) {
     if (n == 1) {
         mpfr_set(raw(out), raw(y), MPFR_RNDN);
@@ -84,7 +83,7 @@ void RealPower::operator()(Real& out, const Real& x) {
         arf_get_mpfr(raw(out), arb_midref(power.data()), MPFR_RNDN);
         return;
     }
-    // Newton's iteration for y = x^(-1/q): y += y (1 - x y^q)/q.
+    // Newton's iteration for f(y) = y^(-q) - x = 0, y - f/f' = y + y (1 - x y^q)/q.
     const auto q = static_cast<double>(denominator_);
     mpfr_set_d(raw(square_), std::pow(start, -1 / q), MPFR_RNDN);
     const Real* y = &square_;

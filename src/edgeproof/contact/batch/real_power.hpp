@@ -13,12 +13,11 @@ namespace edgeproof::contact {
 /// logarithm and an exponential. Other exponents use Arb.
 class RealPower {
 public:
+    /// `exponent` is e.
     explicit RealPower(const formula::Exact& exponent);
-    /// @param exponent e
 
+    /// Computes `out` = x^e for x > 0.
     void operator()(Real& out, const Real& x);
-    /// @param[out] out x^e
-    /// @param x x > 0
     [[nodiscard]] const Real& exponent() const noexcept { return exponent_; }
 
 private:
@@ -27,6 +26,7 @@ private:
         Real y;
         Real product;
     };
+    /// Computes `out` = y^n for n >= 1.
     void raise(Real& out, const Real& y, unsigned long n);
 
     Real exponent_;

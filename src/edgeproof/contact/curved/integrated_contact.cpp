@@ -130,8 +130,8 @@ std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) con
     }
     return right_expansion(terms);
 }
-// docs/expansions.md, "Coefficients of curved slopes"
 
+// I_k (docs/expansions.md, "Coefficients of curved slopes").
 Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball& x,
                                     const std::vector<Ball>& taylor, bool from_right_edge) const {
     const std::vector<Ball> head(taylor.begin(),
@@ -149,8 +149,6 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
     return sum;
 }
 
-/// Returns the coefficients of I about the right edge by a disk there; empty if there is no such
-/// disk.
 std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
                                                           std::size_t terms) const {
     Ball gap = a_ + b_;

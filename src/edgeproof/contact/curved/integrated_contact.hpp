@@ -55,8 +55,11 @@ public:
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
     /// Returns c_0, c_1, ... (stress/length^(k+1/2)).
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    /// Returns M with |c_k| <= M/rho^k for all k (docs/extents.md); `rho`: length.
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
+    /// Returns the radius of the disk about an edge (length).
     [[nodiscard]] Ball reach(Edge edge) const override;
+    /// Returns the distances of the corners from an edge (length).
     [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     [[nodiscard]] std::size_t cost() const override { return 40; }
 
@@ -64,13 +67,16 @@ public:
     /// contains a bend, by bounds of g'' near the bend. Disks are computed when they are needed,
     /// and kept.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
+    /// Returns p, or a lower bound of it where a corner makes p infinite.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
+    /// Returns the Taylor series of p in `u` with `order` terms.
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
 
     /// The zone -b < x < a of the same profile, for any tilt that makes it a contact; a power law
     /// is integrated like every other slope. See BallContact::between.
     [[nodiscard]] IntegratedContact between(const Ball& a, const Ball& b, long bits) const;
+    /// F (force/length), mean slope, rates and pressure of a zone (ZoneValues).
     [[nodiscard]] Ball zone_force() const { return force_of(a_, b_); }
     [[nodiscard]] Ball zone_mean_slope() const;
     [[nodiscard]] Ball zone_rate(Edge edge) const;
@@ -95,18 +101,24 @@ private:
         std::vector<formula::Expr> formulas;       ///< of the pieces, followed by those in roots
         std::vector<std::array<Root, 2>> of_knots; ///< to the left of the knot, to the right of it
     };
+    /// The formulas, computed when first needed.
     [[nodiscard]] const Roots& roots() const;
+    /// Returns g' over a span of the contact -b < x < a.
     [[nodiscard]] SlopeIntegrand integrand(const quadrature::ThetaSpan& span, const Ball& a,
                                            const Ball& b) const;
     /// Returns the integral of g' cos(harmonic theta) over theta.
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     /// Returns P (force/length) of the contact -b < x < a.
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
+    /// Returns the Taylor series of g' about x by the formula of a piece.
     [[nodiscard]] std::vector<Ball> series_of_slope(std::size_t piece, const Ball& x,
                                                     std::size_t terms) const;
+    /// Returns I_k about the right edge by a disk; empty if there is none.
     [[nodiscard]] std::vector<Ball> coefficients_by_disk(std::size_t piece,
                                                          std::size_t terms) const;
+    /// Returns c_k at the right edge.
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
+    /// Finds the knots that are exactly an edge.
     void find_knots_on_edges();
     /// An approximation of the edges; it proves nothing.
     struct Guess {
@@ -117,7 +129,9 @@ private:
     };
     /// `contact_modulus`: E* (stress).
     [[nodiscard]] Guess guess(const formula::Exact& contact_modulus) const;
+    /// Encloses the edges that are not given.
     void enclose_edges(const formula::Exact& contact_modulus);
+    /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// Returns x at the distance `u` from an edge.
     [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
@@ -136,6 +150,7 @@ private:
     /// Returns a disk that contains u and gives `order` coefficients over it; null if there is
     /// none.
     [[nodiscard]] const Disk* disk_for(Edge edge, const Ball& u, std::size_t order) const;
+    /// Returns a disk about the place at the distance `u` from an edge, or about the edge.
     [[nodiscard]] const Disk* disk_at(Edge edge, const Ball& u, std::size_t terms) const;
     [[nodiscard]] const Disk* disk_at_edge(Edge edge) const;
     /// Returns the integral over theta from one side of a knot to the other, for x within half of
@@ -147,6 +162,7 @@ private:
     [[nodiscard]] Ball over_knot(const Ball& x, bool least) const;
     /// Returns p from I at the distance `u` from an edge.
     [[nodiscard]] Ball with_root(const Ball& u, const Ball& I) const;
+    /// The data of I, computed when first needed.
     [[nodiscard]] const SlopeOverTheta& over_theta() const;
 
     Profile profile_;

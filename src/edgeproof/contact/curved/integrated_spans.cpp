@@ -54,6 +54,7 @@ const IntegratedContact::Roots& IntegratedContact::roots() const {
     return *roots_;
 }
 
+// docs/curved-slopes.md, "What is integrated": a branch point on a knot, |s - v| = w^n.
 std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
     const Ball centre = (a - b) / 2;
     const Ball half = (a + b) / 2;

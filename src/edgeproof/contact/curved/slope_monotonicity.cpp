@@ -17,7 +17,8 @@ constexpr int most_halvings = 40;
 constexpr std::size_t most_cells = 4000;
 constexpr std::size_t taylor_terms = 6;
 
-/// A function of x and its derivative over an interval of x.
+/// A function of x and its derivative over an interval of x, by the rules of differentiation in
+/// interval arithmetic (moore-kearfott-cloud2009; DLMF 4.7, 4.20, 4.24, 4.34, 4.38).
 struct Rate {
     Interval value;
     Interval rate;

@@ -28,6 +28,7 @@ template <> struct Field<DoubleWord> {
 struct DoubleWordMark {
     PreciseWord inset;  ///< a - v
     PreciseWord outset; ///< v + b
+    /// Returns v - x for the place at the distance `u` from an edge.
     [[nodiscard]] DoubleWord offset(Edge edge, const DoubleWord& u) const {
         return edge == Edge::right ? u - inset : outset - u;
     }
@@ -39,12 +40,14 @@ struct DoubleWordPlace {
     DoubleWord left;
     bool moved = false;
 
+    /// The place at the distance `u` from an edge; `length` is a + b.
     DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
         : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
     /// Between two points of the contact, of which the first is the right one.
     DoubleWordPlace(const DoubleWordMark& a, const DoubleWordMark& b, Edge edge,
                     const DoubleWord& u)
         : right(a.offset(edge, u)), left(-b.offset(edge, u)) {}
+    /// True if the place is inside the contact.
     [[nodiscard]] bool inside() const { return right.high > 0 && left.high > 0; }
     /// True if the place is distinct from both edges.
     [[nodiscard]] bool known() const {

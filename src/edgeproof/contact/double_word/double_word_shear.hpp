@@ -97,6 +97,7 @@ private:
     };
     using Form = std::variant<FullStick, Similar, Slip>;
 
+    /// `in_range`: the numbers of the contact are in the range of the bounds.
     DoubleWordShear(Form form, bool in_range);
 
     Form form_;

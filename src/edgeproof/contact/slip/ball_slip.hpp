@@ -69,6 +69,7 @@ public:
     [[nodiscard]] const ZoneSolver& zones() const { return zones_; }
 
 private:
+    /// Returns the tilt (slope) for the load ratio `tau`.
     [[nodiscard]] Ball tilt_at(const Ball& tau) const;
 
     const ProvedPressure& contact_;

@@ -124,9 +124,9 @@ void SlipReachSearch::count(std::size_t cost) {
     }
 }
 
-/// d/tau is a mean of d' between 0 and tau.
 bool SlipReachSearch::within_from_the_start(const Error& f, const Rational& tau) const {
     const Place p = f.place(tau, f.slip().whole());
+    // d/tau is a mean of d' between 0 and tau.
     const Ball mean = f.slip().rate_between(f.slip().whole(), p.zone, edge_);
     return f.within(f.terms_over(f.hull(Rational(0), tau)) / mean - 1);
 }

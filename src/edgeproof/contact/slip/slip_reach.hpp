@@ -43,8 +43,11 @@ public:
 private:
     struct Place;
     class Error;
+    /// Finds an interval in which the tolerance is left, or proves that there is none.
     void scan();
+    /// True if the error is proved to be within the tolerance from 0 to `tau`.
     [[nodiscard]] bool within_from_the_start(const Error& f, const Rational& tau) const;
+    /// Counts `cost` stick zones; throws BudgetError when the budget is used up.
     void count(std::size_t cost);
 
     Slip slip_;

@@ -193,8 +193,8 @@ template <class T> [[nodiscard]] T call(Builtin f, std::span<const T> x) {
     missing(f);
 }
 
+/// Returns x^n; `one` is 1 of the type.
 template <class T> [[nodiscard]] T integer_power(const T& x, long n, const T& one) {
-    /// Returns x^n; `one` is 1 of the type.
     if constexpr (requires { T(pow_int(x, n)); }) {
         return T(pow_int(x, n));
     } else {

@@ -71,6 +71,7 @@ Interval operator+(const Interval& x, const Interval& y) {
 
 Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
+// The rules of interval arithmetic (moore-kearfott-cloud2009).
 Interval operator*(const Interval& x, const Interval& y) {
     Interval r;
     ArfValue p;

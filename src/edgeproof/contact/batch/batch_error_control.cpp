@@ -13,8 +13,8 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr double pi_double = std::numbers::pi;
-/// A pole is subtracted if the error of the Gauss rule decreases by less than exp(-2 slow) with
-/// each additional node.
+/// A pole is subtracted if ln(rho) of its ellipse is below this (for a doubled piece: 2 ln(rho)):
+/// the error of the Gauss rule then decreases too slowly with the number of nodes.
 constexpr double slow = 1.1;
 
 } // namespace

@@ -20,8 +20,8 @@ struct BatchNodes {
     std::vector<Real> weight;  ///< of d phi
     std::vector<Real> from_lo; ///< S from the left end of the piece
     std::vector<Real> from_hi; ///< S to its right end
-    std::vector<Real> rise_lo; ///< G less its value at the left end; empty where G is constant
-    std::vector<Real> rise_hi; ///< G at the right end less its value
+    std::vector<Real> rise_lo; ///< G minus its value at the left end; empty if G is constant
+    std::vector<Real> rise_hi; ///< G at the right end minus G
     std::vector<Real> lift_lo; ///< rise_lo times weight
     std::vector<Real> lift_hi; ///< rise_hi times weight
     std::vector<Real> s;       ///< s at the node; only in a folded contact

@@ -13,15 +13,15 @@ namespace edgeproof::contact {
 
 /// The pressure of a power law, p = (P'(a)/pi) I_m(q) with q = |x|/a, where I_m is the integral of
 /// s^m/sqrt(s^2 - q^2) over q < s < 1 (eqn:MossakovskiiPressure; docs/pressure.md, "Closed form:
-/// power laws"). The nodes are shared by all points, and no power is computed at a node except
-/// in the last formula. The recurrence
+/// power laws"). The nodes are shared by all points, and no power is computed at a node except in
+/// the last formula. The recurrence
 ///   m I_m = W + (m - 1) q^2 I_{m-2},  W = sqrt(1 - q^2),
 /// reduces m to 0 <= n < 2. Away from the apex, with b = (1 - n)/2, Euler's integral (DLMF 15.6.1)
 /// gives
 ///   I_n/W = 1 + (2b/3) mean of 1/(q^2/W^2 + 1 - t),  weight t^b (1 - t)^(n/2).
 /// Near the apex (DLMF 15.8.4, the sum written as an integral)
 ///   I_n = C q^n + 1/n - (mean of q^2/(r (1 + r)))/(2 - n),  weight t^(-n/2), r = sqrt(1 - q^2 t).
-/// The weights of the rules contain these weights. For exponents above some hundreds
+/// The weights of the rules include these weight functions. For exponents above some hundreds
 ///   I_m = integral of (q^2 + w^2)^((m-1)/2) over 0 < w < W.
 class BatchPowerLaw {
 public:
@@ -53,9 +53,8 @@ private:
     };
     struct Choice {
         std::size_t n;
-        /// the ellipse of the rule, and ln of the bound of the integrand on it
-        double rho;
-        double ln_M;
+        double rho;  ///< Bernstein ellipse of the rule
+        double ln_M; ///< ln of a bound of the integrand on it
     };
     /// Returns I_m by the recurrence; `base` returns I_n.
     template <class Base> [[nodiscard]] Share lifted(const Base& base);

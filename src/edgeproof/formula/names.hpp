@@ -30,7 +30,7 @@ inline constexpr std::string_view without_units =
 /// units.
 [[nodiscard]] bool is_unit(std::string_view name, const Symbols& allowed);
 
-/// " at column N": columns count characters from 1.
+/// Returns " at column N"; columns count characters from 1.
 [[nodiscard]] std::string at_column(std::string_view text, std::size_t offset);
 /// Returns the (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.
 [[nodiscard]] std::string quoted_at(std::string_view text, std::size_t offset);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Text that is fit for a message.
+/// Text for messages.
 namespace edgeproof {
 
 /// Returns one line without characters that control a terminal: line breaks and tabs become spaces;

@@ -44,7 +44,7 @@ bool leading_place(const Ball& x, long& k) {
 const ArbValue& power_of_ten(ulong k, long bits) {
     struct Kept {
         ulong k = 0;
-        long bits = 0; ///< none is kept
+        long bits = 0; ///< 0: nothing is kept
         ArbValue power;
     };
     static thread_local Kept kept;
@@ -112,7 +112,7 @@ bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits&
 const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
     struct Kept {
         ArbValue x;
-        long bits = 0; ///< none is kept
+        long bits = 0; ///< 0: nothing is kept
         unsigned digits = 0;
         Rounding mode = Rounding::nearest;
         WholeUnits units;

@@ -58,9 +58,10 @@ private:
 /// One piece of g' between two marks. Its nodes are computed when they are first needed.
 class BatchPiece {
 public:
-    /// On the piece g' without corners is `alpha` + `beta` s, or is given by `curved`.
     /// @param circle the mapped contact
-    /// @param index of the mark at the left end of the piece
+    /// @param index index of the mark at the left end of the piece
+    /// @param alpha,beta g' without corners is alpha + beta s, if linear
+    /// @param curved g' on the piece, if not linear; else null
     /// @param odd g' - g'(0) is proved to be odd
     BatchPiece(const BatchCircle& circle, std::size_t index, Real alpha, Real beta,
                std::unique_ptr<CurvedSlope> curved, bool odd);

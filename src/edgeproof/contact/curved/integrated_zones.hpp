@@ -16,7 +16,7 @@ namespace edgeproof::contact {
 /// integration.
 /// @param profile a power law
 /// @param contact_modulus E* (stress)
-/// @param a, b distances of the edges of the contact from the origin (length)
+/// @param a,b distances of the edges of the contact from the origin (length)
 /// @param bits working precision
 [[nodiscard]] std::unique_ptr<ZoneSolver> power_law_zones(const Profile& profile,
                                                           const formula::Exact& contact_modulus,

@@ -27,7 +27,7 @@ struct SlopeMonotonicity {
 /// between two knots, unless this is visible as a square, or if g' contains a function that
 /// complex_taylor.hpp does not support.
 /// @param profile g'(x)
-/// @param a, b distances of the edges from the origin (length)
+/// @param a,b distances of the edges from the origin (length)
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,
                                                       const Ball& b);
 

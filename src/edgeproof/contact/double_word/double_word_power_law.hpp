@@ -28,7 +28,7 @@ public:
 
     /// Returns p (stress) at a place of the contact.
     /// @param x distances from the edges of `contact` (length)
-    /// @param edge, u edge of `whole` and the distance from it (length)
+    /// @param edge,u edge of `whole` and the distance from it (length)
     [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
                                       const DoubleWord& u) const {
         if (!x.inside()) {

@@ -20,7 +20,7 @@ struct DoubleWordSlip {
     /// @param stick the slope over the stick zone
     /// @param X the place in the contact, distinct from its edges (length)
     /// @param x the place in the stick zone, distinct from its edges (length)
-    /// @param edge, u edge of the contact and the distance from it (length)
+    /// @param edge,u edge of the contact and the distance from it (length)
     [[nodiscard]] DoubleWord difference(const DoubleWordSlope& whole, const DoubleWordSlope& stick,
                                         const DoubleWordPlace& X, const DoubleWordPlace& x,
                                         Edge edge, const DoubleWord& u) const {

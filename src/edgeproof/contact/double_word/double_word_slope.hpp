@@ -62,7 +62,7 @@ struct DoubleWordSlope {
 
     /// Returns p (stress) at a place of the contact; infinite exactly on a corner.
     /// @param x distances from the edges of the contact (length)
-    /// @param edge, u edge from which the distances of the knots are measured, and the distance
+    /// @param edge,u edge from which the distances of the knots are measured, and the distance
     /// from it
     [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
                                       const DoubleWord& u) const {

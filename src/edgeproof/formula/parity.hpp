@@ -15,8 +15,8 @@ enum class Parity {
 };
 [[nodiscard]] Parity parity(const Expr& e, std::string_view variable);
 
-/// True if the form of e shows that it is the sum of an odd function and a constant: e(x) + e(-x) =
-/// 2 e(0). False means only that the form does not show it.
+/// True if the form of e shows that it is the sum of an odd function and a constant:
+/// e(x) + e(-x) = 2 e(0). False means only that the form does not show it.
 [[nodiscard]] bool odd_but_for_a_constant(const Expr& e, std::string_view variable);
 
 } // namespace edgeproof::formula

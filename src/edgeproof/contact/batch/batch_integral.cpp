@@ -266,6 +266,8 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
         const auto& lift = [&](const BatchNodes& n) -> const std::vector<Real>& {
             return task.above ? n.lift_hi : n.lift_lo;
         };
+        // (G - G_x)/(S - S_x) = (height + rise)/(gap + from), and for a linear piece
+        // = beta + (height - beta gap)/(gap + from).
         if (piece.constant_height(task.gap, task.height)) {
             const Real height =
                 piece.flat ? task.height : Real(task.height - piece.beta * task.gap);
@@ -286,6 +288,8 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
         }
         return;
     }
+    // With G_x by the formula of this piece the quotient has no pole; the difference of both G_x
+    // times 1/(S - S_x) is added below.
     Real own(0); // G from the near end to x by the formula of this piece
     if (task.kind == Kind::near) {
         own = task.above ? piece.rise_to_hi(at_.x, Real(-task.step))

@@ -56,6 +56,7 @@ BatchPiece::BatchPiece(const BatchCircle& circle, std::size_t index, Real a, Rea
     width = folded ? Real(span / (hi->v + lo->v)) : span;
     angle = angle_between(circle.length, *lo, *hi, span);
     phi_hi = 2 * atan2(hi->root_right, hi->root_left);
+    // sin(phi) = 2 sqrt(right left)/length, cos(phi) = (left - right)/length.
     sine_hi_ = 2 * hi->root_right * hi->root_left / circle.length;
     cosine_hi_ = (hi->left - hi->right) / circle.length;
     sine_lo_ = 2 * lo->root_right * lo->root_left / circle.length;
@@ -170,8 +171,8 @@ Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
     if (abs(step) * 1024 > width) {
         return middle_of(curved->G(Ball(x, 64)) - G_v);
     }
-    // Near the end of the piece a divided difference is accurate: s g(s) - v g(v) = (s - v) (g(v) +
-    // s (g(s) - g(v))/(s - v)).
+    // Near the end of the piece a divided difference is accurate:
+    //   s g(s) - v g(v) = (s - v) (g(v) + s (g(s) - g(v))/(s - v)).
     const Real q = curved->quotient(v, x, step);
     if (!folded) {
         return step * q;

@@ -21,15 +21,15 @@ Real log_one_plus(const Real& x) {
 
 } // namespace
 
-/// Returns the integral of d phi/|S - S_x| over a piece that does not contain x, from dG/dv =
-/// w(x)/(w(v) (x - v)) (docs/pressure.md, "Closed form: piecewise linear slopes").
+/// Returns the integral of d phi/|S - S_x| over a piece that does not contain x, from
+///   dG/dv = w(x)/(w(v) (x - v)) (docs/pressure.md, "Closed form: piecewise linear slopes").
 Real BatchIntegral::pole_integral(const BatchPiece& piece, const Task& task) {
     const CircleMark& near = task.above ? *piece.hi : *piece.lo;
     const CircleMark& far = task.above ? *piece.lo : *piece.hi;
     const bool far_is_end = task.above ? piece.at_left_edge : piece.at_right_edge;
     if (at_.left == 0) {
-        // x is in the middle of a folded contact, at the left end of the circle: the integral of d
-        // phi/S is (2/length) tan(phi/2).
+        // x is in the middle of a folded contact, at the left end of the circle:
+        // the integral of d phi/S is (2/length) tan(phi/2).
         return Real(2 / circle_.length *
                     (near.root_right / near.root_left -
                      (far_is_end ? Real(0) : Real(far.root_right / far.root_left))));

@@ -82,6 +82,7 @@ BatchPowerLaw::BatchPowerLaw(const formula::Exact& m, const Real& rate, const Re
 }
 
 RoutedPressure<Real> BatchPowerLaw::operator()(const Point<Real>& at) {
+    // q = |x|/a, y = 1 - q^2 = (a - x)(a + x)/a^2.
     mpfr_mul(raw(q_), raw(at.x), raw(inverse_a_), MPFR_RNDN);
     mpfr_abs(raw(q_), raw(q_), MPFR_RNDN);
     mpfr_sqr(raw(square_), raw(q_), MPFR_RNDN);
@@ -158,6 +159,7 @@ BatchPowerLaw::Choice BatchPowerLaw::choose_edge(double q) const {
     const double part = 1 - 1 / (1 + guess * std::sqrt(gap / (gap + 1)));
     const double rho = quadrature::BernsteinEllipse::beyond(1, 2 * part * gap).rho;
     const double ln_M = -std::log(gap * (1 - part));
+    // The error of product_rule_log_error (trefethen2013, theorem 8.2) for this number of nodes.
     const double ln_size = std::log(std::max(1e-300, std::abs(1 - n_double_)) / 3) + ln_M;
     const double needed = 2 + (std::log(8 / (rho - 1)) + ln_size - ln_tolerance_) / std::log(rho);
     const bool many = needed > most_product_nodes;
@@ -248,6 +250,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
         const quadrature::BernsteinEllipse ellipse{1, h + std::sqrt(h * h + 1)};
         const double ln_M =
             e * std::log(e < 0 ? q * q * (1 - part * part) : q * q + y * (h * h + 1));
+        // trefethen2013, theorem 19.3.
         const double needed = gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance);
         if (needed < fewest) {
             fewest = needed;
@@ -264,6 +267,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
     return share;
 }
 
+// (q^2 + y (w/W)^2)^((m - 1)/2) = (1 - from y)^((m - 1)/2).
 void BatchPowerLaw::add_powers(Real& sum, const Nodes& nodes) {
     for (std::size_t k = 0; k < nodes.from.size(); ++k) {
         mpfr_mul(raw(below_), raw(nodes.from[k]), raw(y_), MPFR_RNDN);

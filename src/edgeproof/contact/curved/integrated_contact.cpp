@@ -82,6 +82,7 @@ bool IntegratedContact::edge_may_be_on_knot() const {
     return false;
 }
 
+// docs/curved-slopes.md, "What is integrated".
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a, b)) {

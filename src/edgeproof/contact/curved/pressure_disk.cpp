@@ -82,8 +82,8 @@ public:
                   long bits)
         : integral_(integral), holds_(holds), x_(x), g_(std::move(g)), near_(r / 2), far_(r / 4),
           terms_(terms), bits_(bits) {
-        // |g_j| <= change/r^j by Cauchy's estimate, so that |D_k(s)| <= 2 change/r^(k+1) for |s -
-        // x| <= r/2.
+        // |g_j| <= change/r^j by Cauchy's estimate, so that |D_k(s)| <= 2 change/r^(k+1)
+        // for |s - x| <= r/2.
         const Magnitude least = Magnitude::least(r);
         Magnitude most = change + change;
         for (std::size_t k = 0; k < g_.size(); ++k) {

@@ -65,9 +65,8 @@ private:
     bool found_ = false;
 };
 
-/// Returns an enclosure, over the spans `outer` of theta only, of the integral of (g'(s) -
-/// g'(x))/(s - x) for every x of a ball that lies on a piece, perhaps at its end. Not finite if
-/// none is found.
+/// Returns an enclosure of the integral of (g'(s) - g'(x))/(s - x) over the spans `outer` of theta,
+/// for every x of a ball that lies on a piece, perhaps at its end. Not finite if none is found.
 /// @param integral the data of I
 /// @param outer spans of theta
 /// @param holds the piece that contains x

@@ -8,8 +8,8 @@ constexpr long bits = 256;
 constexpr long coefficients = 400;
 constexpr long largest_m = 64;
 
-/// The coefficients of 2F1(1, (1 - n)/2; 3/2; y) (DLMF 15.2.1): the ratio of two is (k + (1 -
-/// n)/2)/(k + 3/2), below 1.
+/// The coefficients of 2F1(1, (1 - n)/2; 3/2; y) (DLMF 15.2.1). The ratio of two,
+/// (k + (1 - n)/2)/(k + 3/2), is below 1.
 std::vector<Ball> edge_coefficients(const Rational& n) {
     std::vector<Ball> a{Ball(1, bits)};
     for (long k = 0; k + 1 < coefficients; ++k) {

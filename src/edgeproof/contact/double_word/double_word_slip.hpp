@@ -43,8 +43,8 @@ struct DoubleWordSlip {
                 }
                 const Mark<DoubleWord>& V = knot.mark;
                 const Mark<DoubleWord>& v = stick.knots[next++].mark;
-                // delta = alpha - alpha* = beta - beta*, alpha + beta*, and sqrt(alpha beta) +
-                // sqrt(alpha* beta*) (docs/double-words.md, lemma 9).
+                // The next three are delta = alpha - alpha* = beta - beta*, alpha + beta*, and
+                // sqrt(alpha beta) + sqrt(alpha* beta*) (docs/double-words.md, lemma 9).
                 const DoubleWord gain =
                     (right * x.left * v.left + left * x.right * v.right + common) / widths;
                 const DoubleWord mean =

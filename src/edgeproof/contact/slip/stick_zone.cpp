@@ -55,6 +55,7 @@ public:
     [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const Ball part = zone.a / contact_.a();
+        // dP/da = P'(a) (zone.a/a)^m.
         const Ball rate = rate_ * pow(part, power_ - 1);
         return {force_ * pow(part, power_), Ball(0, bits()), rate, rate};
     }
@@ -87,6 +88,8 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
     for (int k = 0; k < most_zone_steps; ++k) {
         const Ball D = at.length();
         const ZoneValues v = values(at);
+        // Newton's step: G_+- = F - P +- D turn have the rates right_rate by a and left_rate by b
+        // alone (docs/partial-slip.md, "The corrective contact").
         const Ball missing = v.force - P;
         const Ball turn = D * turn_of(*this, v, turned);
         Ball da = middle_of((missing + turn) / v.right_rate);

@@ -8,9 +8,9 @@
 
 namespace edgeproof {
 
-/// The sum of c_k x^k over k, c_0 = 1, where c_{k+1}/c_k is a product of two quotients (slope k +
-/// over)/(slope k + under) of positive integers: Gauss's 2F1 with rational parameters (DLMF
-/// 15.2.1).
+/// The sum of c_k x^k over k, c_0 = 1, where c_{k+1}/c_k is a product of two quotients
+/// (slope k + over)/(slope k + under) of positive integers: Gauss's 2F1 with rational parameters
+/// (DLMF 15.2.1).
 struct RatioSeries {
     // clang-tidy 14 takes the 0 of a defaulted <=> for a pointer.
     // NOLINTBEGIN(modernize-use-nullptr)

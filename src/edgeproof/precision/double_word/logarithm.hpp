@@ -25,7 +25,7 @@ struct LogarithmTable {
 namespace double_word {
 
 /// Returns 2 artanh(s) = 2 s (1 + s^2/3 + s^4/5 + ...) (DLMF 4.38.5) for |s| <= 2^-7; the terms
-/// from s^14/15 on are below s^12/10 * 2^-14 in sum (docs/double-words.md, lemma 4).
+/// from s^14/15 on are below s^14/14 in sum (docs/double-words.md, lemma 4).
 [[nodiscard]] inline DoubleWord twice_artanh(const DoubleWord& s, const DoubleWord& third) {
     const DoubleWord q = s * s;
     const double h = q.high;

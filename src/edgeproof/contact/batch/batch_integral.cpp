@@ -188,7 +188,7 @@ void BatchIntegral::set_tasks() {
         task.step = at_.step_hi;
     };
     if (!here.linear()) {
-        // From the nearer end, so that the difference has no cancellation.
+        // The nearer end is used, so that the difference has no cancellation.
         inside.above = at_.step_hi < at_.step_lo;
         inside.above ? from_hi(inside) : from_lo(inside);
     }

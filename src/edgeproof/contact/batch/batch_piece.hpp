@@ -33,7 +33,7 @@ public:
     /// `slopes` must live longer than this object.
     /// @param slopes g' of the profile
     /// @param piece index of the piece
-    /// @param corners sum of the jumps of g' at corners to the left of the piece
+    /// @param corners the part of g' due to corners to the left of the piece
     /// @param folded the contact is symmetric: G = s g'
     /// @param bits precision
     CurvedSlope(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& corners, bool folded,

@@ -9,7 +9,7 @@ namespace edgeproof::contact {
 
 std::vector<quadrature::ThetaSpan> IntegratedContact::piece_spans(const Ball& a,
                                                                   const Ball& b) const {
-    // From the right: theta = 0 at the right edge. A knot that may lie on an edge is set to that
+    // The order is from the right, where theta = 0. A knot that may lie on an edge is set to that
     // edge.
     std::vector<quadrature::ThetaSpan> list;
     Ball from(0, bits_);

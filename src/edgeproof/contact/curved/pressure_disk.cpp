@@ -176,7 +176,7 @@ public:
 
     std::optional<Magnitude> operator()() {
         for (const quadrature::ThetaSpan& span : integral_.pieces) {
-            // With the radii of the ends, in which the cells of two spans may overlap.
+            // The radii of the ends are included; there the cells of two spans may overlap.
             const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
             const Ball hi(span.to.with_bits(box_bits).upper(), box_bits);
             if (!cell(span.piece, lo, hi, 0)) {

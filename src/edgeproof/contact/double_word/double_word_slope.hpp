@@ -20,7 +20,7 @@ struct DoubleWordSlope {
         DoubleWord jump; ///< of g'
         DoubleWord drop; ///< of g''
     };
-    std::vector<Knot> knots; ///< those inside the contact
+    std::vector<Knot> knots; ///< those inside the contact where g' jumps or bends
     DoubleWord arc;
     DoubleWord width; ///< a + b
     DoubleWord factor;

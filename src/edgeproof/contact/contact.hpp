@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// The mechanics of an incomplete contact between half-planes, from the bottom up. What law/ has is
-/// over any field; routes/, tilt/ and batch/ are in Real (estimates); enclosure/, curved/ and
-/// design/ are in balls (proved).
+/// The mechanics of an incomplete contact between half-planes. The formulas in law/ are templates
+/// over the number type. routes/, tilt/ and batch/ use Real (estimates); enclosure/, curved/ and
+/// design/ use balls (proved).
 ///   profile/profile.hpp               Profile: g'(x), exact
 ///   law/kernels.hpp                   P, M, b(a) and their rates as integrals over dg'
 ///   law/contact_law.hpp               ContactLaw<T>: b(a), P(a), M(a) and their series
@@ -10,27 +10,27 @@
 ///   law/shear.hpp                     q under full stick
 ///   law/slip_series.hpp               the slip zones in powers of the load
 ///   law/forward.hpp                   resultant and principal value of a traction
-///   law/work.hpp                      Counts and Work: what was done, counted where it is done
-///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to the digits asked
+///   law/work.hpp                      Counts and Work: counts of the work done
+///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to a given number of digits
 ///   routes/pressure_routes.hpp        p(x) by routes that share no formula
-///   routes/power_law_closed_form.hpp  that of a power law by Gauss's 2F1
-///   routes/shear_traction.hpp         ShearTraction: q under full stick, to the digits asked
-///   routes/partial_slip.hpp           PartialSlip: from the pressures in the slip zones
+///   routes/power_law_closed_form.hpp  p(x) of a power law by Gauss's 2F1
+///   routes/shear_traction.hpp         ShearTraction: q under full stick, to a given number of
+///   digits routes/partial_slip.hpp           PartialSlip: from the pressures in the slip zones
 ///   routes/extent.hpp                 how far from an edge n terms stay within a tolerance
-///   tilt/tilt_solver.hpp              the tilt that carries a given force and moment
+///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   batch/batch_pressure.hpp          many pressures of one contact, at the least cost
-///   double_word/double_word_pressure.hpp  the same to binary64, in double words with bounds
-///   enclosure/ball_contact.hpp        BallContact: the same contact in balls, proved
+///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
+///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
 ///   enclosure/exact_edges.hpp         edges on a knot, decided by exact algebra
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
 ///   slip/ball_slip.hpp                BallSlip: partial slip, proved
-///   slip/stick_zone.hpp               ZoneSolver: its stick zone, under any force and tilt
-///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are good
+///   slip/stick_zone.hpp               ZoneSolver: the stick zone under any force and tilt
+///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are accurate
 ///   curved/integrated_contact.hpp     IntegratedContact: curved g', by rigorous integration
 ///   curved/proved_slip.hpp            ProvedSlip: partial slip of any profile in balls
-///   curved/slope_monotonicity.hpp     whether g' is proved not to decrease, for that
-///   curved/pressure_disk.hpp          its Taylor series, the remainder bounded by Cauchy
-///   design/design.hpp                 where an approximation reaches farthest
+///   curved/slope_monotonicity.hpp     proves that g' does not decrease
+///   curved/pressure_disk.hpp          Taylor series of p; Cauchy's estimate bounds the remainder
+///   design/design.hpp                 the parameter for which an approximation reaches farthest
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/integrated_zones.hpp"

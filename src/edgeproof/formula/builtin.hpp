@@ -6,8 +6,8 @@
 
 namespace edgeproof::formula {
 
-/// The functions that every formula may use. `none` marks a function that the environment of an
-/// evaluation has to supply.
+/// The functions that every formula may use. `none` stands for a function that the environment of
+/// an evaluation has to define.
 enum class Builtin {
     none,
     sqrt,
@@ -42,7 +42,7 @@ struct BuiltinInfo {
     unsigned max_arity;
 };
 
-/// All of them, `none` excepted, in the order of the enumeration.
+/// All except `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const BuiltinInfo> builtins();
 [[nodiscard]] std::optional<BuiltinInfo> find_builtin(std::string_view name);
 [[nodiscard]] std::string_view name_of(Builtin f);

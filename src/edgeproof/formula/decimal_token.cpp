@@ -14,7 +14,7 @@ namespace edgeproof::formula {
 namespace {
 
 constexpr long max_exponent = 100'000;
-/// All numbers of one expression together.
+/// For all numbers of one expression together.
 constexpr std::size_t max_number_bits = 4'000'000;
 
 class DecimalReader {

@@ -7,16 +7,16 @@
 
 namespace edgeproof::formula {
 
-/// A number of an expression, "12.5e-3", and where it ends.
+/// A number in an expression, "12.5e-3", and the position after it.
 struct DecimalToken {
     Rational value;
     std::size_t end = 0;
 };
 
-/// The number that begins at `start`, where there is a digit or a point, exactly. An `e` that no
-/// digits follow is left to be a name. `bits`: of all numbers of the expression so far, counted on.
-/// Throws FormulaError for a point without digits or a second one, an exponent beyond 100,000, and
-/// numbers of more than 4,000,000 bits together.
+/// Returns the exact number that begins at `start`, where there is a digit or a point. An `e`
+/// without digits after it is left for a name. `bits` counts the bits of all numbers of the
+/// expression so far. Throws FormulaError for a point without digits, a second point, an exponent
+/// beyond 100,000, and numbers of more than 4,000,000 bits together.
 [[nodiscard]] DecimalToken decimal_token(std::string_view text, std::size_t start,
                                          std::size_t& bits);
 

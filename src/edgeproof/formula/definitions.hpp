@@ -8,18 +8,18 @@
 
 namespace edgeproof::formula {
 
-/// Names with the formulas that they stand for, which may have further ones of these names.
+/// Names with their formulas, which may contain other names of the map.
 using Definitions = std::map<std::string, Expr, std::less<>>;
 
-/// Puts the definitions into each other: none of the results has a name that is defined. Throws
-/// InputError where a name needs itself, with the circle: "P2 -> P3 -> P2".
+/// Substitutes the definitions into each other, so that no result contains a defined name. Throws
+/// InputError if a name depends on itself, with the cycle: "P2 -> P3 -> P2".
 [[nodiscard]] Definitions put_into_each_other(const Definitions& definitions);
 
-/// e with the results of put_into_each_other in place of their names.
+/// Returns e with the names replaced by the results of put_into_each_other.
 [[nodiscard]] Expr put_in(const Definitions& resolved, Expr e);
 
-/// Adds a name to those that are being replaced, for as long as it lives. Throws InputError where
-/// it is among them already.
+/// Adds a name to those that are being replaced, and removes it in the destructor. Throws
+/// InputError if the name is already among them.
 class Replacing {
 public:
     Replacing(std::vector<std::string>& names, const std::string& name);

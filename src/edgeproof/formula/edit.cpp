@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    /// args[0] in the scope of the variable args[1].
+    /// Substitutes in args[0], which is in the scope of the variable args[1].
     void substitute_under(std::vector<Expr>& args) const {
         const std::string variable = args[bound_variable].name();
         if (variable == name_) {

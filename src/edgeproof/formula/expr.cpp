@@ -16,7 +16,7 @@ struct Expr::Node {
     Builtin builtin = Builtin::none;
     std::string name;
     std::vector<Expr> args;
-    /// The exact value, where there is one.
+    /// The exact value, if there is one.
     std::optional<Rational> value;
     std::size_t hash = 0;
     std::size_t height = 1;
@@ -27,8 +27,8 @@ struct Expr::Node {
 
 namespace {
 
-/// Nodes of a tree, each counted wherever it stands: definitions put into each other may double at
-/// each step.
+/// The greatest number of nodes of a tree, with shared nodes counted repeatedly: definitions that
+/// are substituted into each other may double it at each step.
 constexpr std::size_t max_size = 1'000'000;
 
 std::size_t mix(std::size_t seed, std::size_t x) {
@@ -47,7 +47,7 @@ std::size_t hash_of(const Rational& q) {
     return h;
 }
 
-/// True if the decimal expansion of q ends.
+/// True if the decimal expansion of q terminates.
 bool terminates(const Rational& q) {
     const auto* const denominator = mpq_denref(q.backend().data());
     if (mpz_fits_ulong_p(denominator) != 0) {

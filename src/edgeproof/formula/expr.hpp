@@ -14,11 +14,11 @@
 
 namespace edgeproof::formula {
 
-/// An exact expression: an immutable tree, cheap to copy and safe to share between threads.
-/// Nothing is simplified: the tree is what was written, so that a misprint stays a misprint.
+/// An exact expression: an immutable tree, cheap to copy and safe to share between threads. Nothing
+/// is simplified: the tree is exactly the written text, so that a misprint remains visible.
 ///
-/// Number nodes are non-negative terminating decimals, exact; `Expr::number` writes any other
-/// rational as a quotient, or with a minus in front, as the text of a formula would.
+/// Number nodes are exact non-negative terminating decimals. `Expr::number` writes any other
+/// rational as a quotient, or with a minus sign, as in the text of a formula.
 class Expr {
 public:
     enum class Kind {
@@ -26,7 +26,7 @@ public:
         pi,       ///< the constant, printed `Pi`
         symbol,   ///< a free or bound variable
         neg,      ///< -args[0]
-        add,      ///< args[0] + args[1], and so on
+        add,      ///< args[0] + args[1]; the operators below likewise
         sub,      //
         mul,      //
         div,      //
@@ -44,34 +44,35 @@ public:
     [[nodiscard]] static Expr pi();
     [[nodiscard]] static Expr symbol(std::string_view name);
     /// A call, or a binder if `name` is integral, pv or sum. Throws InputError for a wrong number
-    /// of arguments to a built-in function, or a bound variable that is not a symbol.
+    /// of arguments of a built-in function, or a bound variable that is not a symbol.
     [[nodiscard]] static Expr call(std::string_view name, std::vector<Expr> args);
-    /// A node of any kind with one to five children, made over from `like` (name and place in the
-    /// source are kept).
+    /// A node of any kind with one to five children that otherwise copies `like` (name and place in
+    /// the source).
     [[nodiscard]] static Expr with_args(const Expr& like, std::vector<Expr> args);
-    /// The same expression, with the place in a source text that it was read from.
+    /// The same expression with its place in the source text.
     [[nodiscard]] Expr located(std::size_t offset, std::size_t length) const;
 
     [[nodiscard]] Kind kind() const noexcept;
-    /// Value of a number node (throws Error for other kinds; see rational()).
+    /// The value of a number node (throws Error for other kinds; see rational()).
     [[nodiscard]] const Rational& number() const;
-    /// Name of a symbol, of a function called, or of a binder; empty for other kinds.
+    /// The name of a symbol, a called function, or a binder; empty for other kinds.
     [[nodiscard]] const std::string& name() const noexcept;
-    /// The function called; `Builtin::none` if it is not a built-in one.
+    /// The called function; `Builtin::none` if it is not built in.
     [[nodiscard]] Builtin builtin() const noexcept;
-    /// The children, in the order of the text; a binder's second child is its bound variable.
+    /// The children in the order of the text; the second child of a binder is its bound variable.
     [[nodiscard]] std::span<const Expr> args() const noexcept;
     [[nodiscard]] const Expr& arg(std::size_t i) const;
     [[nodiscard]] bool is_binder() const noexcept;
-    /// The exact value if the tree is made of rational numbers and comes to a rational of moderate
-    /// size (exact roots included: sqrt(4)), else nullptr.
+    /// The exact value if all leaves are rational numbers and the value is a rational of moderate
+    /// size (exact roots are included: sqrt(4)), else nullptr.
     [[nodiscard]] const Rational* rational() const noexcept;
 
-    /// Where it stood in the text that it was parsed from (bytes from 0; length 0: not parsed).
+    /// The place in the parsed text (bytes from 0; length 0: not parsed).
     [[nodiscard]] std::size_t offset() const noexcept;
     [[nodiscard]] std::size_t length() const noexcept;
 
-    /// Structural: places in the source are ignored, names of bound variables are not.
+    /// Structural equality: places in the source are ignored, names of bound variables are
+    /// compared.
     friend bool operator==(const Expr& x, const Expr& y);
     [[nodiscard]] std::size_t hash() const noexcept;
     /// 1 for a leaf.
@@ -84,41 +85,43 @@ public:
     friend Expr operator/(const Expr& x, const Expr& y);
     friend Expr pow(const Expr& x, const Expr& y);
 
-    /// A tree may not be higher than this: walks over it are recursive. Builders throw Error.
+    /// The greatest height of a tree, because functions on it are recursive. Builders throw Error.
     static constexpr std::size_t max_height = 2000;
 
 private:
     struct Node;
     explicit Expr(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-    /// `value`: what it comes to, where that is known.
+    /// `value`: the exact value, if known.
     static Expr make(Kind kind, std::string name, std::vector<Expr> args,
                      const Rational* value = nullptr);
     std::shared_ptr<const Node> node_;
 };
 
-/// The text of an expression, with no parentheses beyond those that the tree or (around a sign
-/// after an operator) the eye needs. Parses back to the same tree.
+/// The text of an expression, with only those parentheses that the tree requires, and parentheses
+/// around a sign after an operator for readability. It parses to the same tree.
 [[nodiscard]] std::string to_text(const Expr& e);
 
-/// LaTeX. `symbol` says how a name is set. A name for which it gives nothing: Greek names become
-/// Greek letters, trailing digits and what follows an underscore subscripts, P1 and b2 derivatives.
+/// The LaTeX of an expression. `symbol` returns the LaTeX of a name, or an empty string for the
+/// default: Greek names become Greek letters, trailing digits and the part after an underscore
+/// become subscripts, and P1 and b2 become derivatives.
 [[nodiscard]] std::string to_tex(const Expr& e,
                                  const std::function<std::string(std::string_view)>& symbol = {});
 
-/// The names that are not bound by an integral, pv or sum around them.
+/// The names that are not bound by an enclosing integral, pv or sum.
 [[nodiscard]] std::set<std::string> free_symbols(const Expr& e);
-/// The functions called that are not built in.
+/// The called functions that are not built in.
 [[nodiscard]] std::set<std::string> called_functions(const Expr& e);
 /// True if an integral, pv or sum occurs.
 [[nodiscard]] bool has_binder(const Expr& e);
 
-/// `value` for every free `name`. Bound variables that would capture a name of `value` are renamed.
+/// Replaces every free `name` by `value`. Bound variables that would capture a name of `value` are
+/// renamed.
 [[nodiscard]] Expr substitute(const Expr& e, std::string_view name, const Expr& value);
 
-/// The way from the root of a tree to one of its nodes: which child at each step.
+/// The path from the root of a tree to a node: the index of the child at each step.
 using Path = std::vector<std::size_t>;
 
-/// All nodes but bound variables, each parent before its children, in the order of the text.
+/// All nodes except bound variables, each parent before its children, in the order of the text.
 [[nodiscard]] std::vector<Path> paths(const Expr& e);
 /// The node at a path. Throws Error if there is none.
 [[nodiscard]] Expr at(const Expr& e, std::span<const std::size_t> path);

@@ -12,7 +12,7 @@ Integer whole_power(const Integer& x, unsigned long n) {
     return y;
 }
 
-/// The exact root of x >= 0, if it has one.
+/// Returns the exact root of x >= 0, if there is one.
 std::optional<Integer> exact_root(const Integer& x, unsigned long degree) {
     Integer y;
     if (mpz_root(y.backend().data(), x.backend().data(), degree) == 0) {
@@ -123,7 +123,7 @@ std::optional<Rational> fold(Expr::Kind kind, Builtin f, std::span<const Expr> a
         return std::nullopt;
     }
     auto q = fold_unbounded(kind, f, args);
-    // A sign in front of a long literal is no growth.
+    // A sign before a long literal does not increase its size.
     if (q && kind != Expr::Kind::neg && bits_of(*q) > max_folded_bits) {
         return std::nullopt;
     }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Exact expressions: what users and ledgers write, never rounded before somebody asks for digits.
+/// Exact expressions, as users and ledgers write them; they are rounded only when digits are
+/// requested.
 ///   builtin.hpp                 the functions that every formula may use
 ///   expr.hpp                    Expr: the tree; text and TeX of it; substitution; edits by path
 ///   parse.hpp                   text -> Expr, with a strict table of names; FormulaError
 ///   exact/exact.hpp             Exact: a constant such as "pi/16", and its value at any precision
-///   parity.hpp                  even and odd functions, told by their form
+///   parity.hpp                  even and odd functions, recognised by their form
 ///   exact/identity.hpp          zeros and signs proved by exact algebra
-///   evaluation/evaluate.hpp     the value of an Expr in any kind of number
-///   evaluation/environment.hpp  Values: names with values, to evaluate in
+///   evaluation/evaluate.hpp     the value of an Expr in any number type
+///   evaluation/environment.hpp  Values: names with values, for an evaluation
 ///   evaluation/program.hpp      Program: an Expr compiled for many evaluations
 #include "edgeproof/formula/builtin.hpp"
 #include "edgeproof/formula/evaluation/environment.hpp"

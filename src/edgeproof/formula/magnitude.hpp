@@ -6,8 +6,8 @@
 
 namespace edgeproof::formula {
 
-/// The sum of the sizes of the terms that e is made of: the scale of the errors of its value, also
-/// where the terms cancel. `value` gives the value of a part, as a Real or a Ball.
+/// Returns the sum of the absolute values of the terms of e: the scale of the errors of its value,
+/// even if the terms cancel. `value` returns the value of a part, as a Real or a Ball.
 template <class Value>
 [[nodiscard]] auto magnitude(const Expr& e, const Value& value)
     -> std::decay_t<decltype(value(e))> {

@@ -10,7 +10,7 @@
 namespace edgeproof::formula {
 namespace {
 
-/// Names that some program somewhere takes for a constant or a limit.
+/// Names that other programs read as a constant or a limit.
 constexpr std::array taken_for_constants{"E",        "e",   "I",    "inf",  "Inf",
                                          "INF",      "nan", "NaN",  "NAN",  "infinity",
                                          "Infinity", "oo",  "true", "false"};
@@ -46,11 +46,11 @@ constexpr std::array other_spellings{
     Meant{"PI", "Pi"},
 };
 
-/// Units that no formula would have as a name.
+/// Units that are not plausible as names in a formula.
 constexpr std::array units{"Pa", "kPa", "MPa", "GPa", "kN",  "MN",  "mm", "cm",
                            "um", "nm",  "psi", "ksi", "deg", "rad", "lbf"};
 
-/// "did you mean x? " where a known name is near.
+/// Returns "did you mean x? " if a known name is near.
 std::string near_hint(std::string_view name, const std::vector<std::string>& names) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view near = near_name(name, known);
@@ -92,7 +92,8 @@ std::string_view other_spelling(std::string_view name) {
     return it == other_spellings.end() ? std::string_view{} : it->meant;
 }
 
-/// Bytes of the printable character at `offset`; 0 if it is a control or not UTF-8.
+/// Returns the number of bytes of the printable character at `offset`; 0 for a control character or
+/// invalid UTF-8.
 std::size_t character_length(std::string_view text, std::size_t offset) {
     const auto byte = [&](std::size_t i) {
         return offset + i < text.size() ? static_cast<unsigned char>(text[offset + i]) : 0U;
@@ -100,7 +101,7 @@ std::size_t character_length(std::string_view text, std::size_t offset) {
     if (byte(0) < 0x80U) {
         return byte(0) >= 0x20U && byte(0) != 0x7FU ? 1 : 0;
     }
-    if (byte(0) < 0xC3U || byte(0) > 0xF4U) { // 0xC2: Latin-1 signs, among them controls
+    if (byte(0) < 0xC3U || byte(0) > 0xF4U) { // 0xC2: Latin-1, with controls
         return byte(0) == 0xC2U && byte(1) >= 0xA0U && byte(1) <= 0xBFU ? 2 : 0;
     }
     const std::size_t n = byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <utility>
 
-/// What the parser says about names and characters: kept apart from the grammar.
+/// The messages of the parser about names and characters, separate from the grammar.
 namespace edgeproof::formula {
 
 [[nodiscard]] bool is_binder_name(std::string_view name);
 
-/// Least and most arguments of a known function or binder.
+/// Returns the least and the greatest number of arguments of a known function or binder.
 [[nodiscard]] std::pair<std::size_t, std::size_t> arity_of(std::string_view name,
                                                            const Symbols& allowed);
 /// "atan2(x, y)".
@@ -22,18 +22,19 @@ namespace edgeproof::formula {
                                               std::span<const std::string_view> bound);
 [[nodiscard]] std::string instead_of_function(std::string_view name, const Symbols& allowed);
 
-/// What to write where a number is given with a unit.
+/// The advice for a number with a unit.
 inline constexpr std::string_view without_units =
     "write the number alone, all values in one consistent set of units";
 
-/// Whether a name that follows a number can only be a unit: in a constant, or of a list.
+/// True if a name after a number can only be a unit: in a constant, or because it is in the list of
+/// units.
 [[nodiscard]] bool is_unit(std::string_view name, const Symbols& allowed);
 
-/// " at column N": columns count characters from 1.
+/// Returns " at column N"; columns count characters from 1.
 [[nodiscard]] std::string at_column(std::string_view text, std::size_t offset);
-/// The (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.
+/// Returns the (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.
 [[nodiscard]] std::string quoted_at(std::string_view text, std::size_t offset);
-/// What to write instead of a character that has no place in a formula.
+/// Returns what to write instead of a character that may not occur in a formula.
 [[nodiscard]] std::string hint_for_character(std::string_view text, std::size_t offset);
 
 } // namespace edgeproof::formula

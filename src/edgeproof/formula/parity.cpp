@@ -15,7 +15,7 @@ Parity of_product(Parity x, Parity y) {
     return x == y ? Parity::even : Parity::odd;
 }
 
-/// Of an odd base, to an exponent without x: an integer that is written as such.
+/// The parity of a power of an odd base; the exponent, without x, must be an integer.
 Parity of_power(const Expr& exponent) {
     const Rational* q = exponent.rational();
     if (q == nullptr || boost::multiprecision::denominator(*q) != 1) {
@@ -24,7 +24,7 @@ Parity of_power(const Expr& exponent) {
     return boost::multiprecision::numerator(*q) % 2 == 0 ? Parity::even : Parity::odd;
 }
 
-/// Of a built-in function of one odd argument.
+/// The parity of a built-in function of one odd argument.
 Parity of_odd_argument(Builtin f) {
     switch (f) {
     case Builtin::cos:

@@ -6,17 +6,17 @@
 
 namespace edgeproof::formula {
 
-/// Whether e(-x) is e(x), or -e(x), wherever both are defined, `variable` being x: told by the form
-/// of e, from the parts up. What does not have x in it is even.
+/// The parity of e as a function of x (`variable`), wherever both e(x) and e(-x) are defined. It is
+/// derived from the form of e, from the parts upwards. An expression without x is even.
 enum class Parity {
     even,
     odd,
-    undecided, ///< by the form: e may still be either
+    undecided, ///< not visible from the form: e may still be even or odd
 };
 [[nodiscard]] Parity parity(const Expr& e, std::string_view variable);
 
-/// Whether e is shown by its form to be an odd function and a constant: e(x) + e(-x) = 2 e(0).
-/// False says that the form does not show it, not that it is false.
+/// True if the form of e shows that it is the sum of an odd function and a constant:
+/// e(x) + e(-x) = 2 e(0). False means only that the form does not show it.
 [[nodiscard]] bool odd_but_for_a_constant(const Expr& e, std::string_view variable);
 
 } // namespace edgeproof::formula

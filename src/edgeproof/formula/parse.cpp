@@ -56,7 +56,7 @@ private:
     }
     [[nodiscard]] char peek() const { return pos_ < text_.size() ? text_[pos_] : '\0'; }
     [[nodiscard]] bool at_end() const { return pos_ == text_.size(); }
-    /// Takes a character of the grammar, and the space behind it.
+    /// Consumes a character of the grammar and the space after it.
     bool take(char c) {
         if (at_end() || text_[pos_] != c) {
             return false;
@@ -67,7 +67,7 @@ private:
         return true;
     }
 
-    /// One level deeper, for as long as it lives.
+    /// Increases the depth by one, until its destructor is called.
     class Level {
     public:
         explicit Level(Parser& parser) : parser_(parser) {
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // --- what went wrong
+    // --- messages
 
     /// The character at `pos_`, quoted so that it can be printed.
     [[nodiscard]] std::string quoted_character() const { return quoted_at(text_, pos_); }
@@ -346,8 +346,8 @@ private:
     std::string_view text_;
     const Symbols& allowed_;
     std::size_t pos_ = 0;
-    std::size_t consumed_ = 0; // end of the last token, without the space behind it
-    std::size_t number_end_ = std::string_view::npos; // of the last number, as consumed_ is
+    std::size_t consumed_ = 0; // end of the last token, without the space after it
+    std::size_t number_end_ = std::string_view::npos; // end of the last number, like consumed_
     std::size_t depth_ = 0;
     std::size_t number_bits_ = 0;
 };

@@ -12,8 +12,8 @@
 
 namespace edgeproof::formula {
 
-/// A text that is not an expression, or that uses a name it may not use. `problem()` names the
-/// column, `instead()` what may stand there.
+/// A text that is not an expression, or that uses a name that is not allowed. `problem()` contains
+/// the column, `instead()` what may stand there.
 class FormulaError : public InputError {
 public:
     FormulaError(std::string problem, std::string instead, std::size_t offset)
@@ -25,7 +25,7 @@ private:
     std::size_t offset_;
 };
 
-/// What a formula may name besides the built-in functions and the constant Pi.
+/// The names that a formula may use in addition to the built-in functions and the constant Pi.
 class Symbols {
 public:
     struct Function {
@@ -36,8 +36,8 @@ public:
     Symbols(std::initializer_list<std::string_view> variables);
     explicit Symbols(const std::set<std::string>& variables);
 
-    /// Throws InputError for a name that no formula could use: not an identifier, a built-in
-    /// function, or one that other programs read as a constant (E, e, I, inf, nan).
+    /// Throws InputError for a name that no formula may use: not an identifier, a built-in
+    /// function, or a name that other programs read as a constant (E, e, I, inf, nan).
     Symbols& add(std::string_view variable);
     Symbols& add_function(std::string_view name, unsigned arity);
 
@@ -56,8 +56,8 @@ private:
     std::map<std::string, Function, std::less<>> functions_;
 };
 
-/// Names that no variable may have: E, e, I, inf, nan and their kin, pi, integral, pv, sum and the
-/// built-in functions.
+/// True for names that no variable may have: E, e, I, inf, nan and similar names, pi, integral, pv,
+/// sum and the built-in functions.
 [[nodiscard]] bool is_reserved(std::string_view name);
 
 /// Reads an expression. All numbers in it are exact; `pi` and `Pi` are the constant.

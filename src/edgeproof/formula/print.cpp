@@ -27,8 +27,8 @@ Precedence precedence(Kind kind) {
     }
 }
 
-/// A terminating decimal q >= 0 as digits and a power of ten: q = digits * 10^exponent, the digits
-/// ending in none of 0 unless they are "0".
+/// A terminating decimal q >= 0 as digits and a power of ten: q = digits * 10^exponent. The last
+/// digit is not 0, unless the digits are "0".
 struct Decimal {
     std::string digits;
     long exponent;
@@ -64,7 +64,7 @@ Decimal decimal_of(const Rational& q) {
     return {std::move(digits), exponent};
 }
 
-/// How a number is written: plainly where that is short, as 1.25e-30 otherwise.
+/// Returns a number as text: plain if that is short, else as 1.25e-30.
 std::string number_text(const Rational& q) {
     constexpr long most_zeros_behind = 6;
     constexpr long most_zeros_before = 4;
@@ -99,7 +99,7 @@ public:
         case Kind::symbol:
             return e.name();
         case Kind::neg:
-            // "-(-x)": the tree does not need these parentheses, the eye does.
+            // "-(-x)": these parentheses are for the reader; the tree does not need them.
             return '-' + wrapped(e.arg(0), e.arg(0).kind() == Kind::neg ? power : sign);
         case Kind::add:
             return infix(e, " + ", additive, multiplicative);

@@ -111,7 +111,7 @@ private:
         }
         const bool derivative = stem == 1 && (n[0] == 'P' || n[0] == 'b') &&
                                 subscript.size() == 1 && subscript[0] >= '1' && subscript[0] <= '3';
-        if (derivative) { // P1, b2: along the family of contacts, at a
+        if (derivative) { // P1, b2: derivatives along the family of contacts, at a
             return n.substr(0, 1) +
                    std::string(static_cast<std::size_t>(subscript[0] - '0'), '\'') + "(a)";
         }
@@ -137,7 +137,8 @@ private:
         const std::string power = "10^{" + text.substr(at + 1) + '}';
         return text.substr(0, at) == "1" ? power : text.substr(0, at) + " \\cdot " + power;
     }
-    /// Two numbers side by side would read as one, a number and a numerical fraction as mixed.
+    /// Two adjacent numbers would look like one number, and a number before a numerical fraction
+    /// like a mixed number.
     std::string product(const Expr& e) const {
         if (e.arg(0).kind() == Kind::neg) { // -a b, not (-a) b
             return "-" + product(e.arg(0).arg(0) * e.arg(1));
@@ -153,7 +154,7 @@ private:
                               right.starts_with("\\frac"));
         return left + (numbers ? " \\cdot " : " ") + right;
     }
-    /// A sum that holds fractions stands beside the bar, not upon it.
+    /// A numerator that is a sum with fractions is set before the fraction bar, not above it.
     std::string quotient(const Expr& e) const {
         const Expr& above = e.arg(0);
         if (above.kind() == Kind::neg) {
@@ -181,7 +182,7 @@ private:
         if (precedence(e) < tex_atom) {
             return in_parentheses(tex);
         }
-        // b'(a)^2 is written so; E^* takes parentheses.
+        // b'(a)^2 is written without parentheses; E^* needs them.
         const bool scripted = tex.find('^') != std::string::npos;
         return scripted                                                 ? '(' + tex + ')'
                : e.kind() == Kind::call && e.builtin() != Builtin::none ? '(' + tex + ')'
@@ -222,7 +223,7 @@ private:
                                      ? '\\' + e.name()
                                      : "\\operatorname{" + e.name() + '}';
         std::string list;
-        // p_local(n, x): how many terms is said in words.
+        // p_local(n, x): the text around the formula states the number of terms.
         const bool local = e.name() == "right_local" || e.name() == "left_local";
         for (std::size_t i = local ? 1 : 0; i < e.args().size(); ++i) {
             list += (list.empty() ? "" : ", ") + (*this)(e.args()[i]);

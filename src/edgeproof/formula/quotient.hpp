@@ -4,7 +4,7 @@
 
 namespace edgeproof::formula {
 
-/// 3/2 rather than 1.5.
+/// Returns q as a quotient, 3/2 rather than 1.5.
 [[nodiscard]] inline Expr quotient_of(const Rational& q) {
     const Expr top = Expr::number(Rational(numerator(q)));
     return denominator(q) == 1 ? top : top / Expr::number(Rational(denominator(q)));

@@ -15,29 +15,30 @@ namespace edgeproof {
 
 using Float128 = boost::multiprecision::float128;
 
-/// The arithmetics that the numerical routes run in, all through the same code: binary64, the
-/// machine's extended format, binary128, and any precision at all.
+/// The number types for which all numerical routes are compiled from the same templates: binary64,
+/// the extended format of the machine, binary128, and arbitrary precision.
 template <class T>
 concept Arithmetic = std::same_as<T, double> || std::same_as<T, long double> ||
     std::same_as<T, Float128> || std::same_as<T, Real>;
 
-/// The number nearest to q in T (`Real`: at the working precision), with one rounding, or two for
-/// T other than `Real`.
+/// Returns the number nearest to q in T (`Real`: at the working precision). There is one rounding
+/// for `Real`, and two for the other types.
 template <Arithmetic T> [[nodiscard]] T from_rational(const Rational& q) {
     if constexpr (std::same_as<T, Real>) {
         Real x;
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x;
     } else {
-        // 40 digits hold every format below Real and more, so that a second rounding is right in
-        // all but a vanishing fraction of cases; the result is then still within one ulp.
+        // 40 digits are more than any format below Real has, so that the second rounding is correct
+        // except in a vanishing fraction of cases, where the result is within one unit in the last
+        // place.
         Real x(0, 40U);
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x.convert_to<T>();
     }
 }
 
-/// pi in T (`Real`: at the working precision).
+/// Returns pi in T (`Real`: at the working precision).
 template <Arithmetic T> [[nodiscard]] T pi() {
     if constexpr (std::same_as<T, Real>) {
         Real x;
@@ -48,7 +49,7 @@ template <Arithmetic T> [[nodiscard]] T pi() {
     }
 }
 
-/// The spacing of T at 1 (`Real`: at the working precision).
+/// Returns the distance from 1 to the next larger number in T (`Real`: at the working precision).
 template <Arithmetic T> [[nodiscard]] T unit_roundoff() {
     if constexpr (std::same_as<T, Real>) {
         Real one(1);
@@ -59,7 +60,7 @@ template <Arithmetic T> [[nodiscard]] T unit_roundoff() {
     }
 }
 
-/// The decimal digits that T carries (`Real`: the working precision).
+/// Returns the number of decimal digits of T (`Real`: the working precision).
 template <Arithmetic T> [[nodiscard]] unsigned digits_of() {
     if constexpr (std::same_as<T, Real>) {
         return working_digits();

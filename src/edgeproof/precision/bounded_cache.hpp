@@ -8,15 +8,15 @@
 
 namespace edgeproof {
 
-/// The last `capacity` values asked for, by key: where one more is made, the one that was not asked
-/// for the longest goes. Values are shared, so that who holds one keeps it. Not locked: an object
-/// belongs to one thread, or its owner locks it.
+/// Keeps up to `capacity` values by their keys; a new value replaces the one whose last use is the
+/// oldest. Values are shared pointers and so remain valid for those who hold them. Not locked: an
+/// object belongs to one thread, or its owner locks it.
 template <class Key, class Value> class BoundedCache {
 public:
     explicit BoundedCache(std::size_t capacity) : capacity_(capacity) {}
 
-    /// The value of a key; make() -> std::shared_ptr<Value> where there is none, which may itself
-    /// ask this cache for others, and may throw: then nothing is kept.
+    /// Returns the value of a key. If there is none, make() -> std::shared_ptr<Value> creates it;
+    /// make() may call this cache for other keys, and may throw, in which case nothing is stored.
     template <class Make> [[nodiscard]] std::shared_ptr<Value> get(const Key& key, Make make) {
         const auto known = entries_.find(key);
         if (known != entries_.end()) {

@@ -8,7 +8,7 @@
 namespace edgeproof {
 namespace {
 
-constexpr std::size_t most_bytes = 600; ///< of the problem, and of what to write instead
+constexpr std::size_t most_bytes = 600; ///< of the problem, and of the text after it
 
 std::string one_line(const std::string& file, std::size_t line, const std::string& problem,
                      const std::string& instead) {
@@ -24,7 +24,7 @@ std::string one_line(const std::string& file, std::size_t line, const std::strin
     if (!instead.empty()) {
         text += "; " + shortened(instead, most_bytes);
     }
-    text = printable(text); // one line, and none that the input wrote itself
+    text = printable(text); // one line, without line breaks from the input
     return text;
 }
 

@@ -6,18 +6,18 @@
 
 namespace edgeproof {
 
-/// Every exception that the library throws on purpose derives from this one.
+/// The base class of all exceptions that the library throws on purpose.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Malformed or inadmissible input. `what()` is the one line a user reads:
-/// `FILE:LINE: what is wrong; what to write instead` (the place is left out where there is none).
+/// Malformed or inadmissible input. `what()` is the one line that a user reads: `FILE:LINE: what is
+/// wrong; what to write instead` (without the place if there is none).
 class InputError : public Error {
 public:
     InputError(std::string problem, std::string instead);
-    /// The same error, now that the file and line are known (line 0: the file as a whole).
+    /// Returns the same error with the file and line (line 0: the file as a whole).
     [[nodiscard]] InputError at(const std::string& file, std::size_t line) const;
 
     [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
@@ -33,13 +33,13 @@ private:
     std::string instead_;
 };
 
-/// A value was asked for outside the domain on which the mechanics defines it.
+/// A value was requested outside the domain on which the mechanics defines it.
 class DomainError : public Error {
 public:
     using Error::Error;
 };
 
-/// A counted budget (evaluations or digits) ran out before the target was reached; never silent.
+/// A counted budget (evaluations or digits) was used up before the target was reached.
 class BudgetError : public Error {
 public:
     using Error::Error;

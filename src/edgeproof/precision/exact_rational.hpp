@@ -7,8 +7,8 @@
 
 namespace edgeproof {
 
-/// The value of a double, exactly. No other conversion of a double is to be used: that of the
-/// library ends the process for a number that is not finite. Throws DomainError for one.
+/// Returns the exact value of a double. Use no other conversion of a double: the one of the library
+/// ends the process for a number that is not finite. Throws DomainError for such a number.
 [[nodiscard]] inline Rational exact_rational(double x) {
     if (!std::isfinite(x)) {
         throw DomainError("a number is beyond the range of binary64 arithmetic");

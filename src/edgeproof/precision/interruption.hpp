@@ -6,9 +6,9 @@
 
 namespace edgeproof {
 
-/// Thrown where somebody asked for the work to end. Not an Error, nor a std::exception: whoever
-/// catches those goes on with something else, and nothing may go on here. What catches everything
-/// (`catch (...)`) passes it on.
+/// Thrown when the work has been asked to end. This is not an Error and not a std::exception,
+/// because code that catches those continues with other work. Code that catches everything (`catch
+/// (...)`) rethrows it.
 class Interrupted {
 public:
     explicit Interrupted(std::string what = "interrupted: nothing is written")
@@ -25,23 +25,23 @@ inline std::atomic<int> interruption{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 } // namespace detail
 
-/// Asks all work of this process to end; `reason` (not 0) is a signal's number. The first one
-/// asked for stays. Safe from any thread, and in a signal handler.
+/// Asks all work of this process to end. `reason` (not 0) is the number of a signal; the first
+/// request is kept. May be called from any thread and in a signal handler.
 inline void request_interruption(int reason) noexcept {
     int none = 0;
     detail::interruption.compare_exchange_strong(none, reason);
 }
-/// Takes the request back, for a process that goes on with other work.
+/// Withdraws the request, for a process that continues with other work.
 inline void withdraw_interruption() noexcept { detail::interruption = 0; }
 
-/// The reason that was given; 0 where nobody asked.
+/// Returns the reason of the request; 0 if there is none.
 [[nodiscard]] inline int interruption_requested() noexcept {
     return detail::interruption.load(std::memory_order_relaxed);
 }
 
-/// Throws Interrupted where it was asked for. One read of memory: loops that may be long call it in
-/// each turn. It does not reach into a single operation on very long numbers: a program that must
-/// end in time needs a last resort besides (cli/signals.hpp).
+/// Throws Interrupted if there is a request. The cost is one read of memory: loops that may be long
+/// call it in every iteration. It cannot interrupt a single operation on very long numbers; a
+/// program that must end in time needs another means in addition (cli/signals.hpp).
 inline void check_interruption() {
     if (interruption_requested() != 0) {
         throw Interrupted();

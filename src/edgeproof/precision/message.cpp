@@ -12,7 +12,8 @@ constexpr std::size_t longest_compared_name = 64;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// Bytes of the UTF-8 character at the front, 0 where it is none; its code in `code`.
+/// Returns the number of bytes of the UTF-8 character at the front and its code in `code`; 0 if
+/// there is no valid character.
 std::size_t decode(std::string_view text, std::uint32_t& code) {
     const auto first = static_cast<unsigned char>(text.front());
     const std::size_t length = first < 0x80U   ? 1
@@ -35,8 +36,8 @@ std::size_t decode(std::string_view text, std::uint32_t& code) {
     return overlong || (code >= 0xD800U && code < 0xE000U) || code > 0x10FFFFU ? 0 : length;
 }
 
-/// Control characters, line separators, signs that turn the direction of writing, and the two that
-/// XML excludes.
+/// True for control characters, line separators, characters that change the direction of writing,
+/// and the two that XML excludes.
 bool steers(std::uint32_t code) {
     return code < 0x20U || (code >= 0x7FU && code < 0xA0U) || code == 0x2028U || code == 0x2029U ||
            (code >= 0x202AU && code <= 0x202EU) || (code >= 0x2066U && code <= 0x2069U) ||
@@ -77,7 +78,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// Damerau-Levenshtein distance with adjacent swaps (optimal string alignment).
+/// Returns the Damerau-Levenshtein distance with adjacent swaps (optimal string alignment).
 std::size_t edit_distance(std::string_view x, std::string_view y) {
     std::vector<std::size_t> before(y.size() + 1);
     std::vector<std::size_t> last(y.size() + 1);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Numbers. The lowest module: everything above is written in terms of these.
+/// Numbers. The lowest module, used by all others.
 ///   error.hpp       the exceptions that the library throws
-///   rational.hpp    Rational, Integer: what a decimal in a file means
-///   interruption.hpp  work that is asked to end
+///   rational.hpp    Rational, Integer: the exact value of a decimal in a file
+///   interruption.hpp  requests to end the work
 ///   real.hpp        Real (MPFR at any precision) and PrecisionScope
-///   arithmetic.hpp  the same few words for double, long double, Float128 and Real
+///   arithmetic.hpp  the same functions for double, long double, Float128 and Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
-///   ball.hpp        Ball (Arb): a midpoint and a radius that is proved
-///   ball_series.hpp BallSeries: truncated power series with balls for coefficients
-///   interval.hpp    Interval: from one end to another, where a sign at an end has to be kept
-///   digits_right.hpp  how many digits of a number an enclosure shows to be right
+///   ball.hpp        Ball (Arb): a midpoint and a proved radius
+///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
+///   interval.hpp    Interval: both ends of a range, whose signs are exact
+///   digits_right.hpp  the number of digits of a number that an enclosure proves right
 ///   arb_values.hpp  values of Arb's types that clear themselves
 ///   elementary.hpp  the arc tangent, sinh x and e^x - 1 of Real, by Arb
-///   bounded_cache.hpp  tables that are kept, and do not grow
-///   instantiate.hpp  what is compiled for every arithmetic
+///   bounded_cache.hpp  tables of bounded size
+///   instantiate.hpp  the number types for which code is compiled
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"

@@ -4,7 +4,7 @@
 
 namespace edgeproof {
 
-/// An exact rational number: what a decimal in a file means.
+/// An exact rational number, such as the value of a decimal in a file.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 using Integer =

@@ -3,7 +3,7 @@
 
 namespace edgeproof {
 
-/// x^n, n > 0, by repeated squaring, for any kind of number that has products.
+/// Returns x^n for n > 0 by repeated squaring, for any type with products.
 template <class T> [[nodiscard]] T repeated_product(const T& x, unsigned long n) {
     T square = x;
     while ((n & 1UL) == 0) {
@@ -20,7 +20,7 @@ template <class T> [[nodiscard]] T repeated_product(const T& x, unsigned long n)
     return y;
 }
 
-/// x^n for every n, `one` being 1 of that kind of number; 1/x where n < 0.
+/// Returns x^n for every n; `one` is 1 of the type, and 1/x is used where n < 0.
 template <class T> [[nodiscard]] T power_by_squaring(const T& one, const T& x, long n) {
     return n == 0  ? one
            : n < 0 ? repeated_product(T(one / x), 0UL - static_cast<unsigned long>(n))

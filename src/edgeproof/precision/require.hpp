@@ -6,7 +6,7 @@
 
 namespace edgeproof {
 
-/// What a caller gave holds, or is refused with a line that says what to give instead.
+/// Throws InputError if a requirement on the input does not hold; `instead` states what to give.
 inline void require(bool holds, const std::string& problem, const std::string& instead) {
     if (!holds) {
         throw InputError(problem, instead);

@@ -5,8 +5,8 @@
 
 namespace edgeproof {
 
-/// The generator of samples: SplitMix64 (Steele, Lea & Flood 2014), by which a seed gives the same
-/// numbers on every machine and with every standard library. Not for secrets.
+/// The generator of samples: SplitMix64 (Steele, Lea & Flood 2014). A seed gives the same numbers
+/// on every machine and with every standard library. Not for cryptography.
 class SplitMix64 {
 public:
     explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
@@ -17,7 +17,7 @@ public:
         z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
         return z ^ (z >> 31U);
     }
-    /// 0 ... n - 1, n > 0. A remainder: uniform to n/2^64.
+    /// Returns a number in 0 ... n - 1, n > 0. It is a remainder, and uniform to n/2^64.
     [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
 
 private:

@@ -10,6 +10,7 @@
 namespace edgeproof::contact {
 namespace {
 
+/// Returns the mark of v with its distances (length, or length^2 in a folded contact).
 CircleMark marked(const Real& v, const Real& inset, const Real& right, const Real& left) {
     CircleMark m;
     m.v = at_working_precision(v);
@@ -56,7 +57,7 @@ BatchCircle::BatchCircle(const Profile& profile, const Extent<Real>& e)
         if (!(right > 0)) {
             break;
         }
-        // Where g' goes on by the same formula there is nothing to cut at.
+        // If g' has the same formula on both sides, the knot is no end of a piece.
         if (!smooth(i)) {
             pieces.push_back(piece);
             marks.push_back(marked(v, inset, right, left));
@@ -71,8 +72,8 @@ BatchCircle::BatchCircle(const Profile& profile, const Extent<Real>& e)
 
 Real angle_between(const Real& length, const CircleMark& left, const CircleMark& right,
                    const Real& gap) {
-    // tan of half of it is (z_l - z_r)/(1 + z_l z_r), z = sqrt(right/left), with the difference
-    // taken out of the roots.
+    // tan(angle/2) = (z_l - z_r)/(1 + z_l z_r) with z = tan(phi/2) = sqrt(right/left) (DLMF
+    // 4.21.4). The difference is replaced by right_l left_r - right_r left_l = length gap.
     const Real upper = length * gap;
     const Real lower = (left.root_right * right.root_left + right.root_right * left.root_left) *
                        (left.root_left * right.root_left + left.root_right * right.root_right);

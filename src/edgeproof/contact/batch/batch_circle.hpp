@@ -9,43 +9,54 @@
 
 namespace edgeproof::contact {
 
-/// The contact bent over a half circle, where its edges are no singularities: S = S_0 + h cos(phi),
-/// phi from 0 at the right end to pi at the left. S is s itself, from -b to a; of a symmetric
-/// contact, whose halves are laid on each other, S = s^2, from 0 to a^2. All that a point has to do
-/// with happens through distances in S, which are never differences of near numbers.
+/// The contact mapped to a half circle, which removes the singularities at the edges (as in
+/// docs/curved-slopes.md, "What is integrated"): S = S_0 + h cos(phi), where phi is 0 at the right
+/// end and pi at the left end. In general S = s, from -b to a. In a symmetric contact, whose two
+/// halves are folded onto each other, S = s^2, from 0 to a^2. All computations use distances in S,
+/// which are never obtained as differences of close numbers.
 struct CircleMark {
-    Real v;          ///< s there
-    Real inset;      ///< a - s, at the precision that the contact was given with
-    Real right;      ///< S from here to the right end
-    Real left;       ///< S from the left end to here
+    Real v;          ///< s at the mark (length)
+    Real inset;      ///< a - s, at the precision of the contact (length)
+    Real right;      ///< S from the mark to the right end
+    Real left;       ///< S from the left end to the mark
     Real root_right; ///< sqrt(right)
     Real root_left;
 };
 
 struct BatchCircle {
-    bool folded = false; ///< symmetric: S = s^2
-    Real length;         ///< 2 h, from end to end in S
+    bool folded = false; ///< the contact is symmetric: S = s^2
+    Real length;         ///< 2 h, the length of the range of S
     /// The left end, the knots inside, the right end.
     std::vector<CircleMark> marks;
-    /// The pieces of g' between them.
+    /// The pieces of g' between the marks.
     std::vector<std::size_t> pieces;
-    /// For each mark the knot that it is; no meaning at the ends.
+    /// The knot at each mark; not used at the ends.
     std::vector<std::size_t> knots;
 
-    /// At the thread's working precision, the differences at that of `e` where it is higher.
+    /// At the working precision of the thread; differences are taken at the precision of `e` where
+    /// that is higher.
+    /// @param profile g'(x)
+    /// @param e distances of both edges from the origin (length)
     BatchCircle(const Profile& profile, const Extent<Real>& e);
 };
 
-/// The angle between two marks, or a mark and a point: both ends by their distances; the first
-/// further left, `gap` apart.
+/// Returns the angle in radians between two marks, or between a mark and a point.
+/// @param length 2 h
+/// @param left the one further to the left
+/// @param right the other one
+/// @param gap S between the two
 [[nodiscard]] Real angle_between(const Real& length, const CircleMark& left,
                                  const CircleMark& right, const Real& gap);
 
-/// sin and cos of x >= 0, to about an ulp of themselves.
+/// Computes sin(x) and cos(x) to about one unit in the last place.
+/// @param[out] sine sin(x)
+/// @param[out] cosine cos(x)
+/// @param x angle in radians, x >= 0
 void sine_and_cosine(Real& sine, Real& cosine, const Real& x);
 
-/// x in units of 2^exponent, for estimates.
+/// Returns x 2^(-exponent) as a binary64 number, for estimates.
 [[nodiscard]] double in_units(const Real& x, long exponent);
+/// Returns the binary exponent of x; 0 for x = 0.
 [[nodiscard]] long exponent_of(const Real& x);
 
 } // namespace edgeproof::contact

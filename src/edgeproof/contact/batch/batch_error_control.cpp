@@ -6,22 +6,24 @@
 #include <cmath>
 #include <numbers>
 
-/// The error control of the Gauss-Legendre rule: which pole is taken out, and how many nodes the
-/// others ask for, from ellipses in which the integrand is holomorphic and bounded.
+/// The error control of the Gauss-Legendre rule: it decides which poles are subtracted, and how
+/// many nodes the other pieces need, by ellipses in which the integrand is holomorphic and bounded
+/// (docs/pressure.md, "Many points of one contact"; trefethen2013, theorem 19.3).
 namespace edgeproof::contact {
 namespace {
 
 constexpr double pi_double = std::numbers::pi;
-/// A pole that leaves a Gauss rule less than so many nats a node is taken out.
+/// A pole is subtracted if ln(rho) of its ellipse is below this (for a doubled piece: 2 ln(rho)):
+/// the error of the Gauss rule then decreases too slowly with the number of nodes.
 constexpr double slow = 1.1;
 
 } // namespace
 
-/// How far beyond the piece, in phi, the nearest pole 1/(S - S_x) lies.
 double BatchIntegral::pole_excess(const BatchPiece& piece, const Task& task) const {
     const double end = task.above ? piece.phi_right : piece.phi_right + piece.angle_double;
     const double between = std::sin((end + at_.phi) / 2);
-    // By the distance in S, which has its digits where the angles are all but equal.
+    // The angle follows from the distance in S, which is accurate even if the angles are nearly
+    // equal (DLMF 4.21.9).
     const double near =
         2 * std::asin(std::min(1.0, in_units(task.gap, S_exponent_) / (length_ * between)));
     const double other = task.above ? 2 * pi_double - at_.phi - piece.phi_right - piece.angle_double
@@ -69,7 +71,8 @@ void BatchIntegral::choose_far(const BatchPiece& piece, Task& task, double exces
     const double times = piece.doubled ? 2 : 1;
     const quadrature::BernsteinEllipse whole = quadrature::BernsteinEllipse::beyond(half, excess);
     const double t = excess / half;
-    // As near to the pole as pays: the bound grows like one over what is left of the way.
+    // The bound grows like the reciprocal of the remaining distance to the pole, so that an ellipse
+    // too close to the pole does not pay.
     const double guess = (task.ln_size - ln_tolerance + 5) / (2 * std::log(whole.rho));
     double part = 1 - 1 / (1 + 2 * guess * std::sqrt(t / (t + 2)));
     if (piece.reach) {
@@ -78,8 +81,8 @@ void BatchIntegral::choose_far(const BatchPiece& piece, Task& task, double exces
     const quadrature::BernsteinEllipse ellipse =
         quadrature::BernsteinEllipse::beyond(half, part * excess);
     const double e = part * excess;
-    // |cos phi - cos phi_x| over the ellipse is least where it meets the real axis:
-    // its square is (cosh y - cos(x - phi_x))(cosh y - cos(x + phi_x)) at phi = x + i y.
+    // |cos phi - cos phi_x| over the ellipse is least where the ellipse crosses the real axis: the
+    // square is (cosh y - cos(x - phi_x))(cosh y - cos(x + phi_x)) at phi = x + i y (DLMF 4.21.9).
     const auto distance = [&](double at) {
         return std::abs(2 * std::sin((at + at_.phi) / 2) * std::sin((at - at_.phi) / 2));
     };
@@ -95,6 +98,7 @@ void BatchIntegral::choose_far(const BatchPiece& piece, Task& task, double exces
     } else {
         numerator += piece.largest_rise(ellipse);
     }
+    // numerator/|S - S_x|, with S - S_x = (length/2) (cos phi - cos phi_x)
     const double ln_M = std::log(numerator / (length_ / 2 * least));
     const double needed = gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance);
     task.n = quadrature::rounded_up_nodes(needed / times);
@@ -102,7 +106,6 @@ void BatchIntegral::choose_far(const BatchPiece& piece, Task& task, double exces
         gauss_legendre_log_error(ellipse, ln_M, static_cast<std::size_t>(times) * task.n);
 }
 
-/// The quotient (G - G_x)/(S - S_x) by the piece's own formula, x in it or near it.
 void BatchIntegral::choose_quotient(const BatchPiece& piece, Task& task,
                                     double ln_tolerance) const {
     const double half = piece.doubled ? piece.angle_double : piece.angle_double / 2;
@@ -114,7 +117,7 @@ void BatchIntegral::choose_quotient(const BatchPiece& piece, Task& task,
         if (!circle_.folded || piece.alpha == 0) {
             return;
         }
-        // alpha/(s + x): the pole at s = -x, phi = 2 pi - phi_x.
+        // alpha/(s + x) has its pole at s = -x, that is, at phi = 2 pi - phi_x.
         const double excess = 2 * pi_double - at_.phi - phi_left;
         const double t = excess / half;
         const quadrature::BernsteinEllipse whole =
@@ -126,12 +129,14 @@ void BatchIntegral::choose_quotient(const BatchPiece& piece, Task& task,
         const double guess = (task.ln_size - ln_tolerance + 5) / (2 * std::log(whole.rho));
         const double e = excess * (1 - 1 / (1 + 2 * guess * std::sqrt(t / (t + 2))));
         ellipse = quadrature::BernsteinEllipse::beyond(half, e);
-        // S = (s/d)^2 d^2, so that alpha/(s + x) is in units of G/S.
+        // S = s^2 and `length` is the square of the half-length, so that alpha/(s + x) has the unit
+        // of G/S.
         ln_M = std::log(piece.alpha_units / length_ /
                         (std::cos((phi_left + e) / 2) + std::cos(at_.phi / 2)));
     } else {
         ellipse = piece.reach->ellipse;
-        // |sin z| >= (2/pi) |z| up to pi/2: from the ellipse to the point, and to its mirror image.
+        // |sin z| >= (2/pi) |z| for |Re z| <= pi/2 (DLMF 4.18.1): from the ellipse to the point and
+        // to the mirror image of the point.
         const double e = ellipse.excess();
         const double near = task.kind == Task::Kind::near ? e / 2 : e;
         double mirror = near;

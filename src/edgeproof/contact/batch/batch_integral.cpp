@@ -19,7 +19,7 @@ namespace {
 constexpr int first_level = 3;
 constexpr int last_level = 12;
 
-/// Whether a slope g is proved to be odd but for g(0): by its form, or by exact algebra.
+/// True if g - g(0) is proved to be odd, by its form or by exact algebra.
 bool proved_odd(const formula::Expr& slope) {
     if (formula::odd_but_for_a_constant(slope, "x")) {
         return true;
@@ -56,7 +56,7 @@ BatchIntegral::BatchIntegral(const Profile& profile, const Real& modulus, const 
         bool odd = false;
         if (piece.linear) {
             beta = piece.rate;
-            // Continued through the origin G is odd; what is left there is roundoff.
+            // Continued through the origin, G is odd, so that alpha is zero there but for roundoff.
             alpha = folded && i > 0 ? Real(piece.at_origin - corners) : Real(0);
         } else {
             const long bits = mpfr_get_prec(raw(corners)) + 40;
@@ -106,6 +106,7 @@ RoutedPressure<Real> BatchIntegral::operator()(const Point<Real>& at) {
     }
     ln_error += std::log(static_cast<double>(tasks_.size())) +
                 0.6931471805599453 * static_cast<double>(G_exponent_ - S_exponent_);
+    // p = (E*/(2 pi)) (w(x) sum + corners), eqn:SIEPressure regularised (docs/pressure.md)
     Real value;
     mpfr_mul(raw(value), raw(at.right), raw(at.left), MPFR_RNDN);
     mpfr_sqrt(raw(value), raw(value), MPFR_RNDN);
@@ -137,7 +138,8 @@ void BatchIntegral::locate(const Point<Real>& at) {
         mpfr_set(raw(at_.right), raw(to_right), MPFR_RNDN);
         mpfr_set(raw(at_.left), raw(to_left), MPFR_RNDN);
     }
-    // Steps from the marks by the distance that is small: it has its digits.
+    // The steps from the marks follow from the smaller distance, which has its full relative
+    // accuracy.
     const bool by_right = folded || to_right < to_left;
     const auto step_from = [&](std::size_t i, Real& step) {
         if (folded && i == 0) {
@@ -186,7 +188,7 @@ void BatchIntegral::set_tasks() {
         task.step = at_.step_hi;
     };
     if (!here.linear()) {
-        // From the nearer end, beside which the difference has its digits.
+        // The nearer end is used, so that the difference has no cancellation.
         inside.above = at_.step_hi < at_.step_lo;
         inside.above ? from_hi(inside) : from_lo(inside);
     }
@@ -264,6 +266,8 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
         const auto& lift = [&](const BatchNodes& n) -> const std::vector<Real>& {
             return task.above ? n.lift_hi : n.lift_lo;
         };
+        // (G - G_x)/(S - S_x) = (height + rise)/(gap + from), and for a linear piece
+        // = beta + (height - beta gap)/(gap + from).
         if (piece.constant_height(task.gap, task.height)) {
             const Real height =
                 piece.flat ? task.height : Real(task.height - piece.beta * task.gap);
@@ -284,7 +288,9 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
         }
         return;
     }
-    Real own(0); // G from the near end to x by this piece's formula
+    // With G_x by the formula of this piece the quotient has no pole; the difference of both G_x
+    // times 1/(S - S_x) is added below.
+    Real own(0); // G from the near end to x by the formula of this piece
     if (task.kind == Kind::near) {
         own = task.above ? piece.rise_to_hi(at_.x, Real(-task.step))
                          : piece.rise_from_lo(at_.x, Real(-task.step));
@@ -321,7 +327,6 @@ void BatchIntegral::add_share(Real& sum, const BatchPiece& piece, Task& task) {
     }
 }
 
-/// (G(s) - G(x))/(S - S_x) at a node so near to x that the difference cancels.
 Real BatchIntegral::quotient(const BatchPiece& piece, const BatchNodes& nodes,
                              std::size_t k) const {
     const Task& task = tasks_[at_.piece];
@@ -331,7 +336,7 @@ Real BatchIntegral::quotient(const BatchPiece& piece, const BatchNodes& nodes,
     if (!circle_.folded) {
         return piece.curved->quotient(x, Real(x + delta_S), delta_S);
     }
-    // ((s g(s) - x g(x))/(s - x))/(s + x), g without the corners.
+    // ((s g(s) - x g(x))/(s - x))/(s + x), where g is g' without the corners.
     const Real& s = nodes.s[k];
     const Real q = piece.curved->quotient(x, s, Real(delta_S / (s + x)));
     const Real G = at_working_precision(piece.curved->G(Ball(x, 64)).midpoint());

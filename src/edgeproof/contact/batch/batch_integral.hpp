@@ -12,35 +12,43 @@
 
 namespace edgeproof::contact {
 
-/// eqn:SIEPressure with its principal value made regular, as a sum over the pieces of g':
-///   p = (E*/(2 pi)) (w_x times the integral of (G - G_x)/(S - S_x) d phi, corners by logarithms).
-/// See batch_circle.hpp for phi, S, and batch_piece.hpp for G. Both G and S grow, so that no sum of
-/// a linear piece cancels.
+/// The pressure by eqn:SIEPressure, with its principal value regularised (docs/pressure.md, "The
+/// singular integral, and how its pole is taken out"), as a sum over the pieces of g':
+///   p = (E*/(2 pi)) (w(x) times the integral of (G - G_x)/(S - S_x) d phi, plus corners).
+/// phi and S are defined in batch_circle.hpp, G in batch_piece.hpp. G and S both increase, so that
+/// the sum over linear pieces has no cancellation.
 class BatchIntegral {
 public:
-    /// At the thread's working precision.
+    /// At the working precision of the thread.
+    /// @param profile g'(x)
+    /// @param modulus contact modulus E* (stress)
+    /// @param e distances of both edges from the origin (length)
+    /// @param digits relative accuracy wanted, in decimal digits
+    /// @param rule quadrature rule
     BatchIntegral(const Profile& profile, const Real& modulus, const Extent<Real>& e,
                   unsigned digits, BatchPressure::Rule rule);
+    /// Returns p (stress) with an estimate of its error.
+    /// @param at point inside the contact (length)
     [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
 
 private:
-    /// What a point makes of one piece.
+    /// The contribution of one piece to the integral at a point.
     struct Task {
         enum class Kind {
             inside, ///< x is in the piece: the quotient has no pole
-            far,    ///< x is not, and the rule converges in spite of the pole
-            near    ///< the pole is taken out: what is left has none
+            far,    ///< x is outside, and the rule converges in spite of the pole
+            near    ///< x is outside, and the pole is subtracted: the rest has none
         };
         Kind kind = Kind::inside;
-        bool above = false; ///< x is right of the piece
-        bool by_levels = false;
-        bool mirror_near = false; ///< the pole at s = -x is taken out as well
+        bool above = false;       ///< x is to the right of the piece
+        bool by_levels = false;   ///< tanh-sinh is used instead of Gauss-Legendre
+        bool mirror_near = false; ///< the pole at s = -x is subtracted as well
         Real gap;                 ///< S from x to the near end
         Real height;              ///< G from x to the near end
         Real step;                ///< s from x to the near end
-        double ln_size = 0;       ///< roughly, of its integral
-        std::size_t n = 0;
-        double ln_error = -1e300;
+        double ln_size = 0;       ///< ln of the approximate size of the integral
+        std::size_t n = 0;        ///< number of Gauss-Legendre nodes
+        double ln_error = -1e300; ///< ln of the bound or estimate of the rule's error
     };
     struct Place {
         Real x;
@@ -52,26 +60,38 @@ private:
         double phi = 0;
     };
     struct Corner {
-        std::size_t mark; ///< of the right one of a folded pair
-        bool pair;        ///< a folded contact has it at -v as well
+        std::size_t mark; ///< for a folded pair: of the corner on the right
+        bool pair;        ///< a folded contact has a corner at -v as well
         Real jump;
-        Real right; ///< its distances from the edges
+        Real right; ///< distance of the corner from the right edge
         Real left;
     };
 
+    /// Sets the place and the piece of a point (length).
     void locate(const Point<Real>& at);
+    /// Sets the distances from the point to each piece, and the sizes of the integrals.
     void set_tasks();
+    /// Chooses the rule for piece i; `ln_tolerance` is ln of the absolute error allowed.
     void choose(std::size_t i, double ln_tolerance);
+    /// Returns the distance in phi between the piece and the nearest pole 1/(S - S_x).
     [[nodiscard]] double pole_excess(const BatchPiece& piece, const Task& task) const;
+    /// Chooses the number of nodes; `excess` is the result of pole_excess.
     void choose_far(const BatchPiece& piece, Task& task, double excess, double ln_tolerance) const;
+    /// The same for the quotient by the formula of the piece, for x in the piece or near it.
     void choose_quotient(const BatchPiece& piece, Task& task, double ln_tolerance) const;
+    /// Adds the integral over a piece to `sum`.
     void add_share(Real& sum, const BatchPiece& piece, Task& task);
+    /// Adds the sum over the nodes of a piece to `sum`; `term` adds the terms of given nodes.
     template <class Term>
     void add_nodes(Real& sum, const BatchPiece& piece, Task& task, const Term& term);
+    /// Returns the integral of d phi/|S - S_x| over a piece that does not contain x.
     [[nodiscard]] Real pole_integral(const BatchPiece& piece, const Task& task);
+    /// Returns (G(s) - G(x))/(S - S_x) at node `k` close to x.
     [[nodiscard]] Real quotient(const BatchPiece& piece, const BatchNodes& nodes,
                                 std::size_t k) const;
+    /// Returns the integral of d phi/(s + x) over a piece of a folded contact.
     [[nodiscard]] Real mirror_integral(const BatchPiece& piece) const;
+    /// Returns the logarithms of all corners.
     [[nodiscard]] Real corners(const Point<Real>& at);
 
     unsigned digits_;
@@ -84,7 +104,7 @@ private:
     Extent<Real> extent_;
     long S_exponent_;
     long G_exponent_;
-    double length_; ///< of the circle in S, in units of 2^S_exponent
+    double length_; ///< length of the circle in S, in units of 2^S_exponent
 
     Place at_;
     std::vector<Task> tasks_;

@@ -48,14 +48,15 @@ BatchPiece::BatchPiece(const BatchCircle& circle, std::size_t index, Real a, Rea
       at_right_edge(index + 2 == circle.marks.size()), alpha(std::move(a)), beta(std::move(b)),
       curved(std::move(curve)), lo(&circle.marks[index]), hi(&circle.marks[index + 1]),
       circle_length_(circle.length) {
-    // About the middle of a folded contact G is even only if g' is odd there as an expression.
+    // At the middle of a folded contact G is even only if the expression of g' is odd there.
     even_left = at_left_edge && (!folded || odd || (!curved && alpha == 0));
     doubled = at_right_edge || even_left;
-    // One number of each pair cancels; the other has its digits.
+    // One difference of each pair cancels; the other is accurate.
     span = lo->right < hi->left ? Real(lo->right - hi->right) : Real(hi->left - lo->left);
     width = folded ? Real(span / (hi->v + lo->v)) : span;
     angle = angle_between(circle.length, *lo, *hi, span);
     phi_hi = 2 * atan2(hi->root_right, hi->root_left);
+    // sin(phi) = 2 sqrt(right left)/length, cos(phi) = (left - right)/length.
     sine_hi_ = 2 * hi->root_right * hi->root_left / circle.length;
     cosine_hi_ = (hi->left - hi->right) / circle.length;
     sine_lo_ = 2 * lo->root_right * lo->root_left / circle.length;
@@ -81,8 +82,8 @@ double BatchPiece::largest_rise(const quadrature::BernsteinEllipse& ellipse) con
     if (reach) {
         return 2 * std::exp(reach->ln_bound);
     }
-    // |cos phi - cos phi_v| = 2 |sin((phi - phi_v)/2) sin((phi + phi_v)/2)|, and |sin z| is at most
-    // cosh Im z and sinh |z|.
+    // |cos phi - cos phi_v| = 2 |sin((phi - phi_v)/2) sin((phi + phi_v)/2)| (DLMF 4.21.9), where
+    // |sin z| is at most cosh Im z and at most sinh |z| (DLMF 4.18.5, 4.18.9).
     const double y = ellipse.height();
     const double across = 2 * ellipse.half + ellipse.excess() + y;
     const double sum = std::min(across + 2 * (phi_right + angle_double),
@@ -98,7 +99,7 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
     const Ball middle_angle(Real(phi_hi + angle / 2), low);
     const Ball half(Real(circle_length_ / 2), low);
     const Ball whole(circle_length_, low);
-    // The left end of the circle is s = -b, or s = 0 where it is folded.
+    // The left end of the circle is s = -b, or s = 0 in a folded contact.
     const Ball left(Real(lo->v - lo->left), low);
     const auto s_of = [&](acb_t s, const acb_t phi) {
         if (folded) {
@@ -131,7 +132,7 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
     const double centre =
         doubled ? (at_right_edge ? 0.0 : std::numbers::pi) : phi_right + angle_double / 2;
     const double half_length = doubled ? angle_double : angle_double / 2;
-    // Not so far that the mirror image of a point of the piece gets inside.
+    // The ellipse must not contain the mirror image of a point of the piece.
     double most = 1e9;
     if (!at_right_edge) {
         most = std::min(most, 0.9 * phi_right);
@@ -139,7 +140,7 @@ void BatchPiece::find_reach(long G_exponent, double ln_tolerance) {
     if (!at_left_edge) {
         most = std::min(most, 0.9 * (std::numbers::pi - phi_right - angle_double));
     }
-    // About an apex in which G is not even the image of x is a pole, as near as x is to the apex.
+    // At an apex where G is not even, the image of x is a pole, as close to the apex as x is.
     if (has_complex_taylor(curved->slope()) && (even_left || !at_left_edge)) {
         reach = quadrature::holomorphic_reach(
             [&](acb_t out, const acb_t phi) {
@@ -165,14 +166,13 @@ Real BatchPiece::rise_to_hi(const Real& x, const Real& step) const {
     return folded ? Real(step * (alpha + beta * (x + hi->v))) : Real(beta * step);
 }
 
-/// G(x) - G(v), x = v + step.
 Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
                              const Real& step) const {
     if (abs(step) * 1024 > width) {
         return middle_of(curved->G(Ball(x, 64)) - G_v);
     }
-    // Near the end of the piece by a divided difference, which has its digits. s g(s) - v g(v) is
-    // (s - v) (g(v) + s (g(s) - g(v))/(s - v)).
+    // Near the end of the piece a divided difference is accurate:
+    //   s g(s) - v g(v) = (s - v) (g(v) + s (g(s) - g(v))/(s - v)).
     const Real q = curved->quotient(v, x, step);
     if (!folded) {
         return step * q;
@@ -180,12 +180,11 @@ Real BatchPiece::curved_rise(const Real& v, const Ball& G_v, const Real& x,
     return step * (v == 0 ? Real(x * q) : Real(middle_of(G_v) / v + x * q));
 }
 
-/// A node by its angles from both ends of the piece.
 void BatchPiece::add(BatchNodes& nodes, const Real& from_hi, const Real& from_lo,
                      const Real& weight) const {
     Real sine;
     Real cosine;
-    // S_hi - S = 2 h sin(phi_hi + psi/2) sin(psi/2).
+    // S_hi - S = 2 h sin(phi_hi + psi/2) sin(psi/2) (DLMF 4.21.9).
     sine_and_cosine(sine, cosine, Real(from_hi / 2));
     nodes.from_hi.push_back(circle_length_ * (sine_hi_ * cosine + cosine_hi_ * sine) * sine);
     sine_and_cosine(sine, cosine, Real(from_lo / 2));
@@ -242,7 +241,7 @@ const BatchNodes& BatchPiece::level(int level) const {
         return known->second;
     }
     BatchNodes& nodes = levels_[level];
-    // The integrand is bounded in phi: what lies nearer to an end than roundoff has no weight.
+    // The integrand is bounded in phi: nodes closer to an end than roundoff contribute nothing.
     const Real least = pow(Real(10), -static_cast<int>(working_digits()) - 2);
     const auto table = quadrature::tanh_sinh_nodes<Real>();
     for (const auto& node : table->level(level)) {

@@ -14,27 +14,33 @@
 
 namespace edgeproof::contact {
 
-/// Nodes of one piece: all that does not depend on the point. G is g' with its corners taken out,
-/// times s where the contact is folded; it does not decrease.
+/// The nodes of one piece, with all quantities that do not depend on the point. G is g' without the
+/// jumps at corners, multiplied by s in a folded contact; it does not decrease.
 struct BatchNodes {
-    std::vector<Real> weight;  ///< d phi
+    std::vector<Real> weight;  ///< of d phi
     std::vector<Real> from_lo; ///< S from the left end of the piece
     std::vector<Real> from_hi; ///< S to its right end
-    std::vector<Real> rise_lo; ///< G less its value at the left end; empty where G is constant
-    std::vector<Real> rise_hi; ///< G at the right end less its value
-    std::vector<Real> lift_lo; ///< rise times weight
-    std::vector<Real> lift_hi;
-    std::vector<Real> s; ///< of a folded contact
+    std::vector<Real> rise_lo; ///< G minus its value at the left end; empty if G is constant
+    std::vector<Real> rise_hi; ///< G at the right end minus G
+    std::vector<Real> lift_lo; ///< rise_lo times weight
+    std::vector<Real> lift_hi; ///< rise_hi times weight
+    std::vector<Real> s;       ///< s at the node; only in a folded contact
 };
 
-/// g' on a piece where it is not linear, run in Arb's arithmetic.
+/// g' on a piece where it is not linear, computed in Arb's arithmetic.
 class CurvedSlope {
 public:
-    /// `corners`: what the corners left of the piece have added to g'. `slopes` must outlive it.
+    /// `slopes` must live longer than this object.
+    /// @param slopes g' of the profile
+    /// @param piece index of the piece
+    /// @param corners the part of g' due to corners to the left of the piece
+    /// @param folded the contact is symmetric: G = s g'
+    /// @param bits precision
     CurvedSlope(const SlopeIn<Real>& slopes, std::size_t piece, const Ball& corners, bool folded,
                 long bits);
+    /// Returns an enclosure of G(s) at s (length).
     [[nodiscard]] Ball G(const Ball& s) const;
-    /// (g'(s) - g'(v))/(s - v), without cancellation.
+    /// Returns (g'(s) - g'(v))/(s - v) without cancellation; `delta` is s - v (lengths).
     [[nodiscard]] Real quotient(const Real& v, const Real& s, const Real& delta) const;
     [[nodiscard]] const formula::Expr& slope() const { return slope_; }
     [[nodiscard]] const Ball& corners() const { return corners_; }
@@ -49,73 +55,88 @@ private:
     bool folded_;
 };
 
-/// One piece of g' between two marks, and its nodes as they are asked for.
+/// One piece of g' between two marks. Its nodes are computed when they are first needed.
 class BatchPiece {
 public:
-    /// g' = alpha + beta s, corners taken out, or `curved`.
+    /// @param circle the mapped contact
+    /// @param index index of the mark at the left end of the piece
+    /// @param alpha,beta g' without corners is alpha + beta s, if linear
+    /// @param curved g' on the piece, if not linear; else null
+    /// @param odd g' - g'(0) is proved to be odd
     BatchPiece(const BatchCircle& circle, std::size_t index, Real alpha, Real beta,
                std::unique_ptr<CurvedSlope> curved, bool odd);
-    /// Its sizes in binary64, for estimates: S and G in units of two to these powers.
+    /// Computes the sizes in binary64 for estimates. S and G are measured in units of 2^S_exponent
+    /// and 2^G_exponent.
     void measure(long S_exponent, long G_exponent);
-    /// Where G is curved: how far around the piece it is holomorphic (its bound in those units).
+    /// Finds an ellipse about the piece in which a curved G is holomorphic and bounded (in units of
+    /// 2^G_exponent).
+    /// @param G_exponent binary exponent of the unit of G
+    /// @param ln_tolerance ln of the relative accuracy wanted
     void find_reach(long G_exponent, double ln_tolerance);
 
-    /// Gauss-Legendre: `n` nodes over the piece; where it ends at an edge of the contact, in which
-    /// the integrand is even, half of a rule over the piece and its mirror image.
+    /// Returns the Gauss-Legendre nodes: `n` nodes on the piece. If the piece ends at an edge of
+    /// the contact where the integrand is even, these are half of the nodes of a rule over the
+    /// piece and its mirror image.
     [[nodiscard]] const BatchNodes& gauss(std::size_t n) const;
-    /// Of how many nodes over which half-length `n` nodes are.
+    /// The size of the rule that has `n` nodes on the piece.
     [[nodiscard]] std::size_t rule_size(std::size_t n) const { return doubled ? 2 * n : n; }
-    /// Tanh-sinh: the nodes that a level adds.
+    /// Returns the tanh-sinh nodes that a level adds.
     [[nodiscard]] const BatchNodes& level(int level) const;
 
+    /// True if g' is linear on the piece.
     [[nodiscard]] bool linear() const { return !curved; }
-    /// G at x less G at the left end, for x in the piece or near it.
+    /// Returns G(x) minus G at the left end, for x in the piece or near it; `step` is x minus the
+    /// left end (lengths).
     [[nodiscard]] Real rise_from_lo(const Real& x, const Real& step) const;
-    /// G at the right end less G at x; `step` is from x to the end, negative beyond it.
+    /// Returns G at the right end minus G(x); `step` is the right end minus x (lengths).
     [[nodiscard]] Real rise_to_hi(const Real& x, const Real& step) const;
 
-    /// Whether height + rise over the piece is best taken apart into beta gap + rise, which is a
-    /// multiple of the denominator, and a constant that is not negative.
+    /// True if height + rise is best written as (beta gap + rise) + (height - beta gap): the first
+    /// part is a multiple of the denominator, and the second is a non-negative constant.
+    /// @param gap S from the point to the near end of the piece
+    /// @param height G from the point to the near end of the piece
     [[nodiscard]] bool constant_height(const Real& gap, const Real& height) const {
         return flat || (linear() && !folded && height >= beta * gap);
     }
-    /// A bound of |G - G(end)| over an ellipse about the piece, in units of G.
+    /// Returns a bound of |G - G(end)| over an ellipse about the piece, in units of 2^G_exponent.
     [[nodiscard]] double largest_rise(const quadrature::BernsteinEllipse& ellipse) const;
 
     bool folded;
     bool flat; ///< G is constant
     bool at_left_edge;
     bool at_right_edge;
-    bool even_left; ///< at the left edge, in which the integrand is even
-    bool doubled;
+    bool even_left; ///< the integrand is even at the left edge
+    bool doubled;   ///< the rule covers the piece and its mirror image
     Real alpha;
     Real beta;
     std::unique_ptr<CurvedSlope> curved;
     const CircleMark* lo;
     const CircleMark* hi;
-    Real angle;  ///< the length in phi
-    Real phi_hi; ///< of its right end, from the right end of the circle
-    Real span;   ///< in S
-    Real width;  ///< in s
-    Real rise;   ///< of G over the piece
+    Real angle;  ///< length of the piece in phi
+    Real phi_hi; ///< phi at the right end of the piece
+    Real span;   ///< length of the piece in S
+    Real width;  ///< length of the piece in s
+    Real rise;   ///< G at the right end minus G at the left end
     std::optional<quadrature::HolomorphicReach> reach;
     double angle_double = 0;
     double phi_right = 0; ///< phi_hi
     double span_units = 0;
     double rise_units = 0;
-    double alpha_units = 0; ///< |alpha| times the half-width of the contact
-    double beta_units = 0;  ///< G per S
+    double alpha_units = 0; ///< |alpha| times half the length of the contact
+    double beta_units = 0;  ///< beta in units of G per S
 
+    /// Returns G(x) - G_v, where G_v = G(v) and x = v + step (lengths).
     [[nodiscard]] Real curved_rise(const Real& v, const Ball& G_v, const Real& x,
                                    const Real& step) const;
 
 private:
+    /// Adds a node given by its angles from both ends of the piece (radians).
     void add(BatchNodes& nodes, const Real& from_hi, const Real& from_lo, const Real& weight) const;
     Real circle_length_;
     Real sine_hi_;
     Real cosine_hi_;
     Real sine_lo_;
-    Real cosine_lo_; ///< of pi - phi at the left end
+    Real cosine_lo_; ///< cos(pi - phi) at the left end
     Ball G_lo_;
     Ball G_hi_;
     double length_units_ = 0;

@@ -6,10 +6,11 @@
 #include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
 
-/// What the batch routes have in closed form: poles that come near, and corners.
+/// The closed forms of the batch routes: poles close to a piece, and corners.
 namespace edgeproof::contact {
 namespace {
 
+/// Returns ln(1 + x).
 Real log_one_plus(const Real& x) {
     const long bits = mpfr_get_prec(raw(x)) + 8;
     Real r;
@@ -20,13 +21,15 @@ Real log_one_plus(const Real& x) {
 
 } // namespace
 
-/// The integral of d phi/|S - S_x| over a piece that x is not in.
+/// Returns the integral of d phi/|S - S_x| over a piece that does not contain x, from
+///   dG/dv = w(x)/(w(v) (x - v)) (docs/pressure.md, "Closed form: piecewise linear slopes").
 Real BatchIntegral::pole_integral(const BatchPiece& piece, const Task& task) {
     const CircleMark& near = task.above ? *piece.hi : *piece.lo;
     const CircleMark& far = task.above ? *piece.lo : *piece.hi;
     const bool far_is_end = task.above ? piece.at_left_edge : piece.at_right_edge;
     if (at_.left == 0) {
-        // x in the middle of a folded contact: the left end of the circle.
+        // x is in the middle of a folded contact, at the left end of the circle:
+        // the integral of d phi/S is (2/length) tan(phi/2).
         return Real(2 / circle_.length *
                     (near.root_right / near.root_left -
                      (far_is_end ? Real(0) : Real(far.root_right / far.root_left))));
@@ -46,14 +49,15 @@ Real BatchIntegral::pole_integral(const BatchPiece& piece, const Task& task) {
     return Real(l / (root_right * root_left));
 }
 
-/// The integral of d phi/(s + x) over a piece of a folded contact: of ds/(w (s + x)), twice.
+/// Returns the integral of d phi/(s + x) over a piece of a folded contact, which is twice that of
+/// ds/(w (s + x)).
 Real BatchIntegral::mirror_integral(const BatchPiece& piece) const {
     const Real a = at_working_precision(extent_.a);
     const Real length = 2 * a;
     const Real to_right = a + at_.x; // from -x
     const Real to_left = at_.right / to_right;
     const auto logarithm = [&](const CircleMark& m) {
-        // Both distances from the edges of the unfolded contact.
+        // The distances from both edges of the unfolded contact.
         const Real left = a + m.v;
         const Real right = m.right / left;
         const Real p = right * to_left;
@@ -68,6 +72,8 @@ Real BatchIntegral::mirror_integral(const BatchPiece& piece) const {
     return Real(2 * l / sqrt(at_.right));
 }
 
+/// Returns the sum of jump times G(x, v) over the corners (docs/pressure.md, "Closed form:
+/// piecewise linear slopes").
 Real BatchIntegral::corners(const Point<Real>& at) {
     Real sum(0);
     const Real right = at_working_precision(at.right);

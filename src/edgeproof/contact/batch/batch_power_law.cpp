@@ -17,13 +17,13 @@
 namespace edgeproof::contact {
 namespace {
 
-/// From here inwards the rule for the apex takes fewer nodes than the one for the edge.
+/// Closer to the apex than this the apex rule takes fewer nodes than the edge rule.
 constexpr double apex_begins = 0.5;
-/// Nearer to the apex tanh-sinh runs over ln s.
+/// Closer to the apex than this tanh-sinh integrates over ln s.
 constexpr double far_begins = 1e-8;
-/// Steps of the recurrence, beyond which powers at the nodes cost less.
+/// With more steps of the recurrence than this, powers at the nodes cost less.
 constexpr unsigned long most_steps = 200;
-/// Nodes of a rule whose weights take their square of steps to make.
+/// A product rule with n nodes takes n^2 steps to construct.
 constexpr double most_product_nodes = 1300;
 constexpr double most_nodes = 20000;
 constexpr int last_level_of_a_share = 13;
@@ -34,13 +34,14 @@ void set_middle(Real& x, const Ball& ball) {
     arf_get_mpfr(raw(x), arb_midref(ball.data()), MPFR_RNDN);
 }
 
+/// Returns (m - 1)/2.
 formula::Exact exponent_of_integrand(const formula::Exact& m) {
     return m.is_rational()
                ? formula::Exact::of(Rational((m.rational() - 1) / 2))
                : formula::Exact((m.expr() - formula::Expr::number(1)) / formula::Expr::number(2));
 }
 
-/// t^p (1 - t)^r.
+/// Returns t^p (1 - t)^r; `rest` is 1 - t.
 Real weight_at(const Real& t, const Real& rest, const Real& p, const Real& r) {
     const long bits = precision_of(p) + 32;
     const Ball power =
@@ -75,11 +76,13 @@ BatchPowerLaw::BatchPowerLaw(const formula::Exact& m, const Real& rate, const Re
     if (n_ != 0 && n_ != 1) {
         const Ball n(n_, precision_of(n_) + 32);
         const Ball pi = Ball::pi(n.bits());
+        // C = (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2) (DLMF 15.8.4)
         set_middle(apex_factor_, sqrt(pi) / 2 * gamma(-(n / 2)) / gamma((1 - n) / 2));
     }
 }
 
 RoutedPressure<Real> BatchPowerLaw::operator()(const Point<Real>& at) {
+    // q = |x|/a, y = 1 - q^2 = (a - x)(a + x)/a^2.
     mpfr_mul(raw(q_), raw(at.x), raw(inverse_a_), MPFR_RNDN);
     mpfr_abs(raw(q_), raw(q_), MPFR_RNDN);
     mpfr_sqr(raw(square_), raw(q_), MPFR_RNDN);
@@ -91,7 +94,8 @@ RoutedPressure<Real> BatchPowerLaw::operator()(const Point<Real>& at) {
     const bool levels = rule_ == BatchPressure::Rule::tanh_sinh;
     Share share;
     if (q_ == 0) {
-        share.value = 1 / m_;
+        share.value = 1 / m_; // docs/pressure.md, "The greatest pressure"
+
     } else if (steps_ > most_steps && q >= apex_begins) {
         share = levels ? powers_by_levels() : powers_by_rule(q);
     } else if (levels && q < far_begins) {
@@ -119,6 +123,7 @@ template <class Base> BatchPowerLaw::Share BatchPowerLaw::lifted(const Base& bas
     if (steps_ == 0) {
         return base();
     }
+    // m I_m = W + (m - 1) q^2 I_{m-2} (docs/pressure.md, "Closed form: power laws")
     Real sum(0);
     Real factor(root_);
     Real exponent(m_);
@@ -146,7 +151,7 @@ template <class Base> BatchPowerLaw::Share BatchPowerLaw::lifted(const Base& bas
     return share;
 }
 
-/// The pole is q^2/W^2 beyond t = 1.
+/// Chooses the edge rule; its integrand has its pole at the distance q^2/W^2 from t = 1.
 BatchPowerLaw::Choice BatchPowerLaw::choose_edge(double q) const {
     const double gap = in_units(gap_, 0);
     const double pole_rho = (1 + q) / std::max(in_units(y_, 0) / (1 + q), 1e-300);
@@ -154,6 +159,7 @@ BatchPowerLaw::Choice BatchPowerLaw::choose_edge(double q) const {
     const double part = 1 - 1 / (1 + guess * std::sqrt(gap / (gap + 1)));
     const double rho = quadrature::BernsteinEllipse::beyond(1, 2 * part * gap).rho;
     const double ln_M = -std::log(gap * (1 - part));
+    // The error of product_rule_log_error (trefethen2013, theorem 8.2) for this number of nodes.
     const double ln_size = std::log(std::max(1e-300, std::abs(1 - n_double_)) / 3) + ln_M;
     const double needed = 2 + (std::log(8 / (rho - 1)) + ln_size - ln_tolerance_) / std::log(rho);
     const bool many = needed > most_product_nodes;
@@ -176,7 +182,7 @@ BatchPowerLaw::Share BatchPowerLaw::edge_by_rule(const Choice& choice) {
     return share;
 }
 
-/// W (1 + (2b/3) times the mean).
+/// W (1 + (2b/3) times the mean) (DLMF 15.2.1, 15.6.1).
 void BatchPowerLaw::close_edge(Share& share) {
     mpfr_mul(raw(share.value), raw(share.value), raw(b_), MPFR_RNDN);
     mpfr_mul_2ui(raw(share.value), raw(share.value), 1, MPFR_RNDN);
@@ -189,10 +195,11 @@ BatchPowerLaw::Share BatchPowerLaw::apex_by_rule() {
     const long bits = precision_of(n_) + 16;
     Share share;
     if (n_ == 0) {
+        // I_0 = arcosh(1/q) = arsinh(W/q)
         set_middle(share.value, asinh(Ball(root_, bits) / Ball(q_, bits)));
         return share;
     }
-    // The integrand over 0 < t < 1 is at most q^2/|r| where 1 - q^2 t stays off zero.
+    // The integrand over 0 < t < 1 is at most q^2/|r| where 1 - q^2 t is not close to zero.
     const double about = in_units(square_, 0);
     const double excess = 2 * (1 - about) / std::max(about, 1e-280);
     const double guess =
@@ -218,7 +225,7 @@ BatchPowerLaw::Share BatchPowerLaw::apex_by_rule() {
         mpfr_div(raw(above_), raw(rule.weight[k]), raw(below_), MPFR_RNDN);
         mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
     }
-    const long more = 64; // a power of a small number
+    const long more = 64; // for the power of a small number
     const Ball power = exp(Ball(n_, bits + more) * log(Ball(q_, bits + more)));
     set_middle(above_, power);
     share.value = apex_factor_ * above_ + 1 / n_ - square_ * sum / (2 - n_);
@@ -228,8 +235,9 @@ BatchPowerLaw::Share BatchPowerLaw::apex_by_rule() {
     return share;
 }
 
-/// The integrand over -1 < w/W < 1, (q^2 + y (w/W)^2)^e, is holomorphic but for w = +-iq. Its
-/// integral over half of that is at least 1/max(1, m): of the even rule, half of the nodes.
+/// The integrand over -1 < w/W < 1, (q^2 + y (w/W)^2)^e with e = (m - 1)/2, is holomorphic except
+/// at w = +-iq. Its integral over half of the interval is at least 1/max(1, m). By symmetry half of
+/// the nodes suffice.
 BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
     const double y = in_units(y_, 0);
     const double e = (m_double_ - 1) / 2;
@@ -242,6 +250,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
         const quadrature::BernsteinEllipse ellipse{1, h + std::sqrt(h * h + 1)};
         const double ln_M =
             e * std::log(e < 0 ? q * q * (1 - part * part) : q * q + y * (h * h + 1));
+        // trefethen2013, theorem 19.3.
         const double needed = gauss_legendre_nodes_needed(ellipse, ln_M, ln_tolerance);
         if (needed < fewest) {
             fewest = needed;
@@ -258,6 +267,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
     return share;
 }
 
+// (q^2 + y (w/W)^2)^((m - 1)/2) = (1 - from y)^((m - 1)/2).
 void BatchPowerLaw::add_powers(Real& sum, const Nodes& nodes) {
     for (std::size_t k = 0; k < nodes.from.size(); ++k) {
         mpfr_mul(raw(below_), raw(nodes.from[k]), raw(y_), MPFR_RNDN);
@@ -329,7 +339,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_levels() {
 const BatchPowerLaw::Nodes& BatchPowerLaw::edge_level(int level) {
     auto& nodes = edge_levels_[level];
     if (nodes.from.empty()) {
-        // As a mean: divided by B(b + 1, (3 - n)/2 + ...), the integral of the weight.
+        // The weight is normalised by B(b + 1, n/2 + 1), its integral (DLMF 5.12.1).
         const Ball b(b_, precision_of(b_) + 32);
         const Ball r = Ball(n_, b.bits()) / 2;
         Real norm;
@@ -362,7 +372,7 @@ BatchPowerLaw::Share BatchPowerLaw::edge_by_levels() {
     return share;
 }
 
-/// Over s = exp(-L (1 - r)), L = ln(1/q): of s^(m+1)/sqrt(s^2 - q^2).
+/// Integrates s^(m+1)/sqrt(s^2 - q^2) over s = exp(-L (1 - r)), L = ln(1/q).
 BatchPowerLaw::Share BatchPowerLaw::far_by_levels() {
     const long bits = precision_of(m_) + 16;
     const Ball length = -log(Ball(q_, bits));

@@ -13,7 +13,8 @@ namespace {
 
 constexpr unsigned batch_guard_digits = 10;
 
-/// The digits that fill the machine words which so many digits need: the rest is free.
+/// Returns the number of digits that the 64-bit words needed for `digits` digits hold: these cost
+/// no more.
 unsigned whole_words(unsigned digits) {
     const unsigned long bits = boost::multiprecision::detail::digits10_2_2(digits);
     const unsigned long filled = (bits + 63) / 64 * 64;

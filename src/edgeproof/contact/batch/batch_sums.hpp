@@ -7,11 +7,11 @@
 
 namespace edgeproof::contact {
 
-/// The inner loops of the batch routes: sums over nodes in MPFR's own operations, without a number
-/// made or thrown away on the way. One object belongs to one thread and precision.
+/// The inner loops of the batch routes: sums over nodes by MPFR functions, which create no
+/// temporary numbers. One object belongs to one thread and one precision.
 class NodeSums {
 public:
-    /// sum += the sum of numerator/(from + gap).
+    /// Adds the sum of numerator/(from + gap) to `sum`.
     void add_quotients(Real& sum, const std::vector<Real>& numerator, const std::vector<Real>& from,
                        const Real& gap) {
         for (std::size_t k = 0; k < from.size(); ++k) {
@@ -20,7 +20,7 @@ public:
             mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
         }
     }
-    /// sum += the sum of (height weight + lift)/(from + gap).
+    /// Adds the sum of (height weight + lift)/(from + gap) to `sum`.
     void add_lifted(Real& sum, const Real& height, const std::vector<Real>& weight,
                     const std::vector<Real>& lift, const std::vector<Real>& from, const Real& gap) {
         for (std::size_t k = 0; k < from.size(); ++k) {
@@ -31,8 +31,8 @@ public:
             mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
         }
     }
-    /// sum += the sum of weight (rise - height)/(from - gap); where a node lies so near that this
-    /// cancels, `fallback(k)` gives the quotient.
+    /// Adds the sum of weight (rise - height)/(from - gap) to `sum`. At a node so close to the
+    /// point that this difference cancels, `fallback(k)` gives the quotient.
     template <class Fallback>
     void add_differences(Real& sum, const std::vector<Real>& weight, const std::vector<Real>& rise,
                          const Real& height, const std::vector<Real>& from, const Real& gap,

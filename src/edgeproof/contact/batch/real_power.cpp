@@ -10,7 +10,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Of numerator and denominator: beyond, logarithms cost less.
+/// For larger numerators or denominators logarithms cost less.
 constexpr long largest_by_root = 4096;
 
 } // namespace
@@ -27,7 +27,8 @@ RealPower::RealPower(const formula::Exact& exponent) : exponent_(exponent.to<Rea
     by_root_ = true;
     numerator_ = p.convert_to<long>();
     denominator_ = q.convert_to<unsigned long>();
-    // Backwards from full precision: each step doubles the bits, less what the exponent takes.
+    // Backwards from full precision: each step doubles the number of bits, minus a loss that grows
+    // with the exponent.
     const auto lost = static_cast<long>(std::bit_width(denominator_)) + 3;
     std::vector<long> precisions;
     for (long bits = mpfr_get_prec(raw(exponent_)); bits > 46 - lost / 2; bits = bits / 2 + lost) {
@@ -45,7 +46,6 @@ RealPower::RealPower(const formula::Exact& exponent) : exponent_(exponent.to<Rea
     }
 }
 
-/// y^n, n >= 1, at the precision of `out`.
 void RealPower::raise(Real& out, const Real& y, unsigned long n) {
     if (n == 1) {
         mpfr_set(raw(out), raw(y), MPFR_RNDN);
@@ -75,7 +75,7 @@ void RealPower::operator()(Real& out, const Real& x) {
     const double start = mpfr_get_d(raw(x), MPFR_RNDN);
     if (!by_root_ || !(start > 1e-290 && start < 1e290)) {
         const long bits = mpfr_get_prec(raw(exponent_)) + 8;
-        // The logarithm of a very large or small number needs more bits to have its absolute ones.
+        // The absolute error of the logarithm of a very large or small number needs more bits.
         const auto exponent = static_cast<unsigned long>(std::abs(mpfr_get_exp(raw(x))));
         const auto far = static_cast<long>(std::bit_width(exponent));
         Ball power = Ball(x, bits + far);
@@ -83,7 +83,7 @@ void RealPower::operator()(Real& out, const Real& x) {
         arf_get_mpfr(raw(out), arb_midref(power.data()), MPFR_RNDN);
         return;
     }
-    // y = x^(-1/q): y += y (1 - x y^q)/q.
+    // Newton's iteration for f(y) = y^(-q) - x = 0, y - f/f' = y + y (1 - x y^q)/q.
     const auto q = static_cast<double>(denominator_);
     mpfr_set_d(raw(square_), std::pow(start, -1 / q), MPFR_RNDN);
     const Real* y = &square_;

@@ -14,14 +14,15 @@
 namespace edgeproof::contact {
 namespace {
 
-/// From so many on, one disk is cheaper than an integral each, whose integrands cancel by the edge
-/// the more the higher the power.
+/// With this number of terms or more one disk is cheaper than one integral for each term; the
+/// integrands cancel near the edge, the more the higher the power.
 constexpr std::size_t least_terms_of_disk = 6;
 
-/// Between edges that are wide balls an integral has few bits, and looking for more takes long.
+/// Returns the bits of accuracy wanted of an integral: between edges that are wide balls more bits
+/// are not attainable, and the attempt takes long.
 long goal_between(const Ball& a, const Ball& b, long bits) {
     constexpr long spare = 8;
-    const long accuracy = Ball(a + b).relative_accuracy_bits(); // of an exact one beyond all bits
+    const long accuracy = Ball(a + b).relative_accuracy_bits(); // of an exact sum: beyond all bits
     return accuracy >= bits ? bits : std::min(bits, std::max(spare, accuracy + spare));
 }
 
@@ -81,6 +82,7 @@ bool IntegratedContact::edge_may_be_on_knot() const {
     return false;
 }
 
+// docs/curved-slopes.md, "What is integrated".
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a, b)) {
@@ -92,7 +94,8 @@ Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmon
     return sum;
 }
 
-/// P = (E*/2) times the integral of g'(s) (s - c)/w(s) ds.
+/// P = (E*/2) times the integral of g'(s) (s - c)/w(s) ds (eqn:AppliedNormalForce_NonSym with
+/// eqn:Consistency).
 Ball IntegratedContact::force_of(const Ball& a, const Ball& b) const {
     return modulus_ * (a + b) / 4 * slope_integral(a, b, 1);
 }
@@ -101,7 +104,8 @@ Ball IntegratedContact::moment() const {
     if (profile_.symmetric()) {
         return {0, bits_};
     }
-    // (E*/4) times the integral of w (v - c + 2c) dg'(v), by parts.
+    // M is (E*/4) times the integral of w (v + c) dg'(v) (docs/mechanics.md, "One measure, six
+    // kernels"), integrated by parts.
     const Ball d = (a_ + b_) / 2;
     return modulus_ / 4 * d *
            (d * slope_integral(a_, b_, 2) + (a_ - b_) * slope_integral(a_, b_, 1));
@@ -128,6 +132,7 @@ std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) con
     return right_expansion(terms);
 }
 
+// I_k (docs/expansions.md, "Coefficients of curved slopes").
 Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball& x,
                                     const std::vector<Ball>& taylor, bool from_right_edge) const {
     const std::vector<Ball> head(taylor.begin(),
@@ -145,7 +150,6 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
     return sum;
 }
 
-/// Those of I about the right edge, by a disk there; none where there is no such disk.
 std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
                                                           std::size_t terms) const {
     Ball gap = a_ + b_;
@@ -154,7 +158,7 @@ std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
             gap = min(gap, abs(Ball(a_ - knots_[i])));
         }
     }
-    // A disk is driven to about half its working bits (disk_goal).
+    // A disk is computed to about half of its working bits (disk_goal).
     const PressureDisk disk(over_theta(), piece, a_, gap, terms, 2 * bits_ + 48);
     std::vector<Ball> I;
     if (disk.found()) {
@@ -177,7 +181,8 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
             return std::vector<Ball>(terms, unknown);
         }
     }
-    // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), and I = sum of I_k (-u)^k.
+    // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), where I is the sum of I_k (-u)^k (docs/expansions.md,
+    // "Coefficients of curved slopes").
     std::vector<Ball> I =
         terms < least_terms_of_disk ? std::vector<Ball>{} : coefficients_by_disk(last, terms);
     const std::vector<Ball> taylor = series_of_slope(last, a_, terms);
@@ -188,7 +193,7 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
         I[k] = -I[k];
     }
     const Ball D = a_ + b_;
-    std::vector<Ball> root{Ball(1, bits_)}; // of sqrt(1 - u/D)
+    std::vector<Ball> root{Ball(1, bits_)}; // of sqrt(1 - u/D) (DLMF 4.6.7)
     for (std::size_t k = 1; k < terms; ++k) {
         const long n = static_cast<long>(k);
         root.push_back(root.back() * (2 * n - 3) / (2 * n) / D);
@@ -219,7 +224,7 @@ Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
     const Ball x = edge == Edge::right ? a_ - from_edge : from_edge - b_;
     Ball unknown(0, bits_);
     arb_indeterminate(unknown.data());
-    // The piece that x is on; on a knot where g' only bends, both that meet there have one value.
+    // The piece that contains x. On a knot where g' only bends, both pieces give the same value.
     std::size_t piece = 0;
     std::optional<std::size_t> on_knot;
     for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -241,7 +246,8 @@ Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
     Ball sum(0, bits_);
     for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
         SlopeIntegrand f = integrand(span, a_, b_);
-        // Of two pieces that meet at x, each by its own expression; their values there are equal.
+        // Each of two pieces that meet at x is evaluated by its own expression; their values at x
+        // are equal.
         const Ball here =
             on_knot && span.piece == *on_knot + 1 ? series_of_slope(span.piece, x, 1)[0] : slope;
         f.x = &x;
@@ -249,6 +255,7 @@ Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
         f.holds_x = span.piece == piece || (on_knot && span.piece == *on_knot + 1);
         sum += integrate(f, span, bits_);
     }
+    // eqn:SIEPressure regularised (docs/curved-slopes.md, "What is integrated")
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * sum;
 }
 

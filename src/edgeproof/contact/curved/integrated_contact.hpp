@@ -14,23 +14,26 @@
 
 namespace edgeproof::contact {
 
-/// A normal contact in ball arithmetic where g' has no closed form: every value is an enclosure,
-/// by Arb's rigorous integration (F. Johansson, "Numerical integration in arbitrary-precision ball
-/// arithmetic", 2018), the singularities substituted away: s = c + d cos theta.
+/// A normal contact in ball arithmetic for slopes g' without closed forms. Each value is an
+/// enclosure found by Arb's rigorous integration (johansson2018) over theta, where s = c + d
+/// cos(theta) removes the singularities at the edges (docs/curved-slopes.md).
 ///
-/// All of it is of a contact in which g' does not decrease: whether that is proved,
-/// slope_monotonicity.hpp tells. Edges that are not given are enclosed between two trial edges. The
-/// integral of g' over theta (eqn:Consistency) falls as the left edge moves out, since g' does not
-/// decrease, and the force grows with the right edge of a contact that is in balance
-/// (eqn:SIEPressure by parts: every bit of dg' adds to P, and to b): opposite signs at both ends
-/// prove that the edge lies between them, and no other does. Where to try comes from the routes in
-/// Real, which decide nothing.
+/// All values are valid for a g' that does not decrease; slope_monotonicity.hpp proves this. An
+/// edge that is not given is enclosed between two trial edges. The integral of g' over theta
+/// (eqn:Consistency) decreases as the left edge moves outwards, and the force increases with the
+/// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
+/// edges therefore prove that exactly one edge lies between them. The trial edges come from the
+/// routes in Real, which prove nothing.
 class IntegratedContact : public ProvedPressure {
 public:
-    /// Every piece of g' is made of what complex_taylor.hpp knows.
+    /// True if every piece of g' consists of functions that complex_taylor.hpp supports.
     [[nodiscard]] static bool handles(const Profile& profile);
 
-    /// Throws BudgetError where so many bits do not enclose the edges.
+    /// Throws BudgetError where `bits` do not suffice to enclose the edges.
+    /// @param profile g'(x)
+    /// @param contact_modulus E* (stress)
+    /// @param load the right edge (length) or the force (force/length)
+    /// @param bits working precision
     IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
                       const Load& load, long bits);
 
@@ -38,99 +41,128 @@ public:
     [[nodiscard]] long bits() const override { return bits_; }
     [[nodiscard]] const Ball& a() const override { return a_; }
     [[nodiscard]] const Ball& b() const override { return b_; }
-    /// The distance of an edge from the origin, where it is given, or where g' is proved to be odd
-    /// in the contact.
+    /// The distance of an edge from the origin (length), if it is given, or if g' is proved to be
+    /// odd in the contact.
     [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const;
-    /// Whether an edge that is not known so may lie on a knot, as far as the bits tell.
+    /// True if an edge without a known distance may lie on a knot, as far as the bits decide.
     [[nodiscard]] bool edge_may_be_on_knot() const;
+    /// P (force/length).
     [[nodiscard]] Ball force() const { return force_of(a_, b_); }
+    /// M (force).
     [[nodiscard]] Ball moment() const;
-    /// p at the distance u from an edge. Not finite on a knot, unless exact numbers tell that u is
-    /// there and g' does not jump.
+    /// Returns p (stress) at the distance `u` from an edge (length). Not finite on a knot, unless
+    /// exact numbers prove that the point is the knot and that g' does not jump there.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
+    /// Returns c_0, c_1, ... (stress/length^(k+1/2)).
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    /// Returns M with |c_k| <= M/rho^k for all k (docs/extents.md); `rho`: length.
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
+    /// Returns the radius of the disk about an edge (length).
     [[nodiscard]] Ball reach(Edge edge) const override;
+    /// Returns the distances of the corners from an edge (length).
     [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     [[nodiscard]] std::size_t cost() const override { return 40; }
 
-    /// Of a wide ball: by a disk that holds it (pressure_disk.hpp), or with a bend in it by bounds
-    /// of g'' beside the bend. Disks are made as they are asked for, and kept.
+    /// For a wide ball p is enclosed by a disk that contains it (pressure_disk.hpp) or, if it
+    /// contains a bend, by bounds of g'' near the bend. Disks are computed when they are needed,
+    /// and kept.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
+    /// Returns p, or a lower bound of it where a corner makes p infinite.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
+    /// Returns the Taylor series of p in `u` with `order` terms.
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
 
-    /// The zone -b < x < a of the same profile, whatever tilt makes it a contact; a power law is
-    /// integrated like any other slope here. Of it: as BallContact::between.
+    /// The zone -b < x < a of the same profile, for any tilt that makes it a contact; a power law
+    /// is integrated like every other slope. See BallContact::between.
     [[nodiscard]] IntegratedContact between(const Ball& a, const Ball& b, long bits) const;
+    /// F (force/length), mean slope, rates and pressure of a zone (ZoneValues).
     [[nodiscard]] Ball zone_force() const { return force_of(a_, b_); }
     [[nodiscard]] Ball zone_mean_slope() const;
     [[nodiscard]] Ball zone_rate(Edge edge) const;
     [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u) const;
-    /// A zone to begin with, of a profile whose contact other means enclose.
+    /// An initial zone of a profile whose contact is enclosed elsewhere.
     IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus, const Ball& a,
                       const Ball& b, long bits);
 
 private:
-    /// From the right edge to the left one, piece by piece.
+    /// The pieces from the right edge to the left one.
     [[nodiscard]] std::vector<quadrature::ThetaSpan> piece_spans(const Ball& a,
                                                                  const Ball& b) const;
-    /// The same, halves of pieces beside a branch point on a knot in a variable without it.
+    /// The same, but half of a piece next to a branch point on a knot is given in a variable in
+    /// which g' is holomorphic.
     [[nodiscard]] std::vector<quadrature::ThetaSpan> spans(const Ball& a, const Ball& b) const;
-    /// What spans() and its formulas are made of.
+    /// The formulas used by spans().
     struct Roots {
         struct Root {
             std::size_t formula = 0;
             long root = 0; ///< 0: no branch point
         };
-        std::vector<formula::Expr> formulas;       ///< of the pieces, then in roots
-        std::vector<std::array<Root, 2>> of_knots; ///< left of it, right of it
+        std::vector<formula::Expr> formulas;       ///< of the pieces, followed by those in roots
+        std::vector<std::array<Root, 2>> of_knots; ///< to the left of the knot, to the right of it
     };
+    /// The formulas, computed when first needed.
     [[nodiscard]] const Roots& roots() const;
+    /// Returns g' over a span of the contact -b < x < a.
     [[nodiscard]] SlopeIntegrand integrand(const quadrature::ThetaSpan& span, const Ball& a,
                                            const Ball& b) const;
+    /// Returns the integral of g' cos(harmonic theta) over theta.
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
+    /// Returns P (force/length) of the contact -b < x < a.
     [[nodiscard]] Ball force_of(const Ball& a, const Ball& b) const;
+    /// Returns the Taylor series of g' about x by the formula of a piece.
     [[nodiscard]] std::vector<Ball> series_of_slope(std::size_t piece, const Ball& x,
                                                     std::size_t terms) const;
+    /// Returns I_k about the right edge by a disk; empty if there is none.
     [[nodiscard]] std::vector<Ball> coefficients_by_disk(std::size_t piece,
                                                          std::size_t terms) const;
+    /// Returns c_k at the right edge.
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
+    /// Finds the knots that are exactly an edge.
     void find_knots_on_edges();
-    /// Where to try; proves nothing.
+    /// An approximation of the edges; it proves nothing.
     struct Guess {
         Ball a;
         Ball b;
         Ball force_rate; ///< P'(a)
         Ball b_rate;     ///< b'(a)
     };
+    /// `contact_modulus`: E* (stress).
     [[nodiscard]] Guess guess(const formula::Exact& contact_modulus) const;
+    /// Encloses the edges that are not given.
     void enclose_edges(const formula::Exact& contact_modulus);
+    /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
-    /// x at the distance u from an edge.
+    /// Returns x at the distance `u` from an edge.
     [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
-    /// The knot has g' of another formula on its other side, and may be inside the contact.
+    /// True if g' has different formulas on both sides of the knot and the knot may be inside the
+    /// contact.
     [[nodiscard]] bool inside(std::size_t knot) const;
-    /// The piece that holds all of x; nothing where it may meet a knot inside.
+    /// The piece that contains all of x; nothing if x may contain a knot inside the contact.
     [[nodiscard]] std::optional<std::size_t> piece_of(const Ball& x) const;
-    /// The k-th derivative over k! of I (pressure_disk.hpp) at x.
+    /// Returns the k-th Taylor coefficient of I (pressure_disk.hpp) at x.
     [[nodiscard]] Ball coefficient(std::size_t k, std::size_t piece, const Ball& x,
                                    const std::vector<Ball>& taylor, bool from_right_edge) const;
     struct Disk {
-        Ball u; ///< of its centre
+        Ball u; ///< of the centre
         PressureDisk disk;
     };
-    /// One that holds u and gives `order` coefficients over it; null: none does.
+    /// Returns a disk that contains u and gives `order` coefficients over it; null if there is
+    /// none.
     [[nodiscard]] const Disk* disk_for(Edge edge, const Ball& u, std::size_t order) const;
+    /// Returns a disk about the place at the distance `u` from an edge, or about the edge.
     [[nodiscard]] const Disk* disk_at(Edge edge, const Ball& u, std::size_t terms) const;
     [[nodiscard]] const Disk* disk_at_edge(Edge edge) const;
-    /// The integral over theta from one side of a knot to the other, for x within half of it.
+    /// Returns the integral over theta from one side of a knot to the other, for x within half of
+    /// that range.
     [[nodiscard]] Ball beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
                                    const Ball& width) const;
-    /// I over a ball that meets a knot; `least`: a number below it, where it is infinite.
+    /// Returns I over a ball that contains a knot. `least`: a lower bound is returned where I is
+    /// infinite.
     [[nodiscard]] Ball over_knot(const Ball& x, bool least) const;
+    /// Returns p from I at the distance `u` from an edge.
     [[nodiscard]] Ball with_root(const Ball& u, const Ball& I) const;
+    /// The data of I, computed when first needed.
     [[nodiscard]] const SlopeOverTheta& over_theta() const;
 
     Profile profile_;
@@ -141,8 +173,8 @@ private:
     std::vector<std::optional<Edge>> on_edge_; ///< knots that are known to be an edge exactly
     Ball a_;
     Ball b_;
-    bool odd_ = false;  ///< g' is odd in the contact, whatever it is beyond
-    bool zone_ = false; ///< no contact, so that b may differ from a where g' is odd
+    bool odd_ = false;  ///< g' is odd in the contact, but perhaps not beyond it
+    bool zone_ = false; ///< a zone of a contact: b may differ from a even if g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
     mutable std::shared_ptr<const Roots> roots_; ///< of the profile

@@ -9,8 +9,8 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum beside its zero
-constexpr long spent_on_both = 16;  ///< bits more where an edge rests on the other one
+constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum near its zero
+constexpr long spent_on_both = 16;  ///< additional bits if an edge depends on the other one
 
 constexpr unsigned first_digits = 10;
 constexpr int most_chords = 40;
@@ -20,7 +20,7 @@ struct Between {
     Ball hi;
 };
 
-/// The numbers middle -+ 2^-bits |middle|.
+/// Returns the numbers middle -+ 2^-bits |middle|.
 Between beside(const Ball& middle, long bits) {
     const Ball slack =
         abs(middle) * Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits)), middle.bits());
@@ -30,8 +30,8 @@ Between beside(const Ball& middle, long bits) {
 
 } // namespace
 
-/// The left edge where the right one is at a: the integral of g' over theta falls as the left edge
-/// moves out.
+/// Encloses the left edge for the right edge `a`: the integral of g' over theta decreases as the
+/// left edge moves outwards (docs/curved-slopes.md, "Edges").
 std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball& start) const {
     for (long narrow = bits_ - spent_on_signs; narrow > 8; narrow -= bits_ / 8) {
         const Between trial = beside(start, narrow);
@@ -43,9 +43,10 @@ std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball&
     return {};
 }
 
-/// Near the edges, by the routes in Real at a few digits and chords from there. P_a and P_b being
-/// the rates of P(a, b), the integral of g' over theta has the rates kappa P_a and -kappa P_b with
-/// kappa = 4/(E* (a + b)), so that b' = P_a/P_b and P' = 2 P_a along the contacts in balance.
+/// Approximates the edges by the routes in Real with a few digits, then by chords. With the partial
+/// derivatives P_a and P_b of P(a, b), the integral of g' over theta has the derivatives kappa P_a
+/// and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b and P' = 2 P_a along the contacts that
+/// satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
 IntegratedContact::Guess IntegratedContact::guess(const formula::Exact& contact_modulus) const {
     const bool by_force = load_.kind == Load::Kind::force;
     const bool symmetric = profile_.symmetric();
@@ -107,7 +108,8 @@ void IntegratedContact::enclose_edges(const formula::Exact& contact_modulus) {
     }
     const Ball P = enclosed_constant(load_.value, bits_);
     const bool symmetric = profile_.symmetric();
-    // P grows with a along the contacts that are in balance, each with its left edge enclosed.
+    // P increases with a along the contacts that satisfy the consistency condition; the left edge
+    // of each is enclosed (docs/curved-slopes.md, "Edges").
     for (long narrow = bits_ - spent_on_signs - (symmetric ? 0 : spent_on_both); narrow > 8;
          narrow -= bits_ / 8) {
         const Between a = beside(near.a, narrow);

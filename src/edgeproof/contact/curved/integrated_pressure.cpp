@@ -8,8 +8,8 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr std::size_t least_terms = 32; ///< of a disk
-constexpr long point_bits = 16;         ///< a ball that has lost no more counts as a point
+constexpr std::size_t least_terms = 32; ///< number of terms of a disk
+constexpr long point_bits = 16;         ///< a ball that has lost no more bits counts as a point
 constexpr std::size_t most_disks = 4000;
 
 Ball not_finite(long bits) {
@@ -120,7 +120,7 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
             return disk.get();
         }
     }
-    // A new one: about an edge where that is near, so that many intervals have one disk.
+    // A new disk is centred at an edge if that is near, so that one disk serves many intervals.
     const Ball middle = midpoint_of(u);
     const Ball length = a_ + b_;
     Ball near = length;
@@ -149,7 +149,7 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
     return nullptr;
 }
 
-/// p = E*/(2 pi) sqrt(u (D - u)) I.
+/// p = E*/(2 pi) sqrt(u (D - u)) I (docs/expansions.md, "Coefficients of curved slopes").
 Ball IntegratedContact::with_root(const Ball& u, const Ball& I) const {
     return modulus_ / (Ball::pi(bits_) * 2) * Field<Ball>::root(clamped(u) * clamped(a_ + b_ - u)) *
            I;
@@ -202,7 +202,7 @@ BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::siz
         }
     }
     for (std::size_t k = 1; k < order && edge == Edge::right; k += 2) {
-        I[k] = -I[k]; // x falls as u grows
+        I[k] = -I[k]; // x decreases as u grows
     }
     return sqrt(from * other) * BallSeries(I) * (modulus_ / (Ball::pi(bits_) * 2));
 }
@@ -223,7 +223,7 @@ Ball IntegratedContact::reach(Edge edge) const {
                                                   : disk->disk.radius().with_bits(bits_);
 }
 
-/// By Cauchy: |sqrt(D - u) I| on the disk about the edge.
+/// Cauchy's estimate for sqrt(D - u) I on the disk about the edge (docs/extents.md).
 Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
     const Disk* disk = disk_at_edge(edge);
     if (disk == nullptr || !disk->disk.found() || certainly_less(disk->disk.radius(), rho)) {
@@ -233,9 +233,10 @@ Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(a_ + b_ + rho) * most;
 }
 
-/// The quotient of I is a mean of g''. Where that is infinite on the knot, |s - v| = w^n and g' has
-/// the rate L by w at most: |w_s - w_x| <= |s - x|^(1/n), so that the quotient, which is not
-/// negative, is at most the sum over both sides of L |s - x|^(1/n - 1).
+/// The quotient in I is a mean of g''. If g'' is infinite on the knot, then |s - v| = w^n, and the
+/// derivative of g' by w is at most L. Since |w_s - w_x| <= |s - x|^(1/n), the quotient, which is
+/// not negative, is at most the sum over both sides of L |s - x|^(1/n - 1) (docs/curved-slopes.md,
+/// "What is integrated").
 Ball IntegratedContact::beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
                                     const Ball& width) const {
     const Ball& v = knots_[knot];
@@ -244,8 +245,8 @@ Ball IntegratedContact::beside_knot(std::size_t knot, const Ball& lo, const Ball
     if (before.is_finite() && after.is_finite()) {
         return width * Ball::hull(before, after);
     }
-    const Ball r = hi - lo;                                        // at least as long as s - x
-    const Ball nearest = Field<Ball>::root((a_ - hi) * (b_ + lo)); // of |ds/dtheta|
+    const Ball r = hi - lo;                                        // not shorter than s - x
+    const Ball nearest = Field<Ball>::root((a_ - hi) * (b_ + lo)); // lower bound of |ds/dtheta|
     Ball most(0, bits_);
     for (const std::size_t side : {0U, 1U}) {
         const Roots::Root& root = roots().of_knots[knot].at(side);
@@ -273,7 +274,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     if (!met || (profile_.has_corner(*met) && !least)) {
         return not_finite(bits_);
     }
-    // Beside the knot, as far as twice the ball reaches, the quotient is a mean of g''.
+    // Near the knot, up to twice the radius of the ball, the quotient is a mean of g''.
     const std::size_t i = *met;
     const Ball& v = knots_[i];
     const Ball r = Ball(abs(Ball(x - v)).upper(), bits_) * 2;
@@ -303,7 +304,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     if (!profile_.has_corner(i)) {
         inner = beside_knot(i, lo, hi, to - from);
     }
-    // x is on one side of the knot, or on the other.
+    // x is on one side of the knot or on the other.
     std::optional<Ball> either;
     for (const std::size_t side : {i, i + 1}) {
         const Ball part = side == i ? Ball::hull(Ball(x.lower(), bits_), v)

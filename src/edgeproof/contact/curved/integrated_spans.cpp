@@ -9,7 +9,8 @@ namespace edgeproof::contact {
 
 std::vector<quadrature::ThetaSpan> IntegratedContact::piece_spans(const Ball& a,
                                                                   const Ball& b) const {
-    // From the right: theta = 0 at the right edge. A knot that may lie on an edge clamps onto it.
+    // The order is from the right, where theta = 0. A knot that may lie on an edge is set to that
+    // edge.
     std::vector<quadrature::ThetaSpan> list;
     Ball from(0, bits_);
     for (std::size_t i = knots_.size() + 1; i-- > 0;) {
@@ -53,6 +54,7 @@ const IntegratedContact::Roots& IntegratedContact::roots() const {
     return *roots_;
 }
 
+// docs/curved-slopes.md, "What is integrated": a branch point on a knot, |s - v| = w^n.
 std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
     const Ball centre = (a - b) / 2;
     const Ball half = (a + b) / 2;
@@ -61,7 +63,7 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const
         Ball middle((whole.from + whole.to) / 2);
         arb_get_mid_arb(middle.data(), middle.data());
         const Ball s = centre + half * cos(middle);
-        // Beside the knot at the right end of the piece, and at its left end.
+        // Next to the knot at the right end of the piece, and next to the knot at its left end.
         const auto rooted = [&](std::size_t knot, std::size_t side) {
             const Roots::Root& root = roots().of_knots[knot].at(side);
             const Ball distance = side == 0 ? knots_[knot] - s : s - knots_[knot];

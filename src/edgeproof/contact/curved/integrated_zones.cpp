@@ -41,8 +41,8 @@ Ball IntegratedContact::zone_mean_slope() const {
     return slope_integral(a_, b_, 0) / Ball::pi(bits_);
 }
 
-// c_0 = 2 P'/(pi sqrt(D)) along the contacts of one tilt, and P' = E*/2 times the kernel's
-// integral.
+// c_0 = 2 P'/(pi sqrt(D)) (docs/expansions.md) along the contacts of one tilt, and P' is E*/2 times
+// the integral of the kernel (docs/mechanics.md).
 Ball IntegratedContact::zone_rate(Edge edge) const {
     return Ball::pi(bits_) * sqrt(a_ + b_) / 2 * expansion(edge, 1)[0];
 }
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
         return contact_.between(zone.a, zone.b, bits()).zone_pressure(edge, u);
     }
-    /// The search's many steps are taken with few bits first.
+    /// Most steps of the search are taken with few bits.
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& tilt,
                                 const BallZone& near) const override {
         if (bits() < 2 * coarse_zone_bits) {

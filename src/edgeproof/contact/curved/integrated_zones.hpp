@@ -7,11 +7,17 @@
 
 namespace edgeproof::contact {
 
-/// Zones of any slope that IntegratedContact handles, by rigorous integration. Keeps a copy.
+/// Returns the solver for zones of any slope that IntegratedContact handles, by rigorous
+/// integration. It keeps a copy of `contact`.
 [[nodiscard]] std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact);
 
-/// Zones of a power law under a tilt: its integrals by Gauss's 2F1 where the zone holds the origin,
-/// by rigorous integration elsewhere, as its pressures. `a`, `b`: of the contact.
+/// Returns the solver for zones of a power law under a tilt. The integrals are Gauss's 2F1 where
+/// the zone contains the origin; elsewhere they, and all pressures, follow from rigorous
+/// integration.
+/// @param profile a power law
+/// @param contact_modulus E* (stress)
+/// @param a,b distances of the edges of the contact from the origin (length)
+/// @param bits working precision
 [[nodiscard]] std::unique_ptr<ZoneSolver> power_law_zones(const Profile& profile,
                                                           const formula::Exact& contact_modulus,
                                                           const Ball& a, const Ball& b, long bits);

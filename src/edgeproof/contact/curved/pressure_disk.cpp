@@ -13,26 +13,26 @@ namespace {
 
 constexpr long box_bits = 64;
 constexpr slong most_box_bits = 1L << 20;
-constexpr int most_radii = 24; ///< radii that are tried
-constexpr long steepest = 256; ///< times the mean slope of g', in a disk
+constexpr int most_radii = 24; ///< number of radii tried
+constexpr long steepest = 256; ///< largest |g' - g0|/r of a disk, over the mean of g''
 constexpr int majorant_depth = 400;
-constexpr long outer_bits = 48; ///< of an integral that is wide anyway
+constexpr long outer_bits = 48; ///< of an integral whose result is wide anyway
 
 Ball exact_lower(const Ball& x) { return {x.with_bits(32).lower(), box_bits}; }
 
-/// Bits for a function over a box: those that tell it from a branch point beside it, which may be
-/// as near as the box is small.
+/// Returns the bits for a function over a box: enough to separate the box from a branch point,
+/// which may be as near as the box is small.
 long bits_over(const acb_t s) {
     const slong accuracy = acb_rel_accuracy_bits(s);
     return box_bits + std::clamp<slong>(accuracy, 0, most_box_bits);
 }
 
-/// What the formula of g' on a span is in.
+/// Returns the variable of the formula of g' on a span.
 const acb_struct* variable(const quadrature::ThetaPlace& at) {
     return at.span.root == 0 ? at.s : at.t;
 }
 
-/// g' - g0.
+/// Computes g' - g0.
 void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, const Ball& g0,
                   long bits) {
     AcbPolyValue taylor;
@@ -41,8 +41,9 @@ void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, con
     acb_sub_arb(change, change, g0.data(), bits);
 }
 
-/// The largest |g'(z) - g'(x)| for |z - x| <= r, by the formula of a piece, covered with boxes;
-/// infinite where it may not be holomorphic. g' is real on the real axis: half the disk will do.
+/// Returns the largest |g'(z) - g'(x)| for |z - x| <= r by the formula of a piece, with the disk
+/// covered by boxes; infinite if the formula may not be holomorphic. g' is real on the real axis,
+/// so that half of the disk suffices.
 Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& g0, const Ball& r) {
     constexpr int across = 3;
     AcbValue s;
@@ -70,18 +71,19 @@ Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& 
     return most;
 }
 
-/// D_k(s) = (g'(s) - T_k(s))/(s - x)^(k+1), T_k the Taylor polynomial of g' about x: its integral
-/// is the k-th coefficient of I about x.
+/// D_k(s) = (g'(s) - T_k(s))/(s - x)^(k+1) with the Taylor polynomial T_k of g' about x. Its
+/// integral is the k-th coefficient of I about x (docs/curved-slopes.md, "Intervals and disks").
 class DiskIntegrand : public quadrature::ThetaIntegrand {
 public:
-    /// g: Taylor coefficients about x, more than `terms`; r: the radius of a disk on which |g' -
-    /// g_0| <= change.
+    /// g: Taylor coefficients about x, more than `terms`; r: the radius of a disk on which
+    /// |g' - g_0| <= change.
     DiskIntegrand(const SlopeOverTheta& integral, std::size_t holds, const Ball& x,
                   std::vector<Ball> g, const Ball& r, const Magnitude& change, std::size_t terms,
                   long bits)
         : integral_(integral), holds_(holds), x_(x), g_(std::move(g)), near_(r / 2), far_(r / 4),
           terms_(terms), bits_(bits) {
-        // |g_j| <= change/r^j, so that |D_k(s)| <= 2 change/r^(k+1) for |s - x| <= r/2.
+        // |g_j| <= change/r^j by Cauchy's estimate, so that |D_k(s)| <= 2 change/r^(k+1)
+        // for |s - x| <= r/2.
         const Magnitude least = Magnitude::least(r);
         Magnitude most = change + change;
         for (std::size_t k = 0; k < g_.size(); ++k) {
@@ -160,21 +162,21 @@ private:
     mutable AcbValue change_;
 };
 
-/// |I(z)| for |z - x| <= reach: over real cells of theta.
+/// Bounds |I(z)| for |z - x| <= reach by real cells of theta.
 class Majorant {
 public:
     Majorant(const SlopeOverTheta& integral, std::size_t holds, const Ball& x, const Ball& g0,
              const Ball& r, const Ball& reach, const Magnitude& change)
         : integral_(integral), holds_(holds), x_(x), g0_(g0), near_(r / 2), reach_(reach),
           // |g'(z) - g'(x)| <= change |z - x|/r; and for |s - x| <= r/2, |z - x| <= 2 r/5 the
-          // quotient is a sum over |g_j| that comes to at most (10/3) change/r.
+          // quotient is a sum over |g_j| of at most (10/3) change/r.
           at_point_(change * Magnitude(Ball(reach / r))),
           quotient_(change * Magnitude(Ball(10, 64)) / Magnitude(Ball(3, 64)) /
                     Magnitude::least(r)) {}
 
     std::optional<Magnitude> operator()() {
         for (const quadrature::ThetaSpan& span : integral_.pieces) {
-            // The radii of its ends included, which cells of two spans may share.
+            // The radii of the ends are included; there the cells of two spans may overlap.
             const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
             const Ball hi(span.to.with_bits(box_bits).upper(), box_bits);
             if (!cell(span.piece, lo, hi, 0)) {
@@ -270,8 +272,8 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         return;
     }
     const Magnitude mean = integral.most_change / Magnitude::least(integral.half_length * 2);
-    // The largest disk where g' is no more than so much steeper than on the mean; else the
-    // smallest.
+    // The largest disk where |g' - g0|/r is at most `steepest` times the mean of g'' over the
+    // contact; if there is none, the smallest disk.
     std::optional<Ball> chosen;
     Magnitude change;
     Ball r = exact_lower(gap * 7 / 4);
@@ -324,7 +326,8 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
         }
     }
     c.resize(order, Ball(0, bits_));
-    // What is left out: the sum over j >= terms of binomial(j, k) bound q^(j - k)/radius^k.
+    // The remainder: the sum over j >= terms of binomial(j, k) bound q^(j - k)/radius^k, by
+    // Cauchy's estimate (docs/curved-slopes.md, "Intervals and disks").
     const Magnitude q(Ball(z / radius_));
     Magnitude rest = bound_;
     for (std::size_t j = 0; j < terms; ++j) {
@@ -333,7 +336,7 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
     const auto n = static_cast<long>(terms);
     const bool at_centre = q.is_zero();
     for (long k = 0; k < static_cast<long>(order); ++k) {
-        // Each term is at most this much of the one before it.
+        // Each term is at most this multiple of the one before it.
         const Ball less = 1 - q.ball(box_bits) * (n + 1) / std::max(1L, n + 1 - k);
         if (at_centre && k < n) {
             continue;

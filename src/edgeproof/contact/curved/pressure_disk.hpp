@@ -11,40 +11,49 @@
 
 namespace edgeproof::contact {
 
-/// What the integral I(x) of (g'(s) - g'(x))/(s - x) over theta is taken of. p = E*/(2 pi) w(x)
-/// I(x) (eqn:SIEPressure, the principal value of 1/(s - x) being none).
+/// The data of I(x), the integral of (g'(s) - g'(x))/(s - x) over theta: p = E*/(2 pi) w(x) I(x)
+/// (eqn:SIEPressure regularised; docs/curved-slopes.md, "What is integrated").
 struct SlopeOverTheta {
-    std::vector<formula::Expr> formulas; ///< of the pieces in s, and of spans with a root
+    std::vector<formula::Expr> formulas; ///< of the pieces in s, and of the spans with a root
     std::vector<quadrature::ThetaSpan> spans;
     std::vector<quadrature::ThetaSpan> pieces; ///< the same without roots
     Ball centre;
     Ball half_length;
-    Magnitude most_change; ///< of g' from one edge to the other: g' does not decrease
+    Magnitude most_change; ///< of g' from one edge to the other
 };
 
-/// Bits to which the coefficients of a disk are driven, of the working ones: enough beside a
-/// tolerance for which the search in ball_extent.hpp takes so many.
+/// The number of bits to which the coefficients of a disk are computed at a working precision of
+/// `bits`. They suffice for the tolerances for which the search in ball_extent.hpp uses that
+/// precision.
 [[nodiscard]] constexpr long disk_goal(long bits) { return bits < 96 ? 24 : bits / 2 - 24; }
 
-/// I(x + z) in powers of z: coefficients, and a disk on which it is holomorphic and bounded, whence
-/// Cauchy's bound for all those that are left out. It is holomorphic where the formula of the piece
-/// that holds x is and no other piece is met, beyond an edge too.
+/// The power series of I(x + z) in z: coefficients, and a disk on which I is holomorphic and
+/// bounded, so that Cauchy's estimate bounds the remainder (docs/curved-slopes.md, "Intervals and
+/// disks"). I is holomorphic where the formula of the piece that contains x is, up to the next
+/// piece; the disk may extend beyond an edge.
 class PressureDisk {
 public:
-    /// About x, on the piece `holds`, whose nearest other piece inside the contact is at least as
-    /// far as `gap`. `bits`: of the working arithmetic.
+    /// A disk about x.
+    /// @param integral the data of I
+    /// @param holds the piece that contains x
+    /// @param x centre (length)
+    /// @param gap lower bound of the distance from x to the next other piece inside the contact
+    /// (length)
+    /// @param terms number of coefficients
+    /// @param bits working precision
     PressureDisk(const SlopeOverTheta& integral, std::size_t holds, const Ball& x, const Ball& gap,
                  std::size_t terms, long bits);
 
-    /// False where no disk, or no integral, was enclosed.
+    /// False if no disk or no integral was enclosed.
     [[nodiscard]] bool found() const { return found_; }
     [[nodiscard]] std::size_t terms() const { return terms_; }
     [[nodiscard]] const Ball& radius() const { return radius_; }
-    /// |I| <= bound on the disk.
+    /// A bound of |I| on the disk (1/length).
     [[nodiscard]] Ball bound() const { return bound_.ball(64); }
-    /// I(x + z + t) in powers of t, for every z of the ball; not finite where it reaches too far.
+    /// Returns I(x + z + t) in powers of t, for every z of the ball (length); not finite if the
+    /// ball reaches too far.
     [[nodiscard]] BallSeries at(const Ball& z, std::size_t order) const;
-    /// Whether what is left out of I(x + z) is below 2^-bits of the bound.
+    /// True if the remainder of I(x + z) is below 2^-bits times the bound.
     [[nodiscard]] bool good_to(const Ball& z, long bits) const;
 
 private:
@@ -56,8 +65,13 @@ private:
     bool found_ = false;
 };
 
-/// I(x) for every x of a ball that is on a piece, or may be on its end, by the pieces beyond
-/// `inner` of theta left out: an enclosure. Not finite where none is found.
+/// Returns an enclosure of the integral of (g'(s) - g'(x))/(s - x) over the spans `outer` of theta,
+/// for every x of a ball that lies on a piece, perhaps at its end. Not finite if none is found.
+/// @param integral the data of I
+/// @param outer spans of theta
+/// @param holds the piece that contains x
+/// @param x ball (length)
+/// @param bits working precision
 [[nodiscard]] Ball outer_integral(const SlopeOverTheta& integral,
                                   const std::vector<quadrature::ThetaSpan>& outer,
                                   std::size_t holds, const Ball& x, long bits);

@@ -9,20 +9,26 @@
 
 namespace edgeproof::contact {
 
-/// The partial slip of a contact of any profile that balls enclose, at one number of bits: the
-/// contact, the solver of its stick zone and the slip in one object. BallSlip defines the signs.
+/// The partial slip of a contact of any profile that balls enclose, at one precision: the contact,
+/// the solver of its stick zone and the slip in one object. BallSlip defines the signs.
 class ProvedSlip {
 public:
-    /// Throws BudgetError or DomainError where this number of bits does not enclose the contact or
-    /// its stick zone. Q must not be zero.
+    /// Throws BudgetError or DomainError if `bits` do not suffice to enclose the contact or its
+    /// stick zone.
+    /// @param profile g'(x)
+    /// @param contact_modulus E* (stress)
+    /// @param load the right edge (length) or the force (force/length)
+    /// @param shear Q (force/length), not zero, and the bulk tension (stress)
+    /// @param friction coefficient of friction
+    /// @param bits working precision
     ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
                const ShearLoad<Ball>& shear, const Ball& friction, long bits);
 
     [[nodiscard]] const BallSlip& slip() const { return *slip_; }
-    /// The contact is not proved to slide, and no edge of the stick zone is proved to lie outside
-    /// the contact.
+    /// True unless the contact is proved to slide or an edge of the stick zone is proved to lie
+    /// outside the contact.
     [[nodiscard]] bool admissible() const;
-    /// q at the distance u from an edge.
+    /// Returns q (stress) at the distance `u` from an edge (length).
     [[nodiscard]] Ball traction(Edge edge, const Ball& u) const {
         return slip_->traction(edge, u, pressure().pressure(edge, u));
     }

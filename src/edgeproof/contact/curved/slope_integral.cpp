@@ -8,7 +8,7 @@
 namespace edgeproof::contact {
 namespace {
 
-/// (g'(s) - T_k(s))/(s - x)^(k+1).
+/// Computes (g'(s) - T_k(s))/(s - x)^(k+1).
 void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeIntegrand& f,
                      bool rooted, slong order, slong bits) {
     const auto terms = static_cast<slong>(f.taylor->size());
@@ -17,7 +17,7 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
     AcbPolyValue g;
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
     if (f.from_right_edge && !rooted) {
-        // s - a = -2 d sin^2(theta/2)
+        // s - a = -2 d sin^2(theta/2).
         acb_mul_2exp_si(r, theta, -1);
         acb_sin(r, r, bits);
         acb_mul(r, r, r, bits);
@@ -46,14 +46,16 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
     }
 }
 
-/// order = 0: an enclosure of the values on a piece of the path, which is real, will do.
-/// Nothing is thrown through Arb: once an interruption is seen, all that is left is zero, and
-/// whoever called it throws.
+/// For order = 0 an enclosure of the values on a piece of the path, which is real, suffices. No
+/// exception may pass through Arb: after an interruption all remaining values are zero, and
+/// `integrate` throws.
 struct Evaluation {
     const SlopeIntegrand& f;
     const quadrature::ThetaSpan& span;
     bool interrupted = false;
 };
+/// Computes the integrand at theta for Arb's integrator (docs/curved-slopes.md, "What is
+/// integrated").
 int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong bits) {
     auto& evaluation = *static_cast<Evaluation*>(parameter);
     const SlopeIntegrand& f = evaluation.f;
@@ -87,7 +89,7 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
         AcbValue gap;
         acb_sub_arb(gap, s, f.x->data(), bits);
         if (f.holds_x && acb_contains_zero(gap) != 0) {
-            // The quotient is a mean of g'' over the way from x to s, which stays in their hull.
+            // The quotient is a mean of g'' between x and s, which stay in their hull.
             AcbValue hull;
             acb_set_arb(hull, f.x->data());
             acb_union(hull, hull, s, bits);
@@ -108,6 +110,7 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
 
 } // namespace
 
+// docs/curved-slopes.md, "What is integrated": the ball of a limit
 Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
     AcbValue from;
     AcbValue to;

@@ -17,7 +17,8 @@ constexpr int most_halvings = 40;
 constexpr std::size_t most_cells = 4000;
 constexpr std::size_t taylor_terms = 6;
 
-/// A function of x and its derivative over an interval of x.
+/// A function of x and its derivative over an interval of x, by the rules of differentiation in
+/// interval arithmetic (moore-kearfott-cloud2009; DLMF 4.7, 4.20, 4.24, 4.34, 4.38).
 struct Rate {
     Interval value;
     Interval rate;
@@ -26,13 +27,13 @@ struct Rate {
 Interval interval_of(long n) { return Interval(Ball(n, Interval::bits)); }
 Interval squared(const Interval& x) { return pow_int(x, 2); }
 
-/// Nothing is known of a function that may jump: where a part of it may have no value, or one that
-/// is not bounded (a pole), whatever bounded function is taken of that.
+/// If a part of f may have no value, or if f is not bounded (a pole), then f may jump. Nothing is
+/// known of such a function, even after a bounded function has been applied to it.
 Rate continuous(bool defined, const Interval& value, const Interval& rate) {
     return defined && value.is_finite() ? Rate{value, rate}
                                         : Rate{Interval::everything(), Interval::everything()};
 }
-/// Between -1 and 1.
+/// True if x lies between -1 and 1.
 bool in_unit(const Interval& x) {
     return (interval_of(1) - x).nowhere_negative() && (interval_of(1) + x).nowhere_negative();
 }
@@ -131,8 +132,8 @@ Sign sign_of(const Ball& x) {
                                              : Sign::open;
 }
 
-/// By the Taylor series of g'' at both ends of the cell and at its middle, the last coefficient of
-/// each being one that holds for all of the cell.
+/// Decides the sign by the Taylor series of g'' at both ends of the cell and at its middle; the
+/// last coefficient of each series is an enclosure over the whole cell.
 Sign sign_by_series(const formula::Expr& slope, const SlopeCell& cell) {
     const std::vector<Ball> all =
         slope_series(slope, Ball::hull(cell.lo, cell.hi), taylor_terms, Interval::bits);
@@ -164,16 +165,16 @@ Sign sign_on(const formula::Expr& slope, const SlopeCell& cell) {
     if (rate.nowhere_negative()) {
         return Sign::rises;
     }
-    // The series is of the points where there is a value, if it is of any.
+    // The series is valid only at points where g' has a value.
     const bool unknown = !rate.lower().is_finite() && !rate.upper().is_finite();
     return unknown ? Sign::open : sign_by_series(slope, cell);
 }
 
-/// From one number to another, both exact, of a slope in the distance from `origin`.
+/// Decides on the interval between two exact numbers, for a slope in the distance from `origin`.
 SlopeMonotonicity monotonicity_between(const formula::Expr& slope, const Ball& origin,
                                        const Ball& lo, const Ball& hi) {
     std::vector<SlopeCell> cells{{lo, hi, 0}};
-    std::optional<Ball> undecided; // a fall may lie beside it
+    std::optional<Ball> undecided; // g' may decrease near this point
     for (std::size_t done = 0; !cells.empty(); ++done) {
         const SlopeCell cell = cells.back();
         cells.pop_back();
@@ -195,7 +196,8 @@ SlopeMonotonicity monotonicity_between(const formula::Expr& slope, const Ball& o
 Ball lower_end(const Ball& x) { return {x.with_bits(Interval::bits).lower(), Interval::bits}; }
 Ball upper_end(const Ball& x) { return {x.with_bits(Interval::bits).upper(), Interval::bits}; }
 
-/// Half of a piece: from a knot, 0 in the variable of the slope, to `end`, on one side of it.
+/// Decides on half of a piece: from a knot, which is 0 in the variable of the slope, to `end`,
+/// which lies on one side of it.
 SlopeMonotonicity monotonicity_from(const formula::Expr& slope, const formula::Exact& knot,
                                     bool right, const Ball& end) {
     const Ball origin = enclosed_constant(knot, Interval::bits);
@@ -203,7 +205,7 @@ SlopeMonotonicity monotonicity_from(const formula::Expr& slope, const formula::E
     const Ball zero(0, Interval::bits);
     if (right ? !certainly_positive(upper_end(distance))
               : !certainly_negative(lower_end(distance))) {
-        return {Sign::rises, {}}; // nothing of the piece is in the contact
+        return {Sign::rises, {}}; // the piece has no part in the contact
     }
     return monotonicity_between(slope_from_knot(slope, knot.expr()), origin,
                                 right ? zero : lower_end(distance),
@@ -224,7 +226,7 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
         const bool ends_left = !certainly_less(left, from);
         const bool ends_right = !certainly_less(to, right);
         if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
-            continue; // a linear piece's rate was decided exactly
+            continue; // the rate of a linear piece was decided exactly
         }
         const Ball middle((from + to) / 2);
         const Ball half(middle.midpoint(), Interval::bits);

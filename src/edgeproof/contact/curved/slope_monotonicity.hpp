@@ -7,24 +7,27 @@
 
 namespace edgeproof::contact {
 
-/// Whether g' rises from one edge to the other: what a contact is incomplete by, and what the
-/// proofs of its edges and of p > 0 rest on.
+/// The answer to the question whether g' increases from one edge to the other. The proofs of the
+/// edges and of p > 0 need this.
 struct SlopeMonotonicity {
     enum class Kind {
-        rises, ///< proved: g' decreases nowhere
-        falls, ///< proved: g' decreases at the point named
+        rises, ///< proved: g' does not decrease anywhere
+        falls, ///< proved: g' decreases at the given point
         open   ///< not decided
     };
     Kind kind = Kind::open;
-    std::optional<Ball> where; ///< a point where g' falls, or where nothing was decided
+    std::optional<Ball> where; ///< a point where g' decreases, or where no decision was possible
 };
 
-/// Whether g' is monotone over [-b, a], by the signs of g'' on cells that are halved: in interval
-/// arithmetic, or by the Taylor series at a cell's end, which decides where g'' touches 0 there.
-/// Corners are not looked at: the maker of the Profile has decided their signs exactly. Balls that
-/// are wide only make the contact longer. Never decided where g'' touches 0 between two knots in
-/// a way that no square shows, or where a function in g' is one that complex_taylor.hpp does not
-/// know.
+/// Decides whether g' is monotone over [-b, a], by the signs of g'' on cells that are bisected
+/// (docs/curved-slopes.md, "The slope must be proved to rise"): in interval arithmetic
+/// (moore-kearfott-cloud2009), or by the Taylor series at an end of a cell, for a g'' that is 0
+/// there. Corners are not examined, because the constructor of the Profile has decided their signs
+/// exactly. A wide ball only makes the contact longer. There is no decision if g'' touches 0
+/// between two knots, unless this is visible as a square, or if g' contains a function that
+/// complex_taylor.hpp does not support.
+/// @param profile g'(x)
+/// @param a,b distances of the edges from the origin (length)
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,
                                                       const Ball& b);
 

@@ -11,16 +11,17 @@
 namespace edgeproof::contact {
 namespace {
 
+/// The number of terms after p_n that are summed near the edge (docs/double-words.md, lemma 8).
 constexpr std::size_t next_terms = 32;
 
-/// A power of two near the reach, in the range of binary64 whatever the reach is.
+/// Returns a power of two near the reach, limited to the range of binary64.
 double unit_of(const BallContact& contact, Edge edge) {
     constexpr int most = 1000;
     const int exponent = std::ilogb(contact.reach(edge).midpoint().convert_to<double>());
     return std::ldexp(1.0, std::clamp(exponent, -most, most));
 }
 
-/// c_k unit^k of k = first, ...
+/// Returns c_k unit^k for k = first, ...
 std::vector<DoubleWord> words_of(const std::vector<Ball>& c, std::size_t first, double unit) {
     std::vector<DoubleWord> words;
     for (std::size_t k = first; k < c.size(); ++k) {
@@ -30,7 +31,8 @@ std::vector<DoubleWord> words_of(const std::vector<Ball>& c, std::size_t first, 
     return words;
 }
 
-/// One that vanishes may be known as little more than that.
+/// True if the coefficients are in range. A coefficient that vanishes may be known only as a small
+/// ball about 0.
 bool in_range(const std::vector<DoubleWord>& c) {
     return std::ranges::all_of(c, [](const DoubleWord& x) {
         return std::isfinite(x.radius) && x.radius < 0x1p200 && std::fabs(x.high) < 0x1p200;
@@ -58,7 +60,8 @@ DoubleWordRelativeError::DoubleWordRelativeError(const Profile& profile, const B
     if (!certainly_positive(rho) || !M.is_finite() || !contact::in_range(next)) {
         return;
     }
-    // |c_k| <= M/rho^k: beyond the 32 terms, for u <= rho/8, M (unit/rho)^n 8^-32 (1 + 1/8 + ...).
+    // Since |c_k| <= M/rho^k, the terms after the 32 are, for u <= rho/8, at most M (unit/rho)^n
+    // 8^-32 (1 + 1/8 + ...) (docs/double-words.md, lemma 8).
     const Ball unit(exact_rational(sum_.unit_), rho.bits());
     const Ball cut = M * 8 / 7 * pow_int(unit / rho, static_cast<long>(n)) /
                      pow_int(Ball(8, rho.bits()), static_cast<long>(next_terms));

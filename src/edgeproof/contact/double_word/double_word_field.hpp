@@ -24,33 +24,37 @@ template <> struct Field<DoubleWord> {
     }
 };
 
-/// v - x of a point v, by its distances from the edges.
+/// v - x for a point v given by its distances from the edges.
 struct DoubleWordMark {
     PreciseWord inset;  ///< a - v
     PreciseWord outset; ///< v + b
+    /// Returns v - x for the place at the distance `u` from an edge.
     [[nodiscard]] DoubleWord offset(Edge edge, const DoubleWord& u) const {
         return edge == Edge::right ? u - inset : outset - u;
     }
 };
 
-/// A place by its distances from both edges.
+/// A place given by its distances from both edges.
 struct DoubleWordPlace {
     DoubleWord right;
     DoubleWord left;
     bool moved = false;
 
+    /// The place at the distance `u` from an edge; `length` is a + b.
     DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
         : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
-    /// Between two points of the contact, the right one first.
+    /// Between two points of the contact, of which the first is the right one.
     DoubleWordPlace(const DoubleWordMark& a, const DoubleWordMark& b, Edge edge,
                     const DoubleWord& u)
         : right(a.offset(edge, u)), left(-b.offset(edge, u)) {}
+    /// True if the place is inside the contact.
     [[nodiscard]] bool inside() const { return right.high > 0 && left.high > 0; }
-    /// Told from both edges.
+    /// True if the place is distinct from both edges.
     [[nodiscard]] bool known() const {
         return double_word::well_known(right) && double_word::well_known(left);
     }
-    /// For a place that may be on an edge or beyond it: on it, or inside.
+    /// Moves a place that may lie on an edge or beyond it to the edge or inside
+    /// (docs/double-words.md, lemma 11).
     void move_inside() {
         moved = true;
         for (DoubleWord* distance : {&right, &left}) {
@@ -60,20 +64,20 @@ struct DoubleWordPlace {
             }
         }
     }
-    /// The root of a number that is 0 on the edges alone.
+    /// Returns the root of a number that is 0 only on the edges.
     [[nodiscard]] DoubleWord root(const DoubleWord& y) const {
         return moved ? sqrt_from_zero(y) : sqrt(y);
     }
 };
 
-/// A place that double words can be asked about, and a thread that rounds to nearest.
+/// True if double words can represent `u` with their bounds, and the thread rounds to nearest.
 [[nodiscard]] inline bool in_double_words(const DoubleWord& u) {
-    // With extra precision in between, sums are not what the bounds are of.
+    // With extended precision of intermediate results the bounds would not hold for the sums.
     return FLT_EVAL_METHOD == 0 && u.high > 0x1p-300 && u.high < 0x1p100 &&
            std::fegetround() == FE_TONEAREST;
 }
-/// Whether no product that a number of a contact goes into overflows or underflows: `most` is
-/// 2^100, of one that values are proportional to 2^200.
+/// True if no product with this number of the contact overflows or underflows. `most`: 2^100, or
+/// 2^200 for factors of the result (docs/double-words.md, "Nothing underflows").
 [[nodiscard]] inline bool in_double_words_as_constant(const DoubleWord& w, double most = 0x1p100) {
     const double size = std::fabs(w.high);
     return w.radius <= size && (w.high == 0 || (size > 1 / most && size < most));
@@ -82,7 +86,7 @@ struct DoubleWordPlace {
     return in_double_words_as_constant(w, 0x1p200);
 }
 
-/// Form::formula, compiled for processors with and without a fused multiply-add.
+/// Form::formula, compiled for processors with and without fused multiply-add.
 template <class Form> struct DoubleWordKernel {
     using Function = DoubleWord (*)(const Form&, Edge, const DoubleWord&);
 

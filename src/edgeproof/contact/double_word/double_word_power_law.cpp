@@ -8,7 +8,8 @@ constexpr long bits = 256;
 constexpr long coefficients = 400;
 constexpr long largest_m = 64;
 
-/// Of 2F1(1, (1 - n)/2; 3/2; y): the quotient of two is (k + (1 - n)/2)/(k + 3/2), below 1.
+/// The coefficients of 2F1(1, (1 - n)/2; 3/2; y) (DLMF 15.2.1). The ratio of two,
+/// (k + (1 - n)/2)/(k + 3/2), is below 1.
 std::vector<Ball> edge_coefficients(const Rational& n) {
     std::vector<Ball> a{Ball(1, bits)};
     for (long k = 0; k + 1 < coefficients; ++k) {
@@ -16,7 +17,8 @@ std::vector<Ball> edge_coefficients(const Rational& n) {
     }
     return a;
 }
-/// beta_k/(n - 2k), at most 2 in size, as beta_k <= 1 and n is 1/2 or 3/2.
+/// The coefficients beta_k/(n - 2k) (DLMF 15.8.4; docs/pressure.md, "Closed form: power laws"), at
+/// most 2 in size, as beta_k <= 1 and n is 1/2 or 3/2.
 std::vector<Ball> apex_coefficients(const Rational& n) {
     std::vector<Ball> a;
     Ball beta(1, bits);
@@ -26,6 +28,7 @@ std::vector<Ball> apex_coefficients(const Rational& n) {
     }
     return a;
 }
+/// C = (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2) (DLMF 15.8.4).
 DoubleWord apex_power(const Rational& n) {
     return to_double_word(sqrt(Ball::pi(bits)) / 2 * gamma(Ball(Rational(-n / 2), bits)) /
                           gamma(Ball(Rational((1 - n) / 2), bits)));

@@ -4,11 +4,11 @@
 namespace edgeproof::contact {
 namespace {
 
-/// Radii are corrected for that many operations in a row.
+/// The bounds hold for this many operations in sequence (docs/double-words.md, lemma 2).
 constexpr std::size_t most_knots = 10'000;
 
-/// Of a knot inwards from an edge: where that is exactly known, it has a radius only if its bits
-/// are more than those of the contact.
+/// Returns the distance of a knot inwards from an edge. An exactly known distance has a radius only
+/// if it needs more bits than the contact has.
 Ball distance_of_knot(const Profile& profile, const BallContact& contact, Edge edge,
                       std::size_t i) {
     const bool right = edge == Edge::right;

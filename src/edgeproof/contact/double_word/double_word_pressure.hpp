@@ -10,37 +10,40 @@
 namespace edgeproof::contact {
 
 /// p in closed form, correctly rounded to binary64: the formulas of a piecewise linear slope
-/// (double_word_slope.hpp) and of power laws of whole and half exponents
-/// (double_word_power_law.hpp) in double words, which carry their bounds. What they do not decide
-/// (docs/pressure.md) is left to balls.
+/// (double_word_slope.hpp) and of power laws with integer and half-integer exponents
+/// (double_word_power_law.hpp) in double words, which carry bounds (docs/double-words.md). Balls
+/// decide the rest.
 ///
-/// Immutable: many threads may use one object.
+/// The object is immutable: many threads may use it.
 class DoubleWordPressure {
 public:
-    /// The precision that a contact should have, so that places beside knots keep their digits.
+    /// The precision that a contact should have, so that places near knots keep their accuracy.
     static constexpr long contact_bits = 192;
 
-    /// Of a contact of such a slope. Numbers of the contact that are not 0 and not between 2^-100
-    /// and 2^100 in size leave every place undecided.
+    /// For a contact with such a slope. If a number of the contact is not 0 and its size is not
+    /// between 2^-100 and 2^100, then every place is undecided.
+    /// @param profile g'(x)
+    /// @param contact the contact in balls
     DoubleWordPressure(const Profile& profile, const BallContact& contact)
         : DoubleWordPressure(profile, contact, contact) {}
-    /// The same with the knots counted from the edges of another zone of the profile, for formula()
-    /// with a place of this contact and the distance from an edge of that zone.
+    /// The same with the distances of the knots measured from the edges of another zone `whole` of
+    /// the profile: formula() then takes a place of `contact` and the distance from an edge of
+    /// `whole`.
     DoubleWordPressure(const Profile& profile, const BallContact& contact,
                        const BallContact& whole);
 
-    /// Whether there is a formula in double words.
+    /// True if there is a formula in double words.
     [[nodiscard]] static bool has_form(const Profile& profile);
 
-    /// p at the distance u from an edge, for every u within its radius; unknown (a radius that is
-    /// not finite) for u outside the contact, beside a corner and closer than the radius tells,
-    /// below 2^-300 or not finite, and in a thread that does not round to nearest. Infinite, and no
-    /// radius, exactly on a corner.
+    /// Returns p (stress) at the distance `u` from an edge (length), for every u within its radius.
+    /// Unknown (a radius that is not finite) for u outside the contact, for u that its radius does
+    /// not separate from a corner, for u below 2^-300 or not finite, and in a thread that does not
+    /// round to nearest. Infinite, without a radius, exactly on a corner.
     [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
         return in_range_ && in_double_words(u) ? kernel_(*this, edge, u) : double_word::unknown();
     }
-    /// The binary64 nearest to p (ties to even) at the distance u, exactly that binary64: proved.
-    /// Nothing where that is not decided.
+    /// Returns the binary64 nearest to p (ties to even) at exactly the distance `u`: proved.
+    /// Nothing where that is undecided.
     [[nodiscard]] std::optional<double> nearest(Edge edge, double u) const {
         return nearest_binary64(at(edge, {u, 0, 0}));
     }
@@ -49,13 +52,14 @@ public:
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
         return formula({length_, edge, u}, edge, u);
     }
-    /// At a place of the contact.
+    /// The same at a place `x` of the contact, which is at the distance `u` from an edge of
+    /// `whole`.
     [[nodiscard]] DoubleWord formula(const DoubleWordPlace& x, Edge edge,
                                      const DoubleWord& u) const {
         return slope() != nullptr ? slope()->pressure(x, edge, u)
                                   : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
     }
-    /// Nothing of a power law.
+    /// Null for a power law.
     [[nodiscard]] const DoubleWordSlope* slope() const {
         return std::get_if<DoubleWordSlope>(&form_);
     }

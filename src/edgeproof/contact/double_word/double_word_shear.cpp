@@ -11,6 +11,7 @@ DoubleWordShear::DoubleWordShear(Form form, bool in_range)
 
 DoubleWordShear DoubleWordShear::full_stick(const BallContact& contact,
                                             const ShearLoad<Ball>& load) {
+    // eqn:Shear_Adhered: Q/pi and sigma_0/8
     const Ball length = contact.a() + contact.b();
     const FullStick form{to_precise_word(length), to_double_word(load.Q / Ball::pi(contact.bits())),
                          to_double_word(load.bulk_tension / 8)};
@@ -39,7 +40,8 @@ DoubleWordShear DoubleWordShear::partial_slip(const Profile& profile, const Ball
     if (contact.piecewise_linear()) {
         form.zones.arc = to_double_word(contact.arc() - zone.arc());
     }
-    // The arcs of a parabola are the same: their difference is known as little more than 0.
+    // The arcs of a parabola are equal, so that their difference may be known only as a small ball
+    // about 0.
     bool in_range = form.pressure.in_range() && form.stick.in_range() &&
                     in_double_words_as_constant(form.friction) &&
                     double_word::most(form.zones.arc) < 0x1p100;

@@ -11,25 +11,28 @@
 
 namespace edgeproof::contact {
 
-/// q, correctly rounded to binary64, in double words as the pressure is: under full stick
-/// (law/shear.hpp), similar to p (Q and P grow together), or in partial slip, f (p - p*)
-/// (slip/ball_slip.hpp); on a corner of the stick zone, where p and p* are infinite, its limit.
-/// Undecided where the ball has to decide. Immutable: many threads may use one object.
+/// q, correctly rounded to binary64, in double words like the pressure: under full stick
+/// (law/shear.hpp), similar to p (Q and P increase together), or in partial slip, f (p - p*)
+/// (slip/ball_slip.hpp). On a corner of the stick zone, where p and p* are infinite, it is the
+/// limit. Undecided values are left to balls. The object is immutable: many threads may
+/// use it.
 class DoubleWordShear {
 public:
+    /// `load`: Q (force/length) and the bulk tension (stress).
     [[nodiscard]] static DoubleWordShear full_stick(const BallContact& contact,
                                                     const ShearLoad<Ball>& load);
     /// `ratio`: Q/P.
     [[nodiscard]] static DoubleWordShear similar(DoubleWordPressure pressure, const Ball& ratio);
-    /// `traction`: f in the direction of Q.
+    /// `stick`: the stick zone (length); `traction`: f in the direction of Q.
     [[nodiscard]] static DoubleWordShear partial_slip(const Profile& profile,
                                                       const BallContact& contact,
                                                       const BallZone& stick, const Ball& traction);
 
-    /// As DoubleWordPressure::at.
+    /// Returns q (stress) at the distance `u` from an edge (length); see DoubleWordPressure::at.
     [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
         return in_range_ && in_double_words(u) ? kernel_(*this, edge, u) : double_word::unknown();
     }
+    /// Returns the binary64 nearest to q at `u`; nothing where that is undecided.
     [[nodiscard]] std::optional<double> nearest(Edge edge, double u) const {
         return nearest_binary64(at(edge, {u, 0, 0}));
     }
@@ -38,7 +41,7 @@ public:
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const;
 
 private:
-    /// A p that may be infinite (on a corner).
+    /// Returns factor times a p that may be infinite (on a corner).
     static DoubleWord times(const DoubleWord& factor, const DoubleWord& p) {
         return std::isinf(p.high) && double_word::well_known(factor)
                    ? DoubleWord{factor.high * p.high, 0, p.radius}
@@ -49,6 +52,7 @@ private:
         DoubleWord Q_over_pi;
         DoubleWord tension; ///< sigma_0/8
 
+        /// eqn:Shear_Adhered, where 2x + b - a is the difference of the distances from the edges.
         [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
             const DoubleWordPlace x(length, edge, u);
             return x.inside() ? (Q_over_pi + tension * (x.left - x.right)) / sqrt(x.right * x.left)
@@ -59,6 +63,7 @@ private:
         DoubleWordPressure pressure;
         DoubleWord ratio;
 
+        /// q = (Q/P) p (docs/shear.md, "P and Q in proportion").
         [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
             return times(ratio, pressure.formula(edge, u));
         }
@@ -67,13 +72,14 @@ private:
         DoubleWordPressure pressure;
         DoubleWordPressure stick; ///< p*
         DoubleWord friction;
-        DoubleWordMark right; ///< of the stick zone's edges
+        DoubleWordMark right; ///< of the edge of the stick zone
         DoubleWordMark left;
         DoubleWordSlip zones;
 
+        /// q = f (p - p*) (docs/partial-slip.md; docs/double-words.md, lemmas 9 to 11).
         [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
             DoubleWordPlace x(right, left, edge, u);
-            if (!x.known()) { // on the stick zone's edge, or that close to it on either side
+            if (!x.known()) { // on the edge of the stick zone, or too close to it to be separated
                 x.move_inside();
                 const DoubleWord inner =
                     x.inside() ? double_word::about_zero(stick.formula(x, edge, u)) : DoubleWord{};
@@ -91,6 +97,7 @@ private:
     };
     using Form = std::variant<FullStick, Similar, Slip>;
 
+    /// `in_range`: the numbers of the contact are in the range of the bounds.
     DoubleWordShear(Form form, bool in_range);
 
     Form form_;

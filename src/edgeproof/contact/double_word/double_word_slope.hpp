@@ -9,7 +9,8 @@
 
 namespace edgeproof::contact {
 
-/// p of a piecewise linear slope: the formula of law/logarithmic_pressure.hpp.
+/// p of a piecewise linear slope by the formula of law/logarithmic_pressure.hpp (docs/pressure.md,
+/// "Closed form: piecewise linear slopes").
 struct DoubleWordSlope {
     struct Knot {
         std::size_t index; ///< in the profile
@@ -19,37 +20,38 @@ struct DoubleWordSlope {
         DoubleWord jump; ///< of g'
         DoubleWord drop; ///< of g''
     };
-    std::vector<Knot> knots; ///< those that count
+    std::vector<Knot> knots; ///< those inside the contact where g' jumps or bends
     DoubleWord arc;
     DoubleWord width; ///< a + b
     DoubleWord factor;
     const LogarithmTable* table;
 
-    /// (v - x) G where v - x is all but 0: G <= ln(1 + 4 D/|v - x|), and r ln(1 + 4 D/r) grows with
-    /// r; D < 2^100.
+    /// (v - x) G where v - x is nearly 0: G <= ln(1 + 4 D/|v - x|), and r ln(1 + 4 D/r) increases
+    /// with r, D < 2^100 (docs/double-words.md, lemma 6).
     static DoubleWord moment_beside(const DoubleWord& offset) {
         const double r = std::fabs(offset.high) + std::fabs(offset.low) + offset.radius;
         return {0, 0, 400 * std::fmax(r, 0x1p-400)};
     }
 
     struct Green {
-        DoubleWord value;
-        DoubleWord moment;
+        DoubleWord value;  ///< G
+        DoubleWord moment; ///< (v - x) G
     };
     static constexpr double smallest_excess = 0x1p-520;
 
-    /// What logarithmic_sum asks of a slope.
+    /// The members that logarithmic_sum requires of a slope.
     [[nodiscard]] bool has_corner(std::size_t i) const { return knots[i].corner; }
     [[nodiscard]] const DoubleWord& jump(std::size_t i) const { return knots[i].jump; }
     [[nodiscard]] const DoubleWord& rate_drop(std::size_t i) const { return knots[i].drop; }
 
+    /// Returns ln(1 + y).
     [[nodiscard]] DoubleWord logarithm(const DoubleWord& y) const {
         if (!double_word::well_known(y) || !(y.high > smallest_excess)) [[unlikely]] {
             return double_word::about_zero(y); // ln(1 + y) <= y
         }
         return log1p(y, *table);
     }
-    /// `offset`: v - x, well known.
+    /// Returns G(x, v) of a knot. `offset`: v - x, not zero within its radius.
     [[nodiscard]] Green green(const Knot& knot, const DoubleWord& offset, const DoubleWordPlace& x,
                               const DoubleWord& w_x) const {
         const DoubleWord excess =
@@ -58,8 +60,10 @@ struct DoubleWordSlope {
         return {G, offset * G};
     }
 
-    /// At a place of the contact, which is u from the edge that the knots are counted from.
-    /// Infinite exactly on a corner.
+    /// Returns p (stress) at a place of the contact; infinite exactly on a corner.
+    /// @param x distances from the edges of the contact (length)
+    /// @param edge,u edge from which the distances of the knots are measured, and the distance
+    /// from it
     [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
                                       const DoubleWord& u) const {
         if (!x.inside()) {

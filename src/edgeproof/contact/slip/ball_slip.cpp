@@ -25,7 +25,8 @@ BallSlip::BallSlip(const ProvedPressure& contact, const ZoneSolver& zones, const
     }
 }
 
-// sigma_0 sgn(Q)/(2 f E*) = (sigma_0/Q) tau P/(2 E*).
+// delta = sigma_0 sgn(Q)/(2 f E*) = (sigma_0/Q) tau P/(2 E*) (docs/partial-slip.md, "The corrective
+// contact").
 Ball BallSlip::tilt_at(const Ball& tau) const {
     return over_Q_ * tau * force_ / (zones_.modulus() * 2);
 }
@@ -34,8 +35,7 @@ BallZone BallSlip::stick_at(const Ball& tau, const BallZone& near) const {
     return zones_.zone(force_ * (1 - tau), tilt_at(tau), near);
 }
 
-// da_s/dtau = -P (1 + pi (sigma_0/Q) D_s/8)/(dP/da): the full-stick traction that is added inside a
-// stick zone D_s goes like s_0 there.
+// da_s/dtau = -P (1 + pi (sigma_0/Q) D_s/8)/(dP/da) (docs/partial-slip.md, "The series").
 Ball BallSlip::rate_between(const BallZone& outer, const BallZone& inner, Edge edge) const {
     const BallZone box{Ball::hull(outer.a, inner.a), Ball::hull(outer.b, inner.b)};
     const Ball turn =
@@ -44,18 +44,21 @@ Ball BallSlip::rate_between(const BallZone& outer, const BallZone& inner, Edge e
     return force_ * share / zones_.values(box).rate(edge);
 }
 
+// d at most reaches the minimum of g' without a tilt, or the other edge of the stick zone
 Ball BallSlip::sizes_to_sliding(const BallZone& from, Edge edge) const {
     const bool upright = over_Q_.is_exact() && contains_zero(over_Q_);
     const Ball innermost = upright ? zones_.core().at(edge) : -from.at(opposite(edge));
     return Ball::hull(whole_.at(edge) - from.at(edge), whole_.at(edge) - innermost);
 }
 
+// |sigma_0/Q| D < 8/pi at this edge (docs/partial-slip.md, "When it holds")
 bool BallSlip::slips_from_the_first(Edge edge) const {
     const Ball turn = Ball::pi(zones_.bits()) * over_Q_ * whole_.length() / 8;
     return certainly_positive(edge == Edge::right ? 1 + turn : 1 - turn);
 }
 
-// F grows with the edge that is free: Newton's method, then signs on both sides.
+// docs/partial-slip.md, "When it holds": F increases with the free edge, which is found by Newton's
+// method and enclosed by the signs on both sides.
 Ball BallSlip::tension_limit(Edge edge) const {
     const Ball P = force_ * (1 - ratio_);
     const auto zone_to = [&](const Ball& other) {
@@ -105,6 +108,7 @@ SlipState BallSlip::state(Edge edge, const Ball& u) const {
                                                                     : SlipState::undecided;
 }
 
+// q = f (p - p*) in the direction of Q (docs/partial-slip.md, "The corrective contact")
 Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
     const SlipState where = state(edge, u);
     if (where == SlipState::slip) {
@@ -114,7 +118,7 @@ Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
     if (where == SlipState::stick) {
         return direction_ * friction_ * (p - zones_.pressure(*stick_, edge, inside));
     }
-    // At an edge of the stick zone, as far as the bits tell: p* is 0 beyond it.
+    // At an edge of the stick zone, as far as the bits decide: p* is 0 beyond it.
     const bool this_edge = contains_zero(inside);
     const Edge there = this_edge ? edge : opposite(edge);
     const Ball depth = clamped(this_edge ? inside : stick_->length() - inside);
@@ -122,6 +126,7 @@ Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
     return direction_ * friction_ * (p - most);
 }
 
+// docs/partial-slip.md, "The series"
 SlipSeries<Ball> BallSlip::series(std::size_t terms) const {
     const long bits = zones_.bits();
     const Ball D = whole_.length();

@@ -12,19 +12,24 @@
 
 namespace edgeproof::contact {
 
-/// Whether a traction is that of a place that sticks or slips.
+/// The state of a place: it sticks or slips.
 enum class SlipState { stick, slip, undecided };
 
-/// Partial slip of a contact in balls, proved (docs/partial-slip.md): P held, then Q and sigma_0
-/// applied so that the stick zone only shrinks. q = f (p - p*) in the direction of Q, p* being the
-/// pressure of the slope g' + sigma_0 sgn(Q)/(2 f E*) under the force P - |Q|/f, whose edges bound
-/// the stick zone. Signs as in shear.hpp.
+/// Partial slip of a contact in balls, proved (docs/partial-slip.md): P is held, then Q and sigma_0
+/// are applied such that the stick zone only shrinks. q = f (p - p*) in the direction of Q, where
+/// p* is the pressure of the slope g' + sigma_0 sgn(Q)/(2 f E*) under the force P - |Q|/f, whose
+/// edges bound the stick zone. Signs as in shear.hpp.
 class BallSlip {
 public:
-    /// Keeps references to the contact and the zones, which are of one precision. `force`: P;
-    /// `stick`: the stick zone, where it is enclosed already. Q must not be zero. Throws
-    /// BudgetError where the bits do not isolate the stick zone; sliding() tells where there is
-    /// none.
+    /// Keeps references to the contact and the zones, which have one precision. Throws BudgetError
+    /// where the bits do not isolate the stick zone. If the contact slides, there is no stick zone:
+    /// see sliding().
+    /// @param contact the contact
+    /// @param zones the solver of its stick zone
+    /// @param force P (force/length)
+    /// @param load Q (force/length), not zero, and sigma_0 (stress)
+    /// @param friction coefficient of friction
+    /// @param stick the stick zone (length), if it is already enclosed
     BallSlip(const ProvedPressure& contact, const ZoneSolver& zones, const Ball& force,
              const ShearLoad<Ball>& load, const Ball& friction,
              const std::optional<BallZone>& stick = {});
@@ -33,33 +38,38 @@ public:
     [[nodiscard]] const Ball& load_ratio() const { return ratio_; }
     [[nodiscard]] const Ball& force() const { return force_; } ///< P
     [[nodiscard]] const Ball& friction() const { return friction_; }
-    /// |Q| >= f P: no zone sticks.
+    /// |Q| >= f P: nothing sticks.
     [[nodiscard]] bool sliding() const { return !stick_; }
     [[nodiscard]] const BallZone& stick() const { return *stick_; }
-    /// d at an edge.
+    /// The size d of the slip zone at an edge (length).
     [[nodiscard]] Ball size(Edge edge) const { return whole_.at(edge) - stick_->at(edge); }
-    /// The stick zone of the load ratio tau, 0 < tau < 1, sigma_0/Q and P being the same.
+    /// Returns the stick zone for the load ratio `tau`, 0 < tau < 1, with the same P and sigma_0/Q;
+    /// the search begins at `near`.
     [[nodiscard]] BallZone stick_at(const Ball& tau, const BallZone& near) const;
     [[nodiscard]] const BallZone& whole() const { return whole_; }
-    /// d's rate by tau over all the stick zones between two of them, the greater one first.
+    /// Returns the derivative of d by tau over all stick zones between two, of which the first is
+    /// the larger one.
     [[nodiscard]] Ball rate_between(const BallZone& outer, const BallZone& inner, Edge edge) const;
-    /// The sizes that a slip zone may have from the stick zone `from` on, up to full sliding.
+    /// Returns the sizes that a slip zone may have from the stick zone `from` up to full sliding.
     [[nodiscard]] Ball sizes_to_sliding(const BallZone& from, Edge edge) const;
-    /// s_0 at the edge is in the direction of Q, so that it slips that way from the first load on:
-    /// then the stick zone shrinks at this edge while Q and sigma_0 grow in proportion.
+    /// True if s_0 at the edge is in the direction of Q, so that the edge slips that way from the
+    /// first load: then the stick zone shrinks at this edge while Q and sigma_0 increase in
+    /// proportion.
     [[nodiscard]] bool slips_from_the_first(Edge edge) const;
-    /// The places beyond which sigma_0 may not lie with this Q: where the stick zone reaches the
-    /// left edge of the contact (from above, for Q > 0) and the right one.
+    /// Returns the limit of sigma_0 (stress) for this Q, at which the stick zone reaches the left
+    /// edge of the contact (the upper limit, for Q > 0) or the right one.
     [[nodiscard]] Ball tension_limit(Edge edge) const;
 
+    /// Returns the state at the distance `u` from an edge of the contact (length).
     [[nodiscard]] SlipState state(Edge edge, const Ball& u) const;
-    /// q at the distance u from an edge, p being the pressure there.
+    /// Returns q (stress) at the distance `u` from an edge (length), where the pressure is `p`.
     [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p) const;
-    /// kappa_1 ... kappa_terms (slip_series.hpp).
+    /// Returns kappa_1 ... kappa_terms (slip_series.hpp).
     [[nodiscard]] SlipSeries<Ball> series(std::size_t terms) const;
     [[nodiscard]] const ZoneSolver& zones() const { return zones_; }
 
 private:
+    /// Returns the tilt (slope) for the load ratio `tau`.
     [[nodiscard]] Ball tilt_at(const Ball& tau) const;
 
     const ProvedPressure& contact_;

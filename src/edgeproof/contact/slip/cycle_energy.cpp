@@ -15,18 +15,19 @@ namespace {
 
 constexpr std::size_t most_energy_panels = 20'000;
 
-/// 8 f^2/(pi E*).
+/// Returns 8 f^2/(pi E*) (docs/partial-slip.md, "The energy of a cycle").
 Ball energy_factor(const BallSlip& slip) {
     const ZoneSolver& zones = slip.zones();
     return slip.friction() * slip.friction() * 8 / (Ball::pi(zones.bits()) * zones.modulus());
 }
 
-/// A contact of the profile under a smaller force.
+/// The contact of the profile with the half-length a, and its force.
 struct Inner {
     Ball a;
     Ball force;
 };
 
+/// The integral of (P - L)(L - L_s) d ln D (docs/partial-slip.md, "The energy of a cycle").
 class CycleIntegral {
 public:
     CycleIntegral(const BallContact& contact, const BallSlip& slip)
@@ -73,22 +74,22 @@ public:
 
 private:
     [[nodiscard]] Inner at(const Ball& a) const { return {a, contact_.between(a, a).force()}; }
-    /// ln of a over a.
+    /// Returns ln(a_to/a_from).
     [[nodiscard]] static Ball stretch(const Inner& from, const Inner& to) {
         return log1p((to.a - from.a) / from.a);
     }
-    /// L grows with the edge.
+    /// Bounds the integral over a panel; L increases with the edge.
     [[nodiscard]] Ball between_ends(const Inner& from, const Inner& to) const {
         const Ball L = Ball::hull(from.force, to.force);
         return clamped(most_ - L) * clamped(L - least_) * clamped(stretch(from, to));
     }
-    /// Nothing where the remainder is not small enough.
+    /// The integral over a panel; nothing if the remainder is not small enough.
     [[nodiscard]] std::optional<Ball> by_taylor(const Inner& from, const Ball& centre,
                                                 const Inner& to) const {
         const Ball lo = from.a - centre;
         const Ball hi = to.a - centre;
-        // The integral of z^k; the last one is of an even power, so that Taylor's remainder is a
-        // value of the last coefficient times it.
+        // The integrals of z^k. The last power is even, so that the remainder is a value of the
+        // last coefficient times its integral (Taylor's theorem and the mean value theorem).
         Ball lo_power = lo;
         Ball hi_power = hi;
         std::vector<Ball> moments;
@@ -108,7 +109,7 @@ private:
         }
         return sum.is_finite() ? std::optional(sum) : std::nullopt;
     }
-    /// (P - L)(L - L_s)/a in powers of what is added to a.
+    /// Returns the Taylor series of (P - L)(L - L_s)/a in a.
     [[nodiscard]] BallSeries integrand(const Ball& a) const {
         const BallContact c = contact_.between(a, a);
         const BallSeries rate = c.total_rate_series(terms_);
@@ -135,7 +136,8 @@ Ball cycle_energy(const BallContact& contact, const BallSlip& slip) {
     return energy_factor(slip) * CycleIntegral(contact, slip).total();
 }
 
-// The integral of (P - L)(L - L_s) dL/L, over P^2: tau - tau^2/2 + (1 - tau) ln(1 - tau).
+// The integral of (P - L)(L - L_s) dL/L, divided by P^2: tau - tau^2/2 + (1 - tau) ln(1 - tau)
+// (docs/partial-slip.md, "The energy of a cycle").
 Ball similar_cycle_energy(const BallSlip& slip, const Ball& power) {
     const Ball& tau = slip.load_ratio();
     const Ball part = tau - tau * tau / 2 + (1 - tau) * log1p(-tau);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr long scan_bits_of_slip = 160;
 constexpr int most_scans = 4;
-constexpr int narrowest_step = 44; ///< bits to which load ratios are told apart
+constexpr int narrowest_step = 44; ///< bits to which load ratios are distinguished
 constexpr int nearest_to_zero = 400;
 constexpr int nearest_to_sliding = 60;
 
@@ -31,7 +31,8 @@ struct SlipReachSearch::Place {
     Ball d;
 };
 
-/// E = d_n/d - 1 of a slip at one number of bits.
+/// E = d_n/d - 1 of a slip at one precision (docs/partial-slip.md, "How far n terms are good:
+/// proved").
 class SlipReachSearch::Error {
 public:
     Error(const BallSlip& slip, Edge edge, std::size_t n, const formula::Exact& tolerance)
@@ -59,6 +60,7 @@ public:
         p.d = slip_.whole().at(edge_) - p.zone.at(edge_);
         return p;
     }
+    /// d_n.
     [[nodiscard]] Ball terms(const Ball& tau) const { return slip_sum(kappa_, n_, tau); }
     /// d_n/tau.
     [[nodiscard]] Ball terms_over(const Ball& tau) const {
@@ -68,6 +70,7 @@ public:
         }
         return sum;
     }
+    /// d_n'.
     [[nodiscard]] Ball terms_rate(const Ball& tau) const {
         Ball sum = kappa_[n_ - 1] * static_cast<long>(n_);
         for (std::size_t k = n_ - 1; k-- > 0;) {
@@ -76,8 +79,9 @@ public:
         return sum;
     }
     [[nodiscard]] Ball at(const Place& p) const { return terms(ball(p.tau)) / p.d - 1; }
-    /// E' over the load ratios between two places, as far as |E| is at most twice the tolerance
-    /// there: d_n/d is 1 + E, which that bounds better than enclosures of both over a long way.
+    /// Encloses E' = (d_n' - (1 + E) d')/d over the load ratios between two places, if |E| is at
+    /// most twice the tolerance there: over a long interval that bounds d_n/d = 1 + E better than
+    /// enclosures of both.
     [[nodiscard]] Ball rate(const Place& lo, const Place& hi) const {
         const Ball tau = hull(lo.tau, hi.tau);
         const Ball d = Ball::hull(lo.d, hi.d);
@@ -91,7 +95,7 @@ public:
     [[nodiscard]] bool within(const Ball& E) const {
         return E.is_finite() && certainly_less(abs(E), tolerance_);
     }
-    /// 1: above the tolerance, -1: below minus it, 0: neither is certain.
+    /// 1: above the tolerance, -1: below minus the tolerance, 0: neither is certain.
     [[nodiscard]] int beyond(const Ball& E) const {
         return certainly_less(tolerance_, E) ? 1 : certainly_less(E, -tolerance_) ? -1 : 0;
     }
@@ -120,9 +124,9 @@ void SlipReachSearch::count(std::size_t cost) {
     }
 }
 
-/// d/tau is a mean of d's rate over the way from 0.
 bool SlipReachSearch::within_from_the_start(const Error& f, const Rational& tau) const {
     const Place p = f.place(tau, f.slip().whole());
+    // d/tau is a mean of d' between 0 and tau.
     const Ball mean = f.slip().rate_between(f.slip().whole(), p.zone, edge_);
     return f.within(f.terms_over(f.hull(Rational(0), tau)) / mean - 1);
 }
@@ -144,7 +148,7 @@ void SlipReachSearch::scan() {
                 }
             }
             Place lo = f.place(tau, f.slip().whole());
-            Rational step(1, 4); // of lo, at first
+            Rational step(1, 4); // relative to lo, at first
             const Rational last = 1 - two_to_the_minus(nearest_to_sliding);
             for (;;) {
                 count(f.cost());
@@ -158,14 +162,14 @@ void SlipReachSearch::scan() {
                 }
                 Rational next = lo.tau * (1 + step);
                 next = exact_value(f.ball(next).with_bits(64).midpoint());
-                // Towards 1 by halves of what is left.
+                // A step towards 1 is at most half of the remaining distance.
                 const Rational nearer = (lo.tau + 1) / 2;
                 const Rational to = std::min(next, nearer);
                 const Place hi = f.place(to, lo.zone);
                 const Ball at_lo = f.at(lo);
                 const Ball at_hi = f.at(hi);
-                // Until E has left the tolerance its rate is in this ball; while it is within twice
-                // the tolerance, too, so that with a rate of one sign it does not come back.
+                // The rate of E is in this ball until E has left the tolerance, and while E is
+                // within twice the tolerance. With a rate of one sign E therefore does not return.
                 const Ball rate = f.rate(lo, hi);
                 const bool monotone = rate.is_finite() && !contains_zero(rate);
                 const Ball over =

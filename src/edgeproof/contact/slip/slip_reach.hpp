@@ -13,23 +13,28 @@
 
 namespace edgeproof::contact {
 
-/// The load ratio |Q|/(f P) up to which the first n terms of a slip zone's size stay within a
-/// tolerance of it.
+/// The load ratio |Q|/(f P) up to which the first n terms of the size of a slip zone stay within a
+/// tolerance.
 struct EnclosedReach {
-    Ball ratio;         ///< 1 where they do so up to full sliding
-    bool leaves = true; ///< false: up to full sliding
+    Ball ratio;         ///< 1 if they do so up to full sliding
+    bool leaves = true; ///< false: within the tolerance up to full sliding
 };
 
-/// Finds that load ratio, and proves that there is no earlier one (docs/partial-slip.md): from 0 on
-/// every load ratio lies in an interval over which |d_n/d - 1| is below the tolerance, up to one in
-/// which d_n/d is monotone and passes it. P and sigma_0/Q are held.
+/// Finds that load ratio, and proves that there is no smaller one (docs/partial-slip.md, "How far n
+/// terms are good: proved"): every load ratio from 0 on lies in an interval over which |d_n/d - 1|
+/// is below the tolerance, up to one in which d_n/d is monotone and leaves it. P and sigma_0/Q are
+/// held.
 class SlipReachSearch {
 public:
-    /// The slip at so many bits; lives as long as the search.
+    /// Returns the slip at a precision of `bits`; the result lives as long as the search.
     using Slip = std::function<const BallSlip&(long bits)>;
-    /// d_n of n terms at an edge which slips from the first load on.
+    /// For an edge that slips from the first load.
+    /// @param slip the slip
+    /// @param edge the edge
+    /// @param n number of terms
+    /// @param tolerance relative tolerance
     SlipReachSearch(Slip slip, Edge edge, std::size_t n, formula::Exact tolerance);
-    /// Throws BudgetError where it is not decided within the budget, or by so few bits.
+    /// Throws BudgetError where the budget or `bits` do not suffice.
     [[nodiscard]] EnclosedReach at(long bits);
 
     static constexpr std::size_t most_zones = 20'000;
@@ -38,8 +43,11 @@ public:
 private:
     struct Place;
     class Error;
+    /// Finds an interval in which the tolerance is left, or proves that there is none.
     void scan();
+    /// True if the error is proved to be within the tolerance from 0 to `tau`.
     [[nodiscard]] bool within_from_the_start(const Error& f, const Rational& tau) const;
+    /// Counts `cost` stick zones; throws BudgetError when the budget is used up.
     void count(std::size_t cost);
 
     Slip slip_;
@@ -49,9 +57,9 @@ private:
     std::size_t zones_ = 0;
     bool scanned_ = false;
     bool leaves_ = true;
-    int side_ = 1; ///< of the tolerance that is passed
-    Rational lo_;  ///< within up to here
-    Rational hi_;  ///< beyond here, d_n/d being monotone from lo on
+    int side_ = 1; ///< 1: the upper limit of the tolerance is crossed; -1: the lower one
+    Rational lo_;  ///< within the tolerance up to here
+    Rational hi_;  ///< beyond the tolerance here; d_n/d is monotone from lo_
 };
 
 } // namespace edgeproof::contact

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_zone_steps = 400;
 constexpr int most_growing_steps = 60;
-constexpr long bits_of_a_zone_step = 12; ///< left over when Newton's steps have converged
+constexpr long bits_of_a_zone_step = 12; ///< bits lost when Newton's steps have converged
 
 Ball middle_of(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
@@ -19,7 +19,7 @@ Ball two_to_minus(long bits, long working) {
     return {Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits))), working};
 }
 
-/// (E*/4) times the integral of (g' + tilt)/w.
+/// Returns (E*/4) times the integral of (g' + tilt)/w (docs/partial-slip.md, "Enclosed").
 Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
     return zones.modulus() * Ball::pi(zones.bits()) / 4 * (v.mean_slope + tilt);
 }
@@ -45,7 +45,7 @@ private:
     BallContact contact_;
 };
 
-/// P = K a^(m + 1).
+/// P = K a^(m + 1) (docs/mechanics.md, "Closed forms of the law").
 class PowerLawZones : public ZoneSolver {
 public:
     explicit PowerLawZones(const BallContact& contact)
@@ -55,6 +55,7 @@ public:
     [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const Ball part = zone.a / contact_.a();
+        // dP/da = P'(a) (zone.a/a)^m.
         const Ball rate = rate_ * pow(part, power_ - 1);
         return {force_ * pow(part, power_), Ball(0, bits()), rate, rate};
     }
@@ -87,6 +88,8 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
     for (int k = 0; k < most_zone_steps; ++k) {
         const Ball D = at.length();
         const ZoneValues v = values(at);
+        // Newton's step: G_+- = F - P +- D turn have the rates right_rate by a and left_rate by b
+        // alone (docs/partial-slip.md, "The corrective contact").
         const Ball missing = v.force - P;
         const Ball turn = D * turn_of(*this, v, turned);
         Ball da = middle_of((missing + turn) / v.right_rate);
@@ -100,12 +103,13 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
                 at = {middle_of(at.a - inwards), middle_of(at.b - inwards)};
                 continue;
             }
-            // The step went past what carries the zone, such as the one corner of a wedge.
+            // The step went beyond the knots that carry the zone, such as the one corner of a
+            // wedge.
             at = {middle_of((at.a + last->a) / 2), middle_of((at.b + last->b) / 2)};
             continue;
         }
         last = at;
-        // A step takes away less than all of the zone.
+        // A step removes less than the whole zone.
         const Ball limit = D * Ball(Rational(7, 16), bits());
         const Ball most = max(abs(da), abs(db));
         if (certainly_less(limit, most)) {
@@ -130,10 +134,10 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
     throw BudgetError("no stick zone was found at " + std::to_string(bits()) + " bits");
 }
 
-// Interval Newton, edge by edge: where the image of a box lies inside it, it holds one zone and no
-// other (moore-kearfott-cloud2009). The sum and the difference of F - P and D turn_of have the
-// rates (dP/da + turn, turn) and (-turn, dP/db - turn), and turn is 0 at the zone: there is no
-// matrix to invert.
+// Interval Newton, edge by edge: where the image of a box lies inside it, the box contains exactly
+// one zone (moore-kearfott-cloud2009). The sum and the difference of F - P and D turn_of have the
+// derivatives (dP/da + turn, turn) and (-turn, dP/db - turn), where turn is 0 at the zone: no
+// matrix is inverted (docs/partial-slip.md, "The corrective contact").
 BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& near) const {
     const BallZone m = search(force, tilt, near);
     const ZoneValues at = values(m);

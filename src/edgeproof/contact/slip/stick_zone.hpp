@@ -17,13 +17,14 @@ struct BallZone {
     [[nodiscard]] const Ball& at(Edge edge) const { return edge == Edge::right ? a : b; }
 };
 
-/// What a zone of the profile takes to be a contact.
+/// The integrals that decide which zone of the profile is a contact (docs/partial-slip.md, "The
+/// corrective contact").
 struct ZoneValues {
     Ball force;      ///< F = (E*/2) integral of w dg'
-    Ball mean_slope; ///< (1/pi) integral of g'/w ds: less the tilt
-    /// E*/2 times the integral of sqrt((v+b)/(a-v)) dg' (right), or of its inverse (left): dP/da,
-    /// dP/db along the contacts of one tilt. Of a wide zone they hold those of all in it; not
-    /// finite where an edge may be on a corner.
+    Ball mean_slope; ///< (1/pi) integral of g'/w ds: minus the tilt
+    /// E*/2 times the integral of sqrt((v+b)/(a-v)) dg' (right) or of its inverse (left): dP/da and
+    /// dP/db along the contacts of one tilt (docs/mechanics.md). For a wide zone they enclose the
+    /// values of all zones in it; not finite if an edge may lie on a corner.
     Ball right_rate;
     Ball left_rate;
     [[nodiscard]] const Ball& rate(Edge edge) const {
@@ -31,9 +32,10 @@ struct ZoneValues {
     }
 };
 
-/// The contacts of the slopes g' + tilt under any force, in balls: they bound the stick zone of a
-/// partial slip (docs/partial-slip.md). The zone of a force P and a tilt solves F = P and mean
-/// slope = -tilt; there is one at most, as F and the mean slope are monotone in a and in b.
+/// The contacts of the slopes g' + tilt under any force, in balls: they bound the stick zone in
+/// partial slip (docs/partial-slip.md, "The corrective contact"). The zone for a force P and a tilt
+/// solves F = P and mean slope = -tilt. There is at most one, because F and the mean slope are
+/// monotone in a and in b.
 class ZoneSolver {
 public:
     ZoneSolver() = default;
@@ -44,23 +46,30 @@ public:
     ZoneSolver& operator=(ZoneSolver&&) = delete;
 
     [[nodiscard]] virtual long bits() const = 0;
+    /// E* (stress).
     [[nodiscard]] virtual const Ball& modulus() const = 0;
+    /// Returns the integrals over `zone` (length).
     [[nodiscard]] virtual ZoneValues values(const BallZone& zone) const = 0;
-    /// The pressure of that contact at the distance u inwards from an edge of the zone.
+    /// Returns the pressure (stress) of that contact at the distance `u` inwards from an edge of
+    /// the zone (length).
     [[nodiscard]] virtual Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const = 0;
-    /// Of a force and a tilt, proved; `near`: where the search begins, a zone that holds it. Throws
-    /// BudgetError where the bits do not isolate it (or an edge is on a corner).
+    /// Returns the zone for a force and a tilt, proved. Throws BudgetError where the bits do not
+    /// isolate it (or an edge is on a corner).
+    /// @param force force/length
+    /// @param tilt slope
+    /// @param near a zone that contains it, from which the search begins
     [[nodiscard]] virtual BallZone zone(const Ball& force, const Ball& tilt,
                                         const BallZone& near) const;
-    /// Newton's method on midpoints, which proves nothing.
+    /// Finds the zone by Newton's method on midpoints, which proves nothing.
     [[nodiscard]] BallZone search(const Ball& force, const Ball& tilt, const BallZone& near) const;
-    /// The minimum of g', which every stick zone without a tilt holds.
+    /// The minimum of g', which every stick zone without a tilt contains.
     [[nodiscard]] virtual BallZone core() const { return {Ball(0, bits()), Ball(0, bits())}; }
-    /// As ProvedPressure::cost.
+    /// See ProvedPressure::cost.
     [[nodiscard]] virtual std::size_t cost() const { return 1; }
 };
 
-/// Piecewise linear slopes, and power laws without a tilt, in closed form.
+/// Returns the solver for piecewise linear slopes, or for power laws without a tilt, in closed
+/// form.
 [[nodiscard]] std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact);
 
 } // namespace edgeproof::contact

@@ -12,7 +12,7 @@ namespace {
 
 using OfSeries = void (*)(acb_poly_struct*, const acb_poly_struct*, slong, slong);
 
-/// Arb's function of a series, where its values are right at every complex number.
+/// Returns Arb's function of a series, if its values are correct at every complex number.
 OfSeries function_of_series(Builtin f) {
     switch (f) {
     case Builtin::exp:
@@ -36,7 +36,7 @@ OfSeries function_of_series(Builtin f) {
 
 using Inverse = void (*)(acb_struct*, const acb_struct*, slong);
 
-/// Arb's value of a function that inverse() expands.
+/// Returns Arb's function for the values of a function that inverse() expands.
 Inverse inverse_function(Builtin f) {
     switch (f) {
     case Builtin::asin:
@@ -124,7 +124,7 @@ private:
             acb_poly_set_coeff_acb(r, k, z);
         }
     }
-    /// The constant term may lie on (-inf, 0].
+    /// True if the constant term may lie on (-inf, 0].
     static bool meets_cut(acb_poly_struct* x) {
         AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
@@ -158,7 +158,8 @@ private:
         acb_poly_mullow(x, x, y, terms_, bits_);
         acb_poly_exp_series(r, x, terms_, bits_);
     }
-    /// x^q from what |x| is at most: binomial(q, k) x^(q - k), as long as q > k.
+    /// x^q for a real ball that contains 0: bounds binomial(q, k) x^(q - k) (DLMF 4.6.7) for q > k
+    /// by an upper bound of |x|.
     void power_beside_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
         AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
@@ -217,8 +218,8 @@ private:
             }
         }
     }
-    /// The functions whose derivative is +-1/(1 +- x^2), or its root: off their cuts, which lie
-    /// where what the root is taken of is in (-inf, 0].
+    /// The functions whose derivative is +-1/(1 +- x^2) or +-1/sqrt(1 +- x^2) (DLMF 4.24(ii),
+    /// 4.38(ii)), away from their branch cuts, which lie where 1 +- x^2 is in (-inf, 0].
     void inverse(acb_poly_struct* r, acb_poly_struct* x, Builtin f) const {
         const bool hyperbola = f == Builtin::asinh || f == Builtin::atan;
         const bool rational = f == Builtin::atan || f == Builtin::atanh;
@@ -242,7 +243,8 @@ private:
         AcbPolyValue rate;
         acb_poly_derivative(rate, x, bits_);
         if (f == Builtin::acosh) {
-            // 1/(sqrt(x - 1) sqrt(x + 1)): one root of the product has a cut elsewhere.
+            // 1/(sqrt(x - 1) sqrt(x + 1)): the single root of the product has a different branch
+            // cut.
             AcbPolyValue less;
             AcbPolyValue more;
             acb_poly_sub(less, x, one, bits_);
@@ -262,8 +264,9 @@ private:
         acb_poly_set_coeff_acb(r, 0, z);
         acb_poly_truncate(r, terms_);
     }
-    /// f over the box z, on which it is holomorphic with the rate 1/slowness: Arb's functions of a
-    /// wide box may subtract what hardly differs, sqrt(1 + z^2) - z.
+    /// Encloses f over the box z by the mean value theorem; f is holomorphic on z with the
+    /// derivative 1/slowness. Arb's functions of a wide box may subtract nearly equal numbers, as
+    /// in sqrt(1 + z^2) - z.
     void mean_value(acb_t z, const acb_poly_struct* slowness, Builtin f) const {
         AcbValue middle;
         AcbValue rate;

@@ -14,8 +14,8 @@
 
 namespace edgeproof::formula {
 
-/// Numbers of T out of exact ones, at the working precision. Throws DomainError for a number that
-/// overflows T, or that T would take for zero.
+/// Converts an exact number to T, at the working precision. Throws DomainError for a number that
+/// overflows in T or becomes zero.
 template <Arithmetic T> [[nodiscard]] T number_of(const Rational& q) {
     const T x = from_rational<T>(q);
     if ((x == 0 && q != 0) || x - x != 0) {
@@ -24,7 +24,7 @@ template <Arithmetic T> [[nodiscard]] T number_of(const Rational& q) {
     return x;
 }
 
-/// An environment that holds the values of names, and the functions that are not built in.
+/// An environment with the values of names, and with functions that are not built in.
 template <Arithmetic T> class Values {
 public:
     using Function = std::function<T(std::span<const T>)>;

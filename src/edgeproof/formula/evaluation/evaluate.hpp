@@ -14,15 +14,14 @@
 
 namespace edgeproof::formula {
 
-/// What an evaluation in T needs to know:
-///   T number(const Rational&) const        a number, and what rational parts come to
+/// The requirements of an evaluation in T on its environment:
+///   T number(const Rational&) const        a number, or the value of a rational part
 ///   T pi() const
-///   T symbol(std::string_view) const       throws for a name it does not know
-/// and, if the formula has them,
+///   T symbol(std::string_view) const       throws for an unknown name
+/// and, if the formula contains them,
 ///   T call(const Expr& node, std::span<const T> args) const      functions that are not built in
 ///   T binder(const Expr& node, const Scope& scope) const         integral, pv and sum: a template
-/// in `Scope`, which is an environment again; `with_symbol` adds the bound
-/// variable to it.
+/// in `Scope`, which is an environment, too; `with_symbol` adds the bound variable to it.
 template <class Env, class T>
 concept EnvironmentOf = requires(const Env& env, const Rational& q, std::string_view name) {
     { env.number(q) } -> std::convertible_to<T>;
@@ -32,7 +31,7 @@ concept EnvironmentOf = requires(const Env& env, const Rational& q, std::string_
 
 template <class T, class Env> [[nodiscard]] T evaluate(const Expr& e, const Env& env);
 
-/// An environment with one more name, which hides an equal name further out.
+/// An environment with one more name, which hides an equal name of an outer scope.
 template <class T, class Env> class Scoped {
 public:
     Scoped(const Env& env, const Scoped* outer, std::string_view name, const T& value)
@@ -65,7 +64,7 @@ private:
     const T& value_;
 };
 
-/// `scope` with `name` = `value`; refers to all three, which must outlive it.
+/// Returns `scope` with `name` = `value`. The result refers to all three, which must live longer.
 template <class T, class Env>
 [[nodiscard]] Scoped<T, Env> with_symbol(const Env& scope, std::string_view name, const T& value) {
     return Scoped<T, Env>(scope, nullptr, name, value);
@@ -76,18 +75,18 @@ template <class T, class Env>
     return Scoped<T, Env>(scope.base(), &scope, name, value);
 }
 
-/// What to say of a DomainError in a formula: also the part in which it happened.
+/// Returns the message of a DomainError in a formula together with the part in which it occurred.
 [[nodiscard]] std::string inside(const std::string& what, const Expr& part);
 
-/// The sum over k = lo ... hi of node's first argument, for bounds that are exact integers.
-/// Throws DomainError for bounds that are not integers, BudgetError for more than 100,000 terms.
+/// Returns the bounds lo and hi of a sum, which must be exact integers. Throws DomainError for
+/// other bounds, BudgetError for more than 100,000 terms.
 [[nodiscard]] std::pair<long, long> sum_bounds(const Expr& node);
 
 template <class T, class Env> [[nodiscard]] T evaluate_sum(const Expr& node, const Env& env) {
     const auto [lo, hi] = sum_bounds(node);
     T total = env.number(Rational(0));
     for (long k = lo; k <= hi; ++k) {
-        // Put in as an exact number, so that an exponent k stays an integer.
+        // k is substituted as an exact number, so that an exponent k remains an integer.
         const Expr term = substitute(node.arg(0), node.arg(1).name(), Expr::number(Rational(k)));
         total = T(total + evaluate<T>(term, env));
     }
@@ -96,7 +95,7 @@ template <class T, class Env> [[nodiscard]] T evaluate_sum(const Expr& node, con
 
 namespace detail {
 
-/// operation(), whose DomainError then names `part`.
+/// Calls operation(); the message of its DomainError then names `part`.
 template <class Operation> auto in_part(const Expr& part, const Operation& operation) {
     try {
         return operation();
@@ -171,9 +170,9 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
 
 } // namespace detail
 
-/// The value of e. Parts that come to a rational are exact until `env.number` rounds them once.
-/// Throws DomainError where e is undefined (the message names the part), and Error for a function
-/// or binder that neither T nor env has.
+/// Returns the value of e. Rational parts are exact until `env.number` rounds them once. Throws
+/// DomainError where e is undefined (the message names the part), and Error for a function or
+/// binder that neither T nor env defines.
 template <class T, class Env> T evaluate(const Expr& e, const Env& env) {
     static_assert(EnvironmentOf<Env, T>);
     check_interruption();

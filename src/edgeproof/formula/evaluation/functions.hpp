@@ -10,16 +10,16 @@
 #include <span>
 #include <string>
 
-/// The built-in functions for any type of number. The four arithmetics have them all, with their
-/// domains checked (real_functions.hpp). Any other type (a ball, a series, a divided difference)
-/// brings those that it has, found by argument-dependent lookup; a formula that needs one that the
-/// type does not have throws Error when it is evaluated.
+/// The built-in functions for any number type. The four types of Arithmetic have all of them, with
+/// checked domains (real_functions.hpp). Any other type (a ball, a series, a divided difference)
+/// defines those that it has, which are found by argument-dependent lookup; a formula with a
+/// function that the type lacks throws Error when it is evaluated.
 namespace edgeproof::formula::detail {
 
 namespace adl {
 
-// Deleted so that lookup stops here and finds functions through their arguments only: the global
-// `gamma(double)` of <math.h>, for one, is the logarithm of another function.
+// Deleted, so that lookup stops here and finds functions only through their arguments. The global
+// `gamma(double)` of <math.h>, for example, is the logarithm of the gamma function.
 void sqrt() = delete;
 void exp() = delete;
 void log() = delete;
@@ -193,6 +193,7 @@ template <class T> [[nodiscard]] T call(Builtin f, std::span<const T> x) {
     missing(f);
 }
 
+/// Returns x^n; `one` is 1 of the type.
 template <class T> [[nodiscard]] T integer_power(const T& x, long n, const T& one) {
     if constexpr (requires { T(pow_int(x, n)); }) {
         return T(pow_int(x, n));
@@ -242,7 +243,7 @@ template <class T, class Env>
 
 } // namespace adl
 
-/// The value of built-in function f of x.size() arguments. Throws DomainError outside its domain.
+/// Returns the value of a built-in function. Throws DomainError outside its domain.
 template <class T> [[nodiscard]] T call_builtin(Builtin f, std::span<const T> x) {
     if constexpr (Arithmetic<T>) {
         return real_call<T>(f, x);
@@ -251,8 +252,8 @@ template <class T> [[nodiscard]] T call_builtin(Builtin f, std::span<const T> x)
     }
 }
 
-/// x^q for an exact q: an integer power by multiplication, a half-integer one through the square
-/// root, any other by the power function of T. `env.number` makes a T of a rational.
+/// Returns x^q for an exact q: integer powers by multiplication, half-integer powers through the
+/// square root, others by the power function of T. `env.number` converts a rational to T.
 template <class T, class Env> [[nodiscard]] T power(const T& x, const Rational& q, const Env& env) {
     if constexpr (Arithmetic<T>) {
         return real_power(x, q);
@@ -261,7 +262,7 @@ template <class T, class Env> [[nodiscard]] T power(const T& x, const Rational& 
     }
 }
 
-/// x^y. For the four arithmetics 0^0 is 1.
+/// Returns x^y. For the four types of Arithmetic 0^0 is 1.
 template <class T> [[nodiscard]] T power(const T& x, const T& y) {
     if constexpr (Arithmetic<T>) {
         return real_power(x, y);
@@ -270,7 +271,7 @@ template <class T> [[nodiscard]] T power(const T& x, const T& y) {
     }
 }
 
-/// x / y; for the four arithmetics a DomainError if y is zero.
+/// Returns x/y. Throws DomainError if y is zero, for the four types of Arithmetic.
 template <class T> [[nodiscard]] T quotient(const T& x, const T& y) {
     if constexpr (Arithmetic<T>) {
         if (y == 0) {

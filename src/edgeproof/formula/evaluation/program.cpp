@@ -31,7 +31,7 @@ Program::Op op_of(const Expr& e) {
     }
 }
 
-/// True if nothing in e depends on where it is evaluated.
+/// True if the value of e does not depend on the symbols or on the environment.
 bool is_constant(const Expr& e) {
     return e.kind() != Expr::Kind::symbol && !e.is_binder() &&
            !(e.kind() == Expr::Kind::call && e.builtin() == Builtin::none) &&
@@ -47,7 +47,7 @@ public:
             known_.emplace(Expr::symbol(program_.symbols_[i]), Slot{Slot::input, i});
         }
         const Slot result = compile(e);
-        // Only now is it known how many constants stand before the results.
+        // The number of constants, which precede the results, is known only now.
         for (const Slot& s : operands_) {
             program_.operands_.push_back(resolve(s));
         }

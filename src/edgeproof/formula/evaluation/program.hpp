@@ -11,16 +11,16 @@
 
 namespace edgeproof::formula {
 
-/// An expression compiled once for a fixed order of its symbols, to be run at many points. Equal
-/// parts are computed once, parts without symbols never (they are constants, prepared once for
-/// each precision), sums with constant bounds are written out. Immutable and thread-safe.
+/// An expression compiled once for a fixed order of its symbols, for evaluation at many points.
+/// Equal parts are computed once; parts without symbols are constants, computed once for each
+/// precision; sums with constant bounds are expanded. Immutable and thread-safe.
 class Program {
 public:
     enum class Op { neg, add, sub, mul, div, pow, call, extern_call, binder };
 
-    /// One step; it writes the slot `symbols + constants + own index`, and reads the slots that
-    /// stand at `first ... first + count - 1` of the operand list. A power to a rational exponent
-    /// reads the number 1 as well.
+    /// One step. It writes the slot `symbols + constants + own index`, and reads the slots listed
+    /// at `first ... first + count - 1` of the operand list. A power with a rational exponent also
+    /// reads the number 1.
     struct Step {
         Op op;
         std::size_t first;
@@ -33,7 +33,7 @@ public:
     Program(const Expr& e, std::vector<std::string> symbols);
 
     [[nodiscard]] const std::vector<std::string>& symbols() const { return symbols_; }
-    /// Expressions without symbols, whose values `run` wants.
+    /// The expressions without symbols, whose values `run` needs.
     [[nodiscard]] const std::vector<Expr>& constants() const { return constants_; }
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
     [[nodiscard]] const std::vector<std::size_t>& operands() const { return operands_; }
@@ -63,13 +63,17 @@ template <Arithmetic T> [[nodiscard]] std::vector<T> constants_of(const Program&
     return constants_of<T>(program, Values<T>{});
 }
 
-/// What `run` needs for functions that are not built in and for integrals, where there are any:
+/// The requirements of `run` for functions that are not built in and for integrals, if there are
+/// any:
 ///   T call(const Expr& node, std::span<const T> args) const
 ///   T binder(const Expr& node, std::span<const T> symbols) const    symbols in the program's order
 struct NoExternals {};
 
-/// The value of a program. `symbols` in the order given to it, `constants` from `constants_of`.
-/// Throws as `evaluate` does.
+/// Returns the value of a program; throws like `evaluate`.
+/// @param program the program
+/// @param symbols values in the order of program.symbols()
+/// @param constants result of `constants_of`
+/// @param externals functions that are not built in, and integrals
 template <class T, class Externals = NoExternals>
 [[nodiscard]] T run(const Program& program, std::span<const T> symbols,
                     const std::vector<T>& constants, const Externals& externals = {}) {
@@ -85,7 +89,7 @@ template <class T, class Externals = NoExternals>
                : i < input_count ? constants[i - symbol_count]
                                  : results[i - input_count];
     };
-    // All that a power to a rational exponent asks for: the exponent, and the number 1.
+    // The requirements of a power with a rational exponent: the exponent, and the number 1.
     struct PowerConstants {
         const T& exponent;
         const T& one;

@@ -17,12 +17,12 @@ namespace {
     throw DomainError(std::string(name_of(f)) + " of a number that is " + domain);
 }
 
-// --- Real: MPFR's own functions, each correctly rounded
+// --- Real: MPFR's functions, each correctly rounded
 
 using UnaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 using BinaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// A new Real that carries at least the digits of x.
+/// Returns a new Real with at least the digits of x.
 Real as_wide_as(const Real& x) {
     Real y;
     if (mpfr_get_prec(y.backend().data()) < mpfr_get_prec(x.backend().data())) {
@@ -202,7 +202,7 @@ template <class T> void check_domain(Builtin f, std::span<const T> x) {
 
 template <class T> T sign_of(const T& x) { return x > 0 ? T(1) : x < 0 ? T(-1) : T(0); }
 
-/// x^(n/2) for odd n.
+/// Returns x^(n/2) for odd n.
 template <class T> T half_integer_power(const T& x, long n) {
     const T root = elementary(Builtin::sqrt, std::span<const T>(&x, 1));
     const long whole = (n < 0 ? -n : n) / 2;
@@ -210,7 +210,8 @@ template <class T> T half_integer_power(const T& x, long n) {
     return n < 0 ? T(T(1) / y) : y;
 }
 
-/// x^q for x > 0, with one rounding that shows: 64 bits more are carried up to it.
+/// Returns x^q for x > 0. Intermediate results have 64 more bits, so that only the last rounding
+/// matters.
 Real power_with_guard(const Real& x, const Rational& q) {
     constexpr mpfr_prec_t guard = 64;
     Real y = as_wide_as(x);
@@ -283,7 +284,7 @@ template <Arithmetic T> T pow_int(const T& x, long n) {
         return y;
     } else {
         using std::pow;
-        constexpr long few = 8; // beyond that, the C library's power is the more accurate one
+        constexpr long few = 8; // beyond this the power function of the C library is more accurate
         constexpr long exact_in_double = 1L << 53U;
         if (n >= 0 && n <= few) {
             return n == 0 ? T(1) : repeated_product(x, static_cast<unsigned long>(n));
@@ -339,7 +340,7 @@ template <Arithmetic T> T real_power(const T& x, const Rational& q) {
     }
 }
 
-// The four arithmetics, and no others.
+// The four types of Arithmetic, and no others.
 template double real_call(Builtin, std::span<const double>);
 template long double real_call(Builtin, std::span<const long double>);
 template Float128 real_call(Builtin, std::span<const Float128>);

@@ -7,18 +7,18 @@
 
 namespace edgeproof::formula {
 
-/// What an expression without variables is evaluated in, by balls (evaluate.hpp).
+/// The environment in which an expression without variables is evaluated in balls (evaluate.hpp).
 struct BallConstants {
     long bits;
     [[nodiscard]] Ball number(const Rational& q) const { return {q, bits}; }
     [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
-    /// Throws Error: there are no variables.
+    /// Throws Error, because there are no variables.
     [[noreturn]] static Ball symbol(std::string_view name);
 };
 
-/// A constant in a ball.
+/// Returns an enclosure of a constant at a working precision of `bits`.
 [[nodiscard]] Ball enclosed_constant(const Exact& x, long bits);
-/// The same of an expression without variables.
+/// The same for an expression without variables.
 [[nodiscard]] Ball enclosed_constant(const Expr& e, long bits);
 
 } // namespace edgeproof::formula

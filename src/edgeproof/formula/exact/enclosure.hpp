@@ -7,15 +7,15 @@
 
 namespace edgeproof::formula {
 
-/// Two numbers with the exact value between them, or at one of them.
+/// Two numbers between which the exact value lies, or one of which it is.
 struct Enclosure {
     Real lower;
     Real upper;
 };
 
-/// An enclosure of a constant expression, by ball arithmetic (Arb) with balls of `bits` bits.
-/// Nothing if the ball arithmetic at that precision cannot exclude a point where the expression
-/// is undefined. Throws Error for an integral, and for a name without a value.
+/// Returns an enclosure of a constant expression by ball arithmetic (Arb) at `bits` bits. Nothing
+/// if the balls at that precision do not exclude a point where the expression is undefined. Throws
+/// Error for an integral, and for a name without a value.
 [[nodiscard]] std::optional<Enclosure> enclose(const Expr& constant, long bits);
 
 } // namespace edgeproof::formula

@@ -29,8 +29,8 @@ template <class T> mpfr_prec_t bits_of_arithmetic() {
     }
 }
 
-/// q cut off after `bits` bits, the last of them 1 if anything was cut (rounding to odd): rounding
-/// this to any shorter format is rounding q.
+/// Returns q truncated after `bits` bits, with the last bit set to 1 if anything was truncated
+/// (rounding to odd). Rounding this to a shorter format gives the same as rounding q.
 Real sticky(const Rational& q, mpfr_prec_t bits) {
     Real x;
     mpfr_set_prec(x.backend().data(), bits);
@@ -45,7 +45,8 @@ Real sticky(const Rational& q, mpfr_prec_t bits) {
     return x;
 }
 
-/// Throws Error if e has no value: a name in it, an integral, or no real value (DomainError).
+/// Throws Error if e has no value: if it contains a name or an integral, or has no real value
+/// (DomainError).
 void check_defined(const Expr& e) {
     if (e.rational() != nullptr) {
         return;
@@ -63,7 +64,8 @@ void check_defined(const Expr& e) {
     }
 }
 
-/// Far smaller or larger numbers take endless work somewhere; this is far beyond any use.
+/// Throws for much smaller or larger numbers, which would take unlimited time elsewhere. The limit
+/// is far beyond any practical number.
 void check_magnitude(const Expr& e, std::string_view text) {
     constexpr mpfr_exp_t most_bits_of_magnitude = 332'194; // 10^100000
     const PrecisionScope scope(30);
@@ -143,7 +145,7 @@ template <Arithmetic T> T Exact::to() const {
     }
     for (long more = 32; more <= most_bits; more *= 2) {
         if (const auto x = enclose(expr_, bits + more)) {
-            // Both ends round to one number: so does what lies between them.
+            // If both ends round to one number, so do all numbers between them.
             const T low = rounded_to<T>(x->lower);
             if (low == rounded_to<T>(x->upper)) {
                 check_range(low, x->lower);

@@ -8,34 +8,34 @@
 
 namespace edgeproof::formula {
 
-/// A constant given as text ("0.4", "pi/16", "3/2", "1e-30", "sqrt(2)/3") and meaning exactly that.
+/// A constant with an exact value, given as text ("0.4", "pi/16", "3/2", "1e-30", "sqrt(2)/3").
 class Exact {
 public:
     /// The number 0.
     Exact();
-    /// Throws FormulaError for a text that is no constant expression, or one without a real value
+    /// Throws FormulaError for a text that is not a constant expression, or that has no real value
     /// ("1/0", "sqrt(-1)").
     [[nodiscard]] static Exact parse(std::string_view text);
-    /// The text is then a decimal or a quotient.
+    /// A rational constant; its text is a decimal or a quotient.
     [[nodiscard]] static Exact of(const Rational& q);
-    /// An expression without variables; its text is `to_text` of it. Throws Error if it has one,
-    /// DomainError if it has no real value.
+    /// An expression without variables; its text is `to_text` of it. Throws Error if it has a
+    /// variable, DomainError if it has no real value.
     explicit Exact(Expr e);
 
-    /// As it was given.
+    /// The text as given.
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
     [[nodiscard]] const Expr& expr() const noexcept { return expr_; }
     [[nodiscard]] bool is_rational() const noexcept { return expr_.rational() != nullptr; }
-    /// Throws Error if it is not rational, or not seen to be.
+    /// Throws Error if it is not rational, or not recognised as rational.
     [[nodiscard]] const Rational& rational() const;
 
-    /// The nearest T (`Real`: at the working precision). Throws DomainError beyond the range of T,
-    /// BudgetError if 4096 bits beyond those of T do not decide the rounding.
+    /// Returns the nearest T (`Real`: at the working precision). Throws DomainError beyond the
+    /// range of T, BudgetError if 4096 bits more than those of T do not decide the rounding.
     template <Arithmetic T> [[nodiscard]] T to() const;
-    /// -1, 0 or 1. Throws BudgetError if 4096 bits do not tell it from zero.
+    /// Returns -1, 0 or 1. Throws BudgetError if 4096 bits do not decide the sign.
     [[nodiscard]] int sign() const;
 
-    /// Of the expressions: "0.5" and "1/2" differ.
+    /// Compares the expressions: "0.5" and "1/2" differ.
     friend bool operator==(const Exact& x, const Exact& y) { return x.expr_ == y.expr_; }
 
 private:

@@ -7,13 +7,13 @@
 
 namespace edgeproof::formula {
 
-/// An enclosure of a constant. Throws BudgetError where ball arithmetic cannot give one.
+/// Returns an enclosure of a constant. Throws BudgetError if ball arithmetic finds none.
 [[nodiscard]] Ball ball_of(const Exact& x, long bits);
 
-/// The bits that carry so many decimal digits, with a few to spare.
+/// Returns the number of bits for `digits` decimal digits, with a few guard bits.
 [[nodiscard]] long bits_for(unsigned digits);
 
-/// The value, where it is seen to be rational.
+/// Returns the value if it is recognised as rational.
 [[nodiscard]] std::optional<Rational> rational_of(const Exact& x);
 
 } // namespace edgeproof::formula

@@ -13,7 +13,7 @@ using boost::multiprecision::denominator;
 using boost::multiprecision::numerator;
 
 constexpr unsigned highest_degree = 64;
-/// Bits of a numerator or denominator, beyond which a number is not followed.
+/// The limit of the bits of a numerator or denominator; a larger number becomes unknown.
 constexpr std::size_t most_rational_bits = std::size_t{1} << 22U;
 constexpr std::size_t most_exact_terms = 64;
 constexpr long most_exponent_of_power = 4096;
@@ -24,7 +24,7 @@ bool is_of_moderate_size(const Rational& q) {
            mpz_sizeinbase(mpq_denref(q.backend().data()), 2) <= most_rational_bits;
 }
 
-/// The k-th root of n >= 0, where it is whole.
+/// Returns the k-th root of n >= 0, if it is an integer.
 std::optional<Integer> whole_root(const Integer& n, unsigned k) {
     Integer root;
     if (mpz_root(root.backend().data(), n.backend().data(), k) == 0) {
@@ -33,7 +33,7 @@ std::optional<Integer> whole_root(const Integer& n, unsigned k) {
     return root;
 }
 
-/// The k-th root of q > 0, where it is rational.
+/// Returns the k-th root of q > 0, if it is rational.
 std::optional<Rational> rational_root(const Rational& q, unsigned k) {
     if (k == 1) {
         return q;
@@ -46,7 +46,7 @@ std::optional<Rational> rational_root(const Rational& q, unsigned k) {
     return Rational(*above, *below);
 }
 
-/// q^n, n >= 0; nothing beyond the size that is followed.
+/// Returns q^n, n >= 0; nothing beyond the limit of size.
 std::optional<Rational> whole_power(const Rational& q, unsigned n) {
     const std::size_t bits = mpz_sizeinbase(mpq_numref(q.backend().data()), 2) +
                              mpz_sizeinbase(mpq_denref(q.backend().data()), 2);
@@ -173,7 +173,7 @@ std::optional<ExactNumber::Radical> ExactNumber::times(const Radical& x, const R
         return {};
     }
     Radical r{*of_x * *of_y, degree};
-    // The lowest degree that it has: R^(1/k) = S^(1/(k/d)) with R = S^d.
+    // Reduces to the lowest degree: R^(1/k) = S^(1/(k/d)) with R = S^d.
     for (unsigned d = degree; d > 1; --d) {
         if (r.degree % d == 0) {
             if (auto root = rational_root(r.radicand, d)) {
@@ -211,7 +211,7 @@ std::optional<ExactNumber::Term> ExactNumber::power(const Term& x, const Rationa
     if (x.factor < 0 && k != 1) {
         return {};
     }
-    // (q R^(1/d))^(n/k): q^n to the root k, R^n to the root d k.
+    // (q R^(1/d))^(n/k) is the k-th root of q^n times the (d k)-th root of R^n.
     auto of_factor = whole_power(abs(x.factor), n);
     auto of_root = whole_power(x.root.radicand, n);
     if (!of_factor || !of_root || x.root.degree * k > highest_degree) {
@@ -243,8 +243,9 @@ void ExactNumber::add(const Term& t) {
         if (old.pi_power != t.pi_power || old.root.degree != t.root.degree) {
             continue;
         }
-        // One class where the quotient of the radicals is rational. (Of different lowest degrees it
-        // is not: a rational multiple of a radical has its degree.)
+        // Terms are combined if the quotient of their radicals is rational. (Radicals with
+        // different lowest degrees have no rational quotient, because a rational multiple of a
+        // radical has its degree.)
         const auto ratio =
             rational_root(Rational(t.root.radicand / old.root.radicand), t.root.degree);
         if (!ratio) {
@@ -285,7 +286,7 @@ ExactNumber operator-(ExactNumber x) {
 ExactNumber& ExactNumber::operator-=(const ExactNumber& o) { return *this += -o; }
 
 ExactNumber& ExactNumber::operator*=(const ExactNumber& o) {
-    // Zero times what is not known is not zero: that may be infinite.
+    // Zero times an unknown number is unknown, because that number may be infinite.
     ExactNumber result = known_ && o.known_ ? ExactNumber() : unknown();
     if (result.known_) {
         for (const Term& x : terms_) {
@@ -346,10 +347,10 @@ ExactNumber pow(const ExactNumber& x, const Rational& e) {
 ExactNumber sqrt(const ExactNumber& x) { return pow(x, Rational(1, 2)); }
 
 ExactNumber angle_of_cosine(const ExactNumber& c) {
-    // Squares of cosines of the multiples of pi/12, where they are rational.
+    // The squares of the cosines of the multiples of pi/12 that are rational (DLMF table 4.17.1).
     struct Known {
         Rational square;
-        Rational part; ///< of pi, in the first quadrant
+        Rational part; ///< fraction of pi, in the first quadrant
     };
     static const std::array<Known, 5> table{{{0, Rational(1, 2)},
                                              {Rational(1, 4), Rational(1, 3)},

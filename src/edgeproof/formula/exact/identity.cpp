@@ -13,7 +13,7 @@
 namespace edgeproof::formula {
 namespace {
 
-/// Powers of variables, by their number.
+/// Powers of variables, by the numbers of the variables.
 using Monomial = std::map<std::size_t, int>;
 using Polynomial = std::map<Monomial, Rational>;
 
@@ -22,7 +22,7 @@ constexpr int most_power = 64;
 constexpr unsigned most_trial_divisor = 1000;
 constexpr long bits_of_finiteness = 256;
 
-/// Thrown where the algebra here ends: no proof is found.
+/// Thrown if there is no normal form here: then no proof is found.
 struct NoNormalForm {};
 
 struct Ratio {
@@ -49,7 +49,7 @@ Polynomial sum_of(const Polynomial& x, const Polynomial& y, const Rational& fact
     return z;
 }
 
-/// q where x = q y.
+/// Returns q if x = q y.
 std::optional<Rational> constant_ratio(const Polynomial& x, const Polynomial& y) {
     if (x.empty()) {
         return Rational(0);
@@ -70,8 +70,8 @@ public:
 
 private:
     struct Variable {
-        bool positive = false;            ///< for all that is known
-        std::optional<Polynomial> square; ///< of a root
+        bool positive = false;            ///< proved to be positive
+        std::optional<Polynomial> square; ///< the square, if the variable is a root
     };
     [[nodiscard]] std::size_t variable(const std::string& name, bool positive,
                                        std::optional<Polynomial> square = {}) {
@@ -139,7 +139,7 @@ Polynomial NormalForm::product(const Polynomial& x, const Polynomial& y) const {
                     throw NoNormalForm{};
                 }
                 if (variables_[v].square && power >= 2) {
-                    power -= 2; // both factors have it once at most
+                    power -= 2; // each factor contains it at most once
                     squares = product(squares, *variables_[v].square);
                 }
                 if (power == 0) {
@@ -159,7 +159,7 @@ Polynomial NormalForm::product(const Polynomial& x, const Polynomial& y) const {
     return z;
 }
 
-/// A constant ratio becomes a number, and powers that all terms share are taken out.
+/// Replaces a constant ratio by a number, and cancels common powers of all terms.
 Ratio NormalForm::reduced(Ratio f) const {
     if (const auto q = constant_ratio(f.over, f.under)) {
         return fraction_of(*q);
@@ -218,7 +218,7 @@ Ratio NormalForm::whole_power(const Ratio& x, long k) const {
     return y;
 }
 
-/// Of n/d = n d/d^2: roots of primes, and of what no small number divides.
+/// The root of n/d = n d/d^2, as roots of primes and of the part without small prime factors.
 Ratio NormalForm::root_of_rational(const Rational& q) {
     if (q < 0) {
         throw NoNormalForm{};
@@ -258,7 +258,7 @@ Ratio NormalForm::root(const Ratio& x) {
     const Ratio f = reduced(x);
     const auto monomial = [](const Polynomial& p) { return p.size() == 1; };
     if (monomial(f.over) && monomial(f.under)) {
-        // Of a product: what is positive comes out in pairs.
+        // The root of a product: even powers of positive factors are extracted.
         Rational number = f.over.begin()->second / f.under.begin()->second;
         Ratio outside = fraction_of(Rational(1));
         Ratio inside = outside;
@@ -369,7 +369,7 @@ bool proved_zero(const Expr& e) {
     } catch (const NoNormalForm&) {
         return false;
     } catch (const Error&) {
-        return false; // no value, or a tree too high
+        return false; // no value, or a tree that is too high
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Arb's complex headers, found as the real ones in arb_include.hpp.
+/// Arb's complex headers; see arb_include.hpp.
 #include "edgeproof/precision/ball/arb_include.hpp"
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <flint/acb.h>

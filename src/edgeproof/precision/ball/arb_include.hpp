@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Arb's headers: on their own with FLINT 2.9, part of FLINT from version 3.
+/// Arb's headers: separate with FLINT 2.9, part of FLINT from version 3 on.
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <flint/arb.h>
 #include <flint/arb_hypgeom.h>

@@ -8,11 +8,11 @@
 
 namespace edgeproof {
 
-/// How a type of Arb's or FLINT's is begun, ended and copied, for `FlintValue`.
+/// The functions that initialise, clear and copy a type of Arb or FLINT, for `FlintValue`.
 template <class Struct> struct FlintType;
 
-/// A value of such a type that clears itself, 0 at first. It passes for the pointer that the
-/// libraries' functions take; a copy is deep, and what was moved from is any value.
+/// A value of such a type that clears itself, initially 0. It converts to the pointer that the
+/// functions of the libraries take. A copy is deep; a moved-from value is valid but unspecified.
 template <class Struct> class FlintValue {
 public:
     FlintValue() { FlintType<Struct>::init(&x_); }
@@ -30,7 +30,7 @@ public:
 
     operator Struct*() noexcept { return &x_; }             // NOLINT(*-explicit-*)
     operator const Struct*() const noexcept { return &x_; } // NOLINT(*-explicit-*)
-    /// For macros as arb_midref(x).
+    /// For macros such as arb_midref(x).
     Struct* operator->() noexcept { return &x_; }
     const Struct* operator->() const noexcept { return &x_; }
 

@@ -6,7 +6,7 @@
 namespace edgeproof {
 namespace {
 
-/// A Real that holds an arf exactly, or rounded to `bits` in a direction.
+/// Returns an arf as a Real, exactly or rounded to `bits` in the given direction.
 Real to_real(arf_srcptr x, long bits, mpfr_rnd_t rounding) {
     Real r;
     mpfr_set_prec(r.backend().data(), bits < 2 ? 2 : bits);
@@ -28,8 +28,8 @@ template <class F> Ball apply(const Ball& x, const Ball& y, F f) {
     return r;
 }
 
-/// From `least`, which is exact, to the upper end of `other`: the lower end of the result is
-/// `least` without an error, so that sqrt(max(x, 0)) has a value.
+/// Returns the ball from `least`, which is exact, to the upper end of `other`. The lower end of the
+/// result is exactly `least`, so that sqrt(max(x, 0)) has a value.
 Ball from_exactly(const Ball& least, const Ball& other) {
     ArfValue half;
     arb_get_ubound_arf(half, other.data(), MAG_BITS + other.bits());
@@ -137,7 +137,7 @@ Ball acosh(const Ball& x) {
     if (value.is_finite() || !x.is_finite() || x.lower() < 1) {
         return value;
     }
-    // From 1 on it grows: between its values at both ends.
+    // acosh increases from 1 on, and lies between its values at both ends.
     const Ball least = apply(Ball(x.lower(), x.bits()), arb_acosh);
     return Ball::hull(least, apply(Ball(x.upper(), x.bits()), arb_acosh));
 }

@@ -8,31 +8,32 @@
 
 namespace edgeproof {
 
-/// A real number known to lie within a proved radius of a midpoint (Arb: F. Johansson, IEEE Trans.
-/// Comput. 66 (2017) 1281). Every operation encloses the exact result of every choice of operands
-/// from their balls. A ball carries its working precision in bits and a result takes the larger of
-/// its operands': there is no global or thread-local state. Where a function is not defined on
-/// the whole ball the result is not finite, never wrong.
+/// A real number within a proved radius of a midpoint (Arb, johansson2017). Every operation
+/// encloses the exact result for every choice of operands from their balls. A ball carries its
+/// working precision in bits, and a result has the larger one of its operands: there is no global
+/// or thread-local state. Where a function is not defined on the whole ball the result is not
+/// finite.
 class Ball {
 public:
     /// 0 at 64 bits.
     Ball() : bits_(64) {}
     Ball(long value, long bits) : bits_(bits) { arb_set_si(x_, value); }
-    /// The ball around q at `bits`, q inside.
+    /// A ball around q at `bits` that contains q.
     Ball(const Rational& q, long bits);
     /// Exactly the number x.
     Ball(const Real& x, long bits);
 
     [[nodiscard]] static Ball pi(long bits);
-    /// Everything from lo to hi. Throws DomainError for lo > hi or an end that is not finite.
+    /// Returns a ball that contains all numbers from lo to hi. Throws DomainError for lo > hi or an
+    /// end that is not finite.
     [[nodiscard]] static Ball from_interval(const Real& lo, const Real& hi, long bits);
-    /// The smallest ball (nearly) that holds both.
+    /// Returns (nearly) the smallest ball that contains both.
     [[nodiscard]] static Ball hull(const Ball& x, const Ball& y);
-    /// midpoint +- radius, radius >= 0.
+    /// Returns midpoint +- radius, radius >= 0.
     [[nodiscard]] static Ball around(const Real& midpoint, const Real& radius, long bits);
 
     [[nodiscard]] long bits() const noexcept { return bits_; }
-    /// The same ball, working on at another precision.
+    /// The same ball with another working precision.
     [[nodiscard]] Ball with_bits(long bits) const {
         Ball r(*this);
         r.bits_ = bits;
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] Real midpoint() const;
     /// The radius, rounded up to 30 bits.
     [[nodiscard]] Real radius() const;
-    /// End points, rounded outwards at the ball's precision.
+    /// The end points, rounded outwards at the precision of the ball.
     [[nodiscard]] Real lower() const;
     [[nodiscard]] Real upper() const;
     [[nodiscard]] bool is_finite() const { return arb_is_finite(x_) != 0; }
@@ -99,7 +100,7 @@ public:
     friend Ball operator*(long k, Ball x) { return std::move(x *= k); }
     friend Ball operator/(long k, const Ball& x) { return Ball(k, x.bits_) / x; }
 
-    /// For the functions below, and for code that calls Arb itself.
+    /// For the functions below, and for code that calls Arb.
     [[nodiscard]] arb_srcptr data() const noexcept { return x_; }
     [[nodiscard]] arb_ptr data() noexcept { return x_; }
 
@@ -109,7 +110,7 @@ private:
     long bits_;
 };
 
-/// Certain statements only: each is true when it holds for every pair of numbers in the balls.
+/// Certain statements: each is true if it holds for every pair of numbers in the balls.
 [[nodiscard]] inline bool certainly_less(const Ball& x, const Ball& y) {
     return arb_lt(x.data(), y.data()) != 0;
 }
@@ -120,7 +121,7 @@ private:
     return arb_is_negative(x.data()) != 0;
 }
 [[nodiscard]] inline bool contains_zero(const Ball& x) { return arb_contains_zero(x.data()) != 0; }
-/// False exactly when the balls are proved to have no number in common.
+/// False if the balls are proved to have no number in common.
 [[nodiscard]] inline bool overlaps(const Ball& x, const Ball& y) {
     return arb_overlaps(x.data(), y.data()) != 0;
 }
@@ -158,7 +159,7 @@ private:
 [[nodiscard]] Ball pow(const Ball& x, const Ball& y);
 [[nodiscard]] Ball pow(const Ball& x, const Rational& y);
 [[nodiscard]] Ball pow_int(const Ball& x, long n);
-/// Gauss's 2F1(a, b; c; z) for z < 1.
+/// Gauss's 2F1(a, b; c; z) for z < 1 (DLMF 15.2.1).
 [[nodiscard]] Ball hypergeometric_2f1(const Ball& a, const Ball& b, const Ball& c, const Ball& z);
 
 } // namespace edgeproof

@@ -8,21 +8,22 @@
 
 namespace edgeproof {
 
-/// A truncated power series with balls for coefficients (Arb's arb_poly): each coefficient of a
-/// result encloses that of every choice of coefficients from the operands' balls.
+/// A truncated power series with balls as coefficients (Arb's arb_poly). Each coefficient of a
+/// result encloses the exact one for every choice of coefficients from the balls of the operands.
 class BallSeries {
 public:
-    /// The constant c, known to `order` terms.
+    /// The constant c, with `order` terms.
     BallSeries(const Ball& c, std::size_t order);
     explicit BallSeries(const std::vector<Ball>& coefficients);
-    /// c + z
+    /// Returns c + z.
     static BallSeries variable(const Ball& c, std::size_t order);
 
     [[nodiscard]] std::size_t order() const noexcept { return order_; }
     [[nodiscard]] long bits() const noexcept { return bits_; }
     [[nodiscard]] Ball operator[](std::size_t k) const;
     void set(std::size_t k, const Ball& c);
-    /// Known to fewer terms; or to more, the new ones being 0 exactly (a start for Newton).
+    /// The series with fewer terms, or with more terms that are exactly 0 (as a start for Newton's
+    /// method).
     [[nodiscard]] BallSeries resized(std::size_t order) const;
 
     friend BallSeries operator+(const BallSeries& x, const BallSeries& y);

@@ -7,9 +7,9 @@
 
 namespace edgeproof {
 
-/// A rectangle of the complex plane, a ball for each part, in which a number is known to lie (Arb's
-/// acb). It carries its working precision as a Ball does, and a result takes the larger of its
-/// operands'.
+/// A rectangle in the complex plane that contains a number, with a ball for each part (Arb's acb).
+/// It carries its working precision as a Ball does, and a result has the larger one of its
+/// operands.
 class Box {
 public:
     explicit Box(long bits = 64) : bits_(bits) {}
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] bool is_finite() const { return acb_is_finite(z_) != 0; }
     [[nodiscard]] bool contains_zero() const { return acb_contains_zero(z_) != 0; }
-    /// It meets the real axis.
+    /// True if it meets the real axis.
     [[nodiscard]] bool may_be_real() const { return arb_contains_zero(acb_imagref(z_)) != 0; }
     [[nodiscard]] Ball real() const {
         Ball x(0, bits_);

@@ -4,7 +4,7 @@
 namespace edgeproof {
 namespace {
 
-/// The end of a ball: all there is where the ball tells nothing.
+/// Returns the end of a ball; infinite where the ball is not known.
 void lower_end(arf_ptr r, const Ball& x) {
     arb_get_lbound_arf(r, x.data(), Interval::bits);
     if (arf_is_nan(r) != 0) {
@@ -18,7 +18,7 @@ void upper_end(arf_ptr r, const Ball& x) {
     }
 }
 
-/// A product of ends: infinite times 0 is 0, the limit along either.
+/// A product of ends: infinity times 0 is 0, the limit along either.
 void end_product(arf_ptr r, arf_srcptr x, arf_srcptr y, arf_rnd_t rounding) {
     if (arf_is_zero(x) != 0 || arf_is_zero(y) != 0) {
         arf_zero(r);
@@ -61,7 +61,7 @@ Interval operator-(const Interval& x) {
     return r;
 }
 
-// A sum of +inf and -inf, ends that overflow, says nothing.
+// If a sum of ends is inf - inf, by overflow, nothing is known.
 Interval operator+(const Interval& x, const Interval& y) {
     Interval r;
     arf_add(r.lo_, x.lo_, y.lo_, Interval::bits, ARF_RND_FLOOR);
@@ -71,6 +71,7 @@ Interval operator+(const Interval& x, const Interval& y) {
 
 Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
+// The rules of interval arithmetic (moore-kearfott-cloud2009).
 Interval operator*(const Interval& x, const Interval& y) {
     Interval r;
     ArfValue p;
@@ -138,7 +139,7 @@ using OfBall = Ball (*)(const Ball&);
 
 Interval rise(const Interval& x, OfBall f) { return rising(x, f); }
 Interval fall(const Interval& x, OfBall f) { return falling(x, f); }
-/// Of no monotone one, by the ball that holds x.
+/// A function that is not monotone, by the ball that contains x.
 Interval wave(const Interval& x, OfBall f) {
     const Ball lo = x.lower();
     const Ball hi = x.upper();
@@ -154,7 +155,7 @@ Interval log(const Interval& x) { return rise(clipped(x, from_on(0)), log); }
 Interval sin(const Interval& x) { return clipped(wave(x, sin), between(-1, 1)); }
 Interval cos(const Interval& x) { return clipped(wave(x, cos), between(-1, 1)); }
 Interval tan(const Interval& x) {
-    // Finite over a whole ball: no pole is in it, and between poles tan rises.
+    // If tan is finite over the whole ball, the ball contains no pole; tan increases between poles.
     const Interval whole = wave(x, tan);
     return whole.is_finite() ? rise(x, tan) : whole;
 }

@@ -5,30 +5,30 @@
 
 namespace edgeproof {
 
-/// The real numbers from one end to another, either of which may be infinite. Unlike a ball about
-/// a middle it ends at exactly 0 where its numbers do: [0, h] squared is not below 0 anywhere.
-/// Every operation holds the exact result of every choice of operands from their intervals for
-/// which it is defined (sqrt of [-1, 4] is [0, 2]): it says nothing about whether it is defined.
+/// The real numbers between two ends, which may be infinite (moore-kearfott-cloud2009). Unlike a
+/// ball an interval can end at exactly 0: the square of [0, h] is nowhere negative. Every operation
+/// contains the exact result for every choice of operands for which it is defined (sqrt of [-1, 4]
+/// is [0, 2]); it does not report whether it is defined everywhere.
 class Interval {
 public:
-    /// Of the ends, when they are rounded outwards.
+    /// Bits to which the ends are rounded, outwards.
     static constexpr long bits = 128;
 
     /// [0, 0].
     Interval() : Interval(Ball(0, bits)) {}
-    /// All of the ball; everything where that is not finite.
+    /// All of the ball; everything if the ball is not finite.
     explicit Interval(const Ball& x) : Interval(x, x) {}
-    /// From all of one ball to all of another.
+    /// The interval between the lower end of one ball and the upper end of another.
     Interval(const Ball& from, const Ball& to);
     [[nodiscard]] static Interval everything();
 
     [[nodiscard]] bool nowhere_negative() const { return arf_sgn(lo_) >= 0; }
     [[nodiscard]] bool negative() const { return arf_sgn(hi_) < 0; }
-    /// Both ends are.
+    /// True if both ends are finite.
     [[nodiscard]] bool is_finite() const {
         return arf_is_finite(lo_) != 0 && arf_is_finite(hi_) != 0;
     }
-    /// The ends, exactly; not finite where an end is infinite.
+    /// The ends, exactly; not finite if an end is infinite.
     [[nodiscard]] Ball lower() const { return at(lo_); }
     [[nodiscard]] Ball upper() const { return at(hi_); }
 
@@ -39,9 +39,9 @@ public:
     friend Interval operator/(const Interval& x, const Interval& y);
 
     friend Interval abs(const Interval& x);
-    /// What both have in common; y's nearest number where that is nothing.
+    /// The intersection; if that is empty, the number of y nearest to x.
     friend Interval clipped(const Interval& x, const Interval& y);
-    /// Of a function that rises, or falls, wherever it is defined.
+    /// The range of a function that increases, or decreases, where it is defined.
     template <class F> friend Interval rising(const Interval& x, F f) {
         return {f(x.lower()), f(x.upper())};
     }
@@ -71,7 +71,7 @@ private:
 [[nodiscard]] Interval acosh(const Interval& x);
 [[nodiscard]] Interval atanh(const Interval& x);
 [[nodiscard]] Interval pow_int(const Interval& x, long n);
-/// Of x >= 0 where q is no integer.
+/// For x >= 0 if q is not an integer.
 [[nodiscard]] Interval pow(const Interval& x, const Rational& q);
 [[nodiscard]] Interval pow(const Interval& x, const Interval& y);
 

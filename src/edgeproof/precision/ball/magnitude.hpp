@@ -5,14 +5,14 @@
 
 namespace edgeproof {
 
-/// A number that is not exceeded: 30 bits, every operation rounded up (Arb's mag_t).
+/// An upper bound of 30 bits; every operation rounds up (Arb's mag_t).
 class Magnitude {
 public:
     Magnitude() = default;
     /// The largest size of a number in the ball.
     explicit Magnitude(const Ball& x) { arb_get_mag(m_, x.data()); }
     explicit Magnitude(const acb_t z) { acb_get_mag(m_, z); }
-    /// The smallest, rounded down: for what others are divided by.
+    /// The smallest size, rounded down, for use as a divisor.
     [[nodiscard]] static Magnitude least(const Ball& x) {
         Magnitude r;
         arb_get_mag_lower(r.m_, x.data());
@@ -32,7 +32,7 @@ public:
         mag_mul(x.m_, x.m_, y.m_);
         return x;
     }
-    /// At most x/y for the y that is given: infinite for 0.
+    /// An upper bound of x/y; infinite for y = 0.
     friend Magnitude operator/(Magnitude x, const Magnitude& y) {
         mag_div(x.m_, x.m_, y.m_);
         return x;
@@ -42,7 +42,7 @@ public:
     friend bool operator<=(const Magnitude& x, const Magnitude& y) {
         return mag_cmp(x.m_, y.m_) <= 0;
     }
-    /// All numbers of at most that size.
+    /// The ball of all numbers of at most that size.
     [[nodiscard]] Ball ball(long bits) const {
         Ball r(0, bits);
         arb_add_error_mag(r.data(), m_);

@@ -4,8 +4,8 @@
 
 namespace edgeproof {
 
-/// What MPFR's own functions take: the inner loops of contact/batch call them without
-/// temporaries.
+/// The pointers that MPFR's functions take: the inner loops of contact/batch call these functions
+/// without temporaries.
 [[nodiscard]] inline mpfr_ptr raw(Real& x) { return x.backend().data(); }
 [[nodiscard]] inline mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 

@@ -10,17 +10,19 @@
 
 namespace edgeproof {
 
-/// The integral of sin^n over 0 ... pi/2, n > -1, by B((n+1)/2, 1/2)/2.
+/// The integral of sin^n over 0 ... pi/2, n > -1: B((n+1)/2, 1/2)/2 (DLMF 5.12.2).
 template <Arithmetic T> [[nodiscard]] T sine_power_integral(const T& n) {
     if constexpr (std::same_as<T, Real>) {
-        // Many contacts share an exponent, and the gamma function costs more than all else of them.
+        // Many contacts have the same exponent, and the gamma function is the most expensive part
+        // of each.
         thread_local BoundedCache<std::pair<Real, unsigned>, const Real> known(256);
         return *known.get({n, working_digits()}, [&] {
-            // MPFR's own gamma is correctly rounded at any precision; Boost's is not.
+            // MPFR's gamma function is correctly rounded at any precision; Boost's is not.
             Real half_up = (n + 1) / 2;
             Real whole = half_up + Real(1) / 2;
             Real numerator;
             Real denominator;
+            // B(x, 1/2) = sqrt(pi) Gamma(x)/Gamma(x + 1/2) (DLMF 5.12.1)
             mpfr_lngamma(numerator.backend().data(), half_up.backend().data(), MPFR_RNDN);
             mpfr_lngamma(denominator.backend().data(), whole.backend().data(), MPFR_RNDN);
             return std::make_shared<const Real>(sqrt(pi<Real>()) / 2 *

@@ -6,19 +6,22 @@
 
 namespace edgeproof {
 
-/// A number in double-word arithmetic with its bound: it differs from high + low by `radius` at
-/// most, where high is the binary64 nearest to high + low. A radius that is not finite: nothing is
-/// known. Some 20 operations of binary64 where a ball of 128 bits takes 100 ns.
+/// A number in double-word arithmetic with its bound: the number differs from high + low by at most
+/// `radius`, where high is the binary64 nearest to high + low. If the radius is not finite, nothing
+/// is known. An operation takes about 20 binary64 operations, where a ball of 128 bits takes 100
+/// ns.
 ///
-/// Bounds of a single operation in [joldes2017] (addition, product, quotient) and [lefevre2023]
-/// (square root), in units of 2^-106 of the result: 3.1, 6, 15.1 and 3.2; each is taken larger here
-/// by a unit or more. What the arguments' radii add to it is first-order, and products of radii.
-/// A radius is computed in binary64, so that it is too small by some 2^-50 of itself for each
-/// operation that it went through; nearest_binary64 makes up for that, for up to 10^6 in a row.
+/// The errors of single operations are bounded in joldes2017 (sum, product, quotient) and
+/// lefevre2023 (square root), in units of 2^-106 of the result: 3.1, 6, 15.1 and 3.2; each bound
+/// used here is larger by a unit or more. The radii of the arguments add their first-order effect,
+/// and products of radii (docs/double-words.md, lemma 1). A radius is computed in binary64, and
+/// each operation makes it too small by about 2^-50 of itself; nearest_binary64 allows for up to
+/// 10^6 operations in sequence (lemma 2).
 ///
-/// Holds where nothing underflows or overflows (callers keep numbers, if they are not 0, between
-/// 2^-900 and 2^900), numbers are rounded to nearest, and the compiler joins no product with a sum:
-/// edgeproof::precision has every source that links it compiled with -ffp-contract=off.
+/// This holds if nothing underflows or overflows (callers keep all numbers other than 0 between
+/// 2^-900 and 2^900), if numbers are rounded to nearest, and if the compiler does not fuse a
+/// product with a sum: edgeproof::precision compiles every source that links it with
+/// -ffp-contract=off.
 struct DoubleWord {
     double high = 0;
     double low = 0;
@@ -29,7 +32,7 @@ namespace double_word {
 
 constexpr double unit = 0x1p-106;
 
-/// high + low of a sum of two words, |a| >= |b| or a = 0.
+/// Returns high + low of a sum of two words, |a| >= |b| or a = 0 (Fast2Sum, joldes2017).
 [[nodiscard]] inline DoubleWord ordered_sum(double a, double b, double radius) {
     const double s = a + b;
     return {s, b - (s - a), radius};
@@ -39,25 +42,26 @@ struct ExactSum {
     double sum;
     double error;
 };
+/// Returns the sum and its rounding error (2Sum, joldes2017).
 [[nodiscard]] inline ExactSum exact_sum(double a, double b) {
     const double s = a + b;
     const double part = s - a;
     return {s, (a - (s - part)) + (b - part)};
 }
 
-/// Whether a radius is below 2^-10 of a number that is not zero: the first-order bounds of a
-/// quotient and a root are then good with a factor of 1.003. False for what is not a number.
+/// True if the radius is at most 2^-10 of a number that is not zero: then the first-order bounds of
+/// a quotient and of a root are valid with a factor of 1.003. False for NaN.
 [[nodiscard]] inline bool well_known(const DoubleWord& x) {
     return x.radius <= 0x1p-10 * std::fabs(x.high) && x.high != 0;
 }
 [[nodiscard]] inline DoubleWord unknown() {
     return {1, 0, std::numeric_limits<double>::infinity()};
 }
-/// At least the size of all numbers of x.
+/// Returns an upper bound of the size of all numbers of x.
 [[nodiscard]] inline double most(const DoubleWord& x) {
     return 1.01 * (std::fabs(x.high) + x.radius);
 }
-/// 0, as far as is known: all numbers between 0 and those of x, on either side.
+/// Returns 0 with a radius that includes all numbers of x and their negatives.
 [[nodiscard]] inline DoubleWord about_zero(const DoubleWord& x) { return {0, 0, most(x)}; }
 
 } // namespace double_word
@@ -65,7 +69,7 @@ struct ExactSum {
 [[nodiscard]] inline DoubleWord operator-(const DoubleWord& x) {
     return {-x.high, -x.low, x.radius};
 }
-/// AccurateDWPlusDW.
+/// AccurateDWPlusDW (joldes2017; docs/double-words.md, lemma 1).
 [[nodiscard]] inline DoubleWord operator+(const DoubleWord& x, const DoubleWord& y) {
     const auto high = double_word::exact_sum(x.high, y.high);
     const auto low = double_word::exact_sum(x.low, y.low);
@@ -77,7 +81,7 @@ struct ExactSum {
 [[nodiscard]] inline DoubleWord operator-(const DoubleWord& x, const DoubleWord& y) {
     return x + (-y);
 }
-/// DWTimesDW2.
+/// DWTimesDW2 (joldes2017).
 [[nodiscard]] inline DoubleWord operator*(const DoubleWord& x, const DoubleWord& y) {
     const double product = x.high * y.high;
     const double error = std::fma(x.high, y.high, -product);
@@ -87,13 +91,13 @@ struct ExactSum {
                8 * double_word::unit * std::fabs(z.high);
     return z;
 }
-/// DWDivDW2. Unknown where the divisor may be zero.
+/// DWDivDW2 (joldes2017). Unknown where the divisor may be zero.
 [[nodiscard]] inline DoubleWord operator/(const DoubleWord& x, const DoubleWord& y) {
     if (!double_word::well_known(y)) {
         return double_word::unknown();
     }
     const double high = x.high / y.high;
-    // r = y times high: DWTimesFP.
+    // r = y times high by DWTimesFP.
     const double product = y.high * high;
     const double error = std::fma(y.high, high, -product);
     const DoubleWord r = double_word::ordered_sum(product, std::fma(y.low, high, error), 0);
@@ -104,7 +108,7 @@ struct ExactSum {
         1.003 * ((x.radius + size * y.radius) / std::fabs(y.high)) + 18 * double_word::unit * size;
     return z;
 }
-/// SQRTDWtoDW. Unknown where x may be zero or less.
+/// SQRTDWtoDW (lefevre2023). Unknown where x may be zero or negative.
 [[nodiscard]] inline DoubleWord sqrt(const DoubleWord& x) {
     if (!double_word::well_known(x) || !(x.high > 0)) {
         return double_word::unknown();
@@ -115,7 +119,7 @@ struct ExactSum {
     z.radius = 0.502 * (x.radius / high) + 5 * double_word::unit * high;
     return z;
 }
-/// Of a number that is not negative, which x may not tell from zero.
+/// The root of a non-negative number, where x may contain zero (docs/double-words.md, lemma 11).
 [[nodiscard]] inline DoubleWord sqrt_from_zero(const DoubleWord& x) {
     if (!double_word::well_known(x)) [[unlikely]] {
         return {0, 0, 1.01 * std::sqrt(double_word::most(x))};
@@ -123,17 +127,18 @@ struct ExactSum {
     return sqrt(x);
 }
 [[nodiscard]] inline DoubleWord abs(const DoubleWord& x) { return x.high < 0 ? -x : x; }
-/// x 2^k, for a `power` that is 2^k.
+/// Returns x 2^k; `power` is 2^k.
 [[nodiscard]] inline DoubleWord scaled(const DoubleWord& x, double power) {
     return {x.high * power, x.low * power, x.radius * power};
 }
 
-/// The one binary64 that all numbers of x round to (ties to even); nothing where there are several.
+/// Returns the binary64 to which all numbers of x round (ties to even); nothing if there are
+/// several (docs/double-words.md, lemma 3).
 [[nodiscard]] inline std::optional<double> nearest_binary64(const DoubleWord& x) {
     if (std::isinf(x.high) && x.radius == 0) {
-        return x.high; // known to be infinite
+        return x.high; // exactly infinite
     }
-    // 1 %: the radii's own roundoff; 2^-105: that of the two sums with it.
+    // 1 % covers the roundoff of the radii, 2^-105 that of the two sums below.
     const double radius = 1.01 * x.radius + 2 * double_word::unit * std::fabs(x.high);
     const double above = x.high + (x.low + radius);
     const double below = x.high + (x.low - radius);

@@ -7,7 +7,7 @@ namespace edgeproof {
 
 namespace {
 
-/// What a ball is apart from its words, once they are found.
+/// The part of a ball that remains after its leading words have been extracted.
 struct Unsplit {
     explicit Unsplit(const Ball& x) { arf_set(rest, arb_midref(x.data())); }
     double next() {
@@ -17,7 +17,7 @@ struct Unsplit {
         arf_sub(rest, rest, part, ARF_PREC_EXACT, ARF_RND_DOWN);
         return word;
     }
-    /// Of the rest and the ball's own.
+    /// Returns an upper bound of the remainder plus the radius of the ball.
     [[nodiscard]] double radius(const Ball& x) const {
         MagValue sum;
         arf_get_mag(sum, rest);

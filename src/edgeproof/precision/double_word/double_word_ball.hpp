@@ -5,18 +5,19 @@
 
 namespace edgeproof {
 
-/// A double word whose numbers are those of the ball, and more: unknown where the ball is not
-/// finite, or its middle is not 0 and not between 2^-900 and 2^900 in size.
+/// Returns a double word that includes all numbers of the ball; unknown if the ball is not finite,
+/// or if its midpoint is not 0 and its size is not between 2^-900 and 2^900.
 [[nodiscard]] DoubleWord to_double_word(const Ball& x);
-/// Of a number; the radius is what two words leave out.
+/// Returns a number as a double word; the radius is the remainder after two words.
 [[nodiscard]] DoubleWord to_double_word(const Real& x);
 
-/// A number in two parts, so that a difference with a number beside it keeps its digits.
+/// A number in two parts, so that a difference with a number close to it is accurate
+/// (docs/double-words.md, lemma 5).
 struct PreciseWord {
-    DoubleWord first; ///< without a radius, where it is known
-    DoubleWord rest;  ///< below 2^-106 of the first
+    DoubleWord first; ///< without a radius, if known
+    DoubleWord rest;  ///< below 2^-106 of `first`
 };
-/// Of a ball whose bits are more than those of one double word; unknown as above.
+/// For a ball with more bits than one double word; unknown as above.
 [[nodiscard]] PreciseWord to_precise_word(const Ball& x);
 
 [[nodiscard]] inline DoubleWord operator-(const DoubleWord& x, const PreciseWord& y) {

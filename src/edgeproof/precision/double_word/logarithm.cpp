@@ -7,6 +7,7 @@
 
 namespace edgeproof {
 
+// docs/double-words.md, lemma 4.
 const LogarithmTable& LogarithmTable::get() {
     static const LogarithmTable table = [] {
         constexpr long bits = 256;

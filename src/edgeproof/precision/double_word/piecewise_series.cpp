@@ -9,7 +9,7 @@
 namespace edgeproof {
 namespace {
 
-/// f^(j)(c)/j!: the sum of binomial(k, j) a_k c^(k-j).
+/// f^(j)(c)/j!, the sum of binomial(k, j) a_k c^(k-j) (docs/double-words.md, lemma 7).
 Ball taylor_coefficient(const std::vector<Ball>& a, long most, long c, long cells, long j) {
     const long bits = a.front().bits();
     Ball weight(1, bits);
@@ -18,7 +18,7 @@ Ball taylor_coefficient(const std::vector<Ball>& a, long most, long c, long cell
         weight = weight * (c * k) / (cells * (k - j));
         sum += weight * a[static_cast<std::size_t>(k)];
     }
-    // The next weight, and those after it, which fall at least as fast as a geometric series.
+    // The next weight, and those after it, which decrease at least as fast as a geometric series.
     const long n = static_cast<long>(a.size());
     const Ball ratio = Ball(c * n, bits) / (cells * (n - j));
     const Ball rest = weight * ratio * most / (1 - ratio);
@@ -35,7 +35,7 @@ double above(const Ball& x) {
 
 PiecewiseSeries::PiecewiseSeries(const std::vector<Ball>& a, long most) {
     const long bits = a.front().bits();
-    // Of t, and what the rounding of x to a cell adds to it.
+    // The range of t, including the rounding of x to a cell.
     const Ball reach = Ball(Rational((1L << 40) + 1, 1L << 40), bits) / (2 * cells);
     for (long c = 0; c <= cells / 2; ++c) {
         Cell& cell = cells_[static_cast<std::size_t>(c)];
@@ -51,12 +51,13 @@ PiecewiseSeries::PiecewiseSeries(const std::vector<Ball>& a, long most) {
             size += abs(f) * power;
             power *= reach;
         }
-        // |f^(j)(c)/j!| <= M/(1 - c)^(j+1): what is cut off is a geometric series.
+        // |f^(j)(c)/j!| <= M/(1 - c)^(j+1): the remainder is a geometric series.
         const Ball inverse = Ball(cells, bits) / (cells - c);
         const Ball q = inverse * reach;
         const Ball cut = most * pow_int(inverse, static_cast<long>(long_terms) + 1) *
                          pow_int(q, static_cast<long>(terms - long_terms)) / (1 - q);
-        // 2^-46: 3 roundings a term, t's low part and radius, the coefficients' own rounding.
+        // 2^-46 covers 3 roundings for each term, the low part and radius of t, and the rounding of
+        // the coefficients.
         cell.error = 2 * above(size) * 0x1p-47 + above(cut);
     }
 }

@@ -10,14 +10,17 @@
 namespace edgeproof {
 
 /// A power series, the sum of a_k x^k with |a_k| <= M for all k, over 0 <= x <= 1/2 in double
-/// words: Taylor polynomials about 17 centres, none of them 2^-6 away or more. The first
-/// coefficients of each are double words, the others binary64.
+/// words, by Taylor polynomials about 17 centres, of which the nearest is at most 2^-6 away
+/// (docs/double-words.md, lemma 7). The first coefficients of each are double words, the others
+/// binary64.
 class PiecewiseSeries {
 public:
-    /// `a`: 400 coefficients or more; `most`: M, which holds for those that are not given too.
+    /// @param a at least 400 coefficients
+    /// @param most M, valid for all coefficients, including those not given
     PiecewiseSeries(const std::vector<Ball>& a, long most);
 
-    /// For 0 <= x <= 1/2; unknown elsewhere, and where x is known to less than 2^-60.
+    /// Returns the sum for 0 <= x <= 1/2; unknown elsewhere, and where the radius of x is 2^-60 or
+    /// more.
     [[nodiscard]] DoubleWord operator()(const DoubleWord& x) const {
         if (!(x.high >= 0 && x.high <= 0.5 && x.radius < 0x1p-60)) {
             return double_word::unknown();
@@ -37,13 +40,13 @@ public:
     }
 
 private:
-    static constexpr int cells = 32; ///< a unit of x
+    static constexpr int cells = 32; ///< for a unit of x
     static constexpr std::size_t long_terms = 10;
     static constexpr std::size_t terms = 22;
     struct Cell {
         std::array<DoubleWord, long_terms> first;
         std::array<double, terms - long_terms> others;
-        double error; ///< of the sum of the others, roundoff and what is cut off
+        double error; ///< of the sum of the others: roundoff and remainder
     };
     std::array<Cell, cells / 2 + 1> cells_;
 };

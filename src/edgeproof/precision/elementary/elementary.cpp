@@ -12,17 +12,20 @@ namespace {
 using OfArb = void (*)(arb_ptr, arb_srcptr, slong);
 using OfMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// Bits beyond the result's: an enclosure with so many is rarely too wide to be rounded.
+/// Bits in addition to those of the result: with these an enclosure is rarely too wide to be
+/// rounded.
 constexpr mpfr_prec_t first_guard_bits = 20;
 constexpr mpfr_prec_t last_guard_bits = 64;
-/// e^x has an exponent that MPFR and Arb both bear for |x| < 2^this.
+/// For |x| < 2^this the exponent of e^x is in the range of MPFR and Arb.
 constexpr mpfr_exp_t largest_exponent = 20;
 
-/// f(x), rounded to nearest: from an enclosure that rounds to one number, of two precisions at most
-/// (Ziv's method). Else, and where `by_mpfr` says so of x and the precision, by MPFR.
+/// Returns f(x) rounded to nearest, from an enclosure that rounds to one number, at one of two
+/// precisions (Ziv's method). If neither suffices, or if `by_mpfr` requires it for x and the
+/// precision, by MPFR.
 ///
-/// For x other than 0, f(x) is transcendental (Lindemann), so no midpoint of two numbers. Where
-/// 2^-bits <= |x| <= 2^bits it differs from one by less than 2^(-2 bits) only by chance.
+/// x is rational, so that f(x) is transcendental for x other than 0 (Lindemann), and never the
+/// midpoint of two numbers. Where 2^-bits <= |x| <= 2^bits it is within 2^(-2 bits) of such a
+/// midpoint only by chance.
 template <class ByMpfr> Real nearest(const Real& x, OfArb f, OfMpfr mpfr, ByMpfr by_mpfr) {
     Real result;
     mpfr_ptr to = result.backend().data();
@@ -58,7 +61,7 @@ Real hyperbolic_sine(const Real& x) {
 }
 
 Real exp_less_one(const Real& x) {
-    // Below -bits the result is -1 but for less than Arb's two precisions show.
+    // For x below -bits the result is too close to -1 for both of Arb's precisions.
     return nearest(x, arb_expm1, mpfr_expm1, [](mpfr_srcptr from, mpfr_prec_t bits) {
         return mpfr_get_exp(from) > largest_exponent || mpfr_cmp_si(from, -bits) < 0;
     });

@@ -5,15 +5,15 @@
 #include <cmath>
 
 /// Elementary functions of Real by Arb, which is several times faster than MPFR up to some hundreds
-/// of digits. As MPFR's they are rounded to the nearest number, at the working precision of the
-/// thread or at x's own where that is higher. Every other function of Real is MPFR's.
+/// of digits. Like those of MPFR they are rounded to nearest, at the working precision of the
+/// thread or at that of x where it is higher. Every other function of Real is MPFR's.
 namespace edgeproof {
 
-/// atan x.
+/// Returns atan x.
 [[nodiscard]] Real arc_tangent(const Real& x);
-/// sinh x.
+/// Returns sinh x.
 [[nodiscard]] Real hyperbolic_sine(const Real& x);
-/// e^x - 1.
+/// Returns e^x - 1.
 [[nodiscard]] Real exp_less_one(const Real& x);
 
 template <Arithmetic T> [[nodiscard]] T arc_tangent(const T& x) {

@@ -42,7 +42,8 @@ Real gamma_difference(const Real& x, const Real& h) {
         return Real(0);
     }
     const unsigned digits = working_digits();
-    // Decades that the difference loses; beyond all digits the rate is the whole of it.
+    // The number of decades that the difference loses. If it exceeds all digits, the derivative
+    // suffices.
     const Real ratio = abs(Real(h / (abs(x) + 1)));
     const Real lost = ratio < 1 ? Real(-log10(ratio)) : Real(0);
     if (lost > digits) {

@@ -7,14 +7,14 @@
 
 namespace edgeproof {
 
-/// The first n coefficients of the Taylor series of Euler's gamma function about x, at the working
-/// precision, by Arb. Throws DomainError at a pole.
+/// Returns the first n coefficients of the Taylor series of the gamma function about x, at the
+/// working precision, by Arb. Throws DomainError at a pole.
 [[nodiscard]] std::vector<Real> gamma_taylor(const Real& x, std::size_t n);
 
-/// gamma(x + h) - gamma(x) without cancellation. Throws DomainError at a pole.
+/// Returns gamma(x + h) - gamma(x) without cancellation. Throws DomainError at a pole.
 [[nodiscard]] Real gamma_difference(const Real& x, const Real& h);
 
-/// Digits in which formats of the machine are worked out.
+/// The number of digits used for the machine formats.
 constexpr unsigned gamma_digits = 50;
 
 template <Arithmetic T> [[nodiscard]] std::vector<T> gamma_taylor_in(const T& x, std::size_t n) {

@@ -4,7 +4,7 @@
 
 namespace edgeproof {
 
-/// An integer of GMP's. As a fixed-point number it counts units of a power of two.
+/// An integer of GMP. As a fixed-point number it counts units of a power of two.
 class GmpInteger {
 public:
     GmpInteger() { mpz_init(z_); }
@@ -22,7 +22,8 @@ private:
     mpz_t z_;
 };
 
-/// A non-negative number without its last limbs, which are not copied: to be used at once.
+/// A view of a non-negative number without its last limbs. The limbs are not copied, so that it
+/// must be used before the number changes.
 class Upper {
 public:
     Upper(const GmpInteger& x, mp_size_t limbs) {

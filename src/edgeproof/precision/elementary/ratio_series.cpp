@@ -18,13 +18,13 @@ constexpr double largest_argument = 0.999;
 constexpr double most_ratio_terms = 1e6;
 constexpr double largest_term = 1e100;
 constexpr double largest_weight = 1e300;
-/// Of a block, in bits: a double bears it, and more.
+/// The largest decrease over a block, in bits: within the range of a double.
 constexpr double largest_fall = 600;
-/// Every operation on doubles below is off by 2^-53 of its result at the most, and there are fewer
-/// than 1e8 of them one after another.
+/// Every operation on doubles below has a relative error of at most 2^-53, and fewer than 1e8 of
+/// them follow one another.
 constexpr double rounded_up = 1 + 1e-7;
 
-/// Consecutive terms over one denominator, as many as fit into words:
+/// Consecutive terms with a common denominator, as many as fit into words:
 ///   s_k = (numerators . powers + last s_{k + count})/denominator.
 struct Group {
     std::size_t first;
@@ -33,8 +33,8 @@ struct Group {
     unsigned long last;
 };
 
-/// What the sum takes for every number from 0 to x, found out on the way up: the terms in doubles,
-/// and the groups.
+/// The data of the sum that are valid for every number from 0 to x: the sizes of the terms in
+/// doubles, and the groups.
 class Summation {
 public:
     Summation(const RatioSeries& of, double x, long bits) : of_(of), x_(x) {
@@ -52,20 +52,21 @@ public:
     [[nodiscard]] const unsigned long* numerators(const Group& g) const {
         return numerators_.data() + g.first;
     }
-    /// No error in the block that k is in, or in a later one, counts for more than 2^this.
+    /// The errors in the block that contains k and in later blocks are multiplied by at most
+    /// 2^this.
     [[nodiscard]] long log2_weight(std::size_t k) const { return log2_weights_[k / block_]; }
-    /// What is left out is below tail() 2^tail_exponent().
+    /// The remainder is below tail() 2^tail_exponent().
     [[nodiscard]] double tail() const { return tail_; }
     [[nodiscard]] long tail_exponent() const { return tail_exponent_; }
-    /// Of the sum in x, on all of the ball.
+    /// A bound of the derivative of the sum by x on the whole ball.
     [[nodiscard]] double derivative() const { return derivative_; }
-    /// What errors count for in all: of a term, c_k times the power of x that its block begins
-    /// with; of the power that takes one block to the one before, what comes after it without that
-    /// power.
+    /// The sum of the weights of all errors. The weight of a term is c_k times the power of x with
+    /// which its block begins; the weight of the power that leads from one block to the one before
+    /// is the value of all that follows, without that power.
     [[nodiscard]] double weight() const { return weight_; }
 
 private:
-    /// Where a term is as small, it goes on with a factor that is counted apart.
+    /// Smaller terms are scaled by a power of two, which is counted separately.
     static constexpr int small_exponent = -300;
     static constexpr double small_term = 0x1p-300;
 
@@ -79,7 +80,7 @@ private:
         }
         return over / under;
     }
-    /// No later ratio is greater.
+    /// A bound of this and all later ratios.
     [[nodiscard]] double most_ratio(double k) const {
         double r = 1;
         for (const auto& q : of_.quotients) {
@@ -96,12 +97,12 @@ private:
     }
     bool count_terms(long bits) {
         double term = 1;   // c_k x^k over 2^exponent
-        double weight = 1; // c_k times the power that the block begins with, over 2^exponent
+        double weight = 1; // c_k times the power with which the block begins, over 2^exponent
         double passed = 0; // the sum of k/block c_k x^k
         long exponent = 0;
         const double least = std::ldexp(1.0, -static_cast<int>(std::min(bits, 1000L)));
         double most_weight = 0; // of the block, over 2^exponent
-        double unit = 1;        // 2^exponent, where that is no less than a double bears
+        double unit = 1;        // 2^exponent, if a double can represent it
         std::size_t blocks = 0;
         for (std::size_t k = 0;; ++k) {
             const auto at = static_cast<double>(k);
@@ -112,7 +113,7 @@ private:
                 terms_ = k;
                 tail_ = rest;
                 tail_exponent_ = exponent;
-                // Terms that are small enough to be scaled come to less than 1 in all.
+                // The terms that are small enough to be scaled add up to less than 1.
                 derivative_ += exponent == 0 ? rest * (at + 1) / (1 - falls) : 1;
                 derivative_ *= rounded_up / x_;
                 passed *= std::pow(x_, -static_cast<double>(block_));
@@ -149,7 +150,8 @@ private:
             }
         }
     }
-    /// a_k and b_k of the ratio a_k/b_k, for a k where `size` says that they are words.
+    /// Returns a_k and b_k of the ratio a_k/b_k, for a k for which `size` shows that they are
+    /// words.
     [[nodiscard]] std::pair<unsigned long, unsigned long> words(std::size_t k) const {
         unsigned long over = 1;
         unsigned long under = 1;
@@ -160,7 +162,7 @@ private:
         }
         return {over, under};
     }
-    /// No less than the larger one of both.
+    /// Returns an upper bound of both.
     [[nodiscard]] double size(std::size_t k) const {
         double most = rounded_up;
         for (const auto& q : of_.quotients) {
@@ -215,7 +217,8 @@ private:
     bool ok_;
 };
 
-/// What the sum takes for x and a little more: for neighbours the same, which each thread keeps.
+/// Returns the summation for x or a slightly larger number. Neighbouring x have the same one; each
+/// thread caches them.
 std::shared_ptr<const Summation> summation_of(const RatioSeries& series, double x, long bits) {
     constexpr double steps = 64; // from 0 to 1, so that an octave has half as many
     constexpr double most_kept = 0.95;
@@ -235,10 +238,11 @@ std::shared_ptr<const Summation> summation_of(const RatioSeries& series, double 
 
 } // namespace
 
-// Horner's rule in fixed-point numbers, by blocks that take their powers of x from a table, so that
-// only words are multiplied inside. A block works with the limbs that its weights leave of use, and
-// one more: what that drops comes to less than one unit of all. Else every division and product
-// drops less than a unit, and x^j is off by less than 2j units.
+// Sums by Horner's rule in fixed-point numbers, in blocks whose powers of x come from a table, so
+// that inside a block numbers are multiplied by single words only (rectangular splitting). A block
+// uses the limbs that its weights require and one more; what this drops is less than one unit in
+// total. Otherwise every division and product drops less than a unit, and x^j has an error of less
+// than 2j units.
 std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     const double most_x = std::nextafter(arf_get_d(arb_midref(x.data()), ARF_RND_UP), 1.0) +
                           mag_get_d(arb_radref(x.data()));
@@ -258,7 +262,7 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
     const auto limbs = static_cast<mp_size_t>(whole);
     const auto fixed_bits = static_cast<mp_bitcnt_t>(whole * GMP_NUMB_BITS);
 
-    // As many powers as the longest block has had terms, a thousand at most.
+    // One power for each term of the longest block so far, at most a thousand.
     thread_local std::vector<GmpInteger> powers;
     thread_local GmpInteger s;
     thread_local GmpInteger work;
@@ -278,7 +282,7 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
         return std::clamp<mp_size_t>(-plan.log2_weight(k) / GMP_NUMB_BITS - 1, 0, limbs - 1);
     };
     mpz_set_ui(s.get(), 0);
-    mp_size_t cut = 0; // of s
+    mp_size_t cut = 0; // number of limbs of s that are dropped
     for (std::size_t i = plan.groups().size(); i-- > 0;) {
         const Group& g = plan.groups()[i];
         const std::size_t end = g.first + g.count;

@@ -8,8 +8,9 @@
 
 namespace edgeproof {
 
-/// The sum over k of c_k x^k, c_0 = 1, where c_{k+1}/c_k is a product of two quotients
-/// (slope k + over)/(slope k + under) of positive integers: Gauss's 2F1 of rational parameters.
+/// The sum of c_k x^k over k, c_0 = 1, where c_{k+1}/c_k is a product of two quotients
+/// (slope k + over)/(slope k + under) of positive integers: Gauss's 2F1 with rational parameters
+/// (DLMF 15.2.1).
 struct RatioSeries {
     // clang-tidy 14 takes the 0 of a defaulted <=> for a pointer.
     // NOLINTBEGIN(modernize-use-nullptr)
@@ -23,9 +24,11 @@ struct RatioSeries {
     [[nodiscard]] auto operator<=>(const RatioSeries&) const = default;
     // NOLINTEND(modernize-use-nullptr)
 
-    /// Encloses the sum for every number of the ball x, 0 < x < 1. Nothing where the ball is wide,
-    /// reaches to 0.999, lies below 2^-600, or the numbers do not fit into words: there the caller
-    /// has slower ways.
+    /// Returns an enclosure of the sum for every number of the ball x, 0 < x < 1. Nothing if the
+    /// ball is wide, reaches 0.999, or lies below 2^-600, or if the numbers do not fit into words;
+    /// then the caller uses slower methods.
+    /// @param x argument
+    /// @param bits working precision
     [[nodiscard]] std::optional<Ball> sum(const Ball& x, long bits) const;
 };
 

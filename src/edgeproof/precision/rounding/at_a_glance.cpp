@@ -10,14 +10,16 @@
 namespace edgeproof {
 namespace {
 
-/// As near to a power of ten as this, relatively, the first digit is not told at a glance.
+/// If a number is as close to a power of ten as this, relatively, its first digit is not decided
+/// here.
 constexpr double too_near = 1e-9;
-constexpr long most_exponent = 1L << 20; // of two: its logarithm still has its digits in binary64
-constexpr long least_accuracy = 40;      // bits, so that no ball reaches as far
-constexpr double least_off = 1e-3;       // units: less has lost digits of binary64
+constexpr long most_exponent =
+    1L << 20; // binary exponent for which the logarithm is accurate in binary64
+constexpr long least_accuracy = 40; // bits, so that no ball contains numbers on both sides
+constexpr double least_off = 1e-3;  // units: smaller distances have lost digits in binary64
 
-/// k with 10^k <= |x| < 10^(k+1) for every x in a ball that is narrower than 2^-least_accuracy;
-/// false where it is not plain.
+/// Finds k with 10^k <= |x| < 10^(k+1) for every x in a ball narrower than 2^-least_accuracy; false
+/// where that is not certain.
 bool leading_place(const Ball& x, long& k) {
     if (x.relative_accuracy_bits() < least_accuracy) {
         return false;
@@ -37,11 +39,12 @@ bool leading_place(const Ball& x, long& k) {
     return std::abs(decades - std::round(decades)) > too_near;
 }
 
-/// 10^k in as many bits; the last one is kept, as the next number has the same size.
+/// Returns 10^k with that many bits. The last power is kept, because the next number often has the
+/// same size.
 const ArbValue& power_of_ten(ulong k, long bits) {
     struct Kept {
         ulong k = 0;
-        long bits = 0; ///< none is kept
+        long bits = 0; ///< 0: nothing is kept
         ArbValue power;
     };
     static thread_local Kept kept;
@@ -53,22 +56,22 @@ const ArbValue& power_of_ten(ulong k, long bits) {
     return kept.power;
 }
 
-/// What the numbers of a ball round to, in units of 10^place.
+/// The number to which all numbers of a ball round, in units of 10^place.
 struct WholeUnits {
     FmpzValue whole;
     long place = 0;
-    double off = 0;    ///< about how far the middle of the ball is from it
-    bool told = false; ///< `off` to a part in 10^12, whichever number in the ball is meant
+    double off = 0;    ///< approximate distance of the middle of the ball from it
+    bool told = false; ///< `off` is accurate to a part in 10^12 for every number in the ball
 };
 
-/// `digits` digits of x. False where that is not seen.
+/// Rounds x to `digits` digits; false if that is not decided here.
 bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) {
     long first = 0;
     if (mode == Rounding::enclosure || digits == 0 || !leading_place(x, first)) {
         return false;
     }
-    // Where all round alike, no number in the ball is a whole one, or, to nearest, half of an odd
-    // one. A ball that is too wide holds one.
+    // All numbers in the ball round alike if none of them is a whole number (or, for rounding to
+    // nearest, half of an odd one). A ball that is too wide contains one.
     to.place = first - static_cast<long>(digits) + 1;
     const ArbValue& ten = power_of_ten(static_cast<ulong>(std::abs(to.place)), x.bits());
     ArbValue units;
@@ -85,7 +88,7 @@ bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits&
         }();
         arb_add(units, units, half, x.bits());
     }
-    // Farther from the whole numbers on both sides of its middle than its radius.
+    // The middle is farther from the whole numbers on both sides than the radius.
     ArfValue above;
     arf_floor(above, arb_midref(units));
     (void)arf_get_fmpz(to.whole, above, ARF_RND_DOWN);
@@ -104,11 +107,12 @@ bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits&
     return alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
 }
 
-/// The same. The last one is kept: a value is looked at when it is found, and when it is printed.
+/// The same. The last result is kept, because a value is examined when it is found and when it is
+/// printed.
 const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
     struct Kept {
         ArbValue x;
-        long bits = 0; ///< none is kept
+        long bits = 0; ///< 0: nothing is kept
         unsigned digits = 0;
         Rounding mode = Rounding::nearest;
         WholeUnits units;
@@ -117,7 +121,7 @@ const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
     static thread_local Kept kept;
     if (kept.bits != x.bits() || kept.digits != digits || kept.mode != mode ||
         arb_equal(kept.x, x.data()) == 0) {
-        kept.bits = 0; // should this be cut off
+        kept.bits = 0; // in case an exception follows
         kept.seen = find_whole_units(x, digits, mode, kept.units);
         arb_set(kept.x, x.data());
         kept.bits = x.bits();
@@ -127,7 +131,7 @@ const WholeUnits* whole_units(const Ball& x, unsigned digits, Rounding mode) {
     return kept.seen ? &kept.units : nullptr;
 }
 
-/// Beyond these a binary64 is subnormal, or none, or close to it.
+/// Beyond these limits a binary64 is subnormal or infinite, or close to it.
 constexpr double least_binary64 = 1e-300;
 constexpr double most_binary64 = 1e300;
 constexpr long more_than_binary64 = 80; // bits
@@ -148,7 +152,7 @@ std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits,
     d.negative = fmpz_sgn(units->whole) < 0;
     FmpzValue size;
     fmpz_abs(size, units->whole);
-    d.digits.resize(fmpz_sizeinbase(size, 10) + 1); // with the end that C puts there
+    d.digits.resize(fmpz_sizeinbase(size, 10) + 1); // with the terminating zero that C writes
     fmpz_get_str(d.digits.data(), 10, size);
     d.digits.resize(std::strlen(d.digits.c_str()));
     d.exponent = static_cast<long>(d.digits.size()) + units->place;
@@ -199,7 +203,7 @@ std::string layout(const Decimal& d, unsigned digits) {
 }
 
 std::string bound_at_a_glance(double near, long place) {
-    constexpr int more = 15;                   // digits behind the first
+    constexpr int more = 15;                   // digits after the first
     constexpr long unsure = 100'000;           // units of the last of them
     constexpr long unit = 100'000'000'000'000; // of the second digit
     constexpr unsigned bound_digits = 2;

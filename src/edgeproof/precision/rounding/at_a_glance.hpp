@@ -7,26 +7,27 @@
 
 namespace edgeproof {
 
-/// A number in decimal, and how far it is at most from any number in a ball.
+/// A number in decimal, and a bound of its distance from every number in a ball.
 struct SeenAtAGlance {
     Decimal value;
-    /// As bound_text() of the farthest; empty where that was not seen.
+    /// bound_text() of that bound; empty if it was not decided.
     std::string bound;
 };
 
-/// What round_ball() finds, all digits certain, by a multiplication and no text of either end.
-/// What it gives is proved; nothing means that it was not seen so.
+/// The result of round_ball() where all digits are certain, found by one multiplication and without
+/// the text of either end. A result is proved; without a result the question is open.
 [[nodiscard]] std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits,
                                                                Rounding mode);
 
-/// What nearest_binary64() finds, by a few bits more than binary64 has. In the same sense.
+/// The result of nearest_binary64(), found with a few more bits than binary64 has. Without a result
+/// the question is open.
 [[nodiscard]] std::optional<double> binary64_at_a_glance(const Ball& x);
 
-/// bound_text() of near * 10^place, and of every number within a part in 10^11 of it, where that is
-/// one text; else empty.
+/// Returns bound_text() of near * 10^place if that is the same text for every number within a part
+/// in 10^11 of it; else empty.
 [[nodiscard]] std::string bound_at_a_glance(double near, long place = 0);
 
-/// As to_decimal() lays out.
+/// Lays out a decimal as to_decimal() does.
 [[nodiscard]] std::string layout(const Decimal& d, unsigned digits);
 
 } // namespace edgeproof

@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned working = 40;
 
-/// -log10 of a relative error given as a ball, between 0 and `most`.
+/// Returns -log10 of a relative error given as a ball, limited to 0 ... `most`.
 Real digits_of_error(const Ball& relative, const Real& most) {
     if (!relative.is_finite()) {
         return Real(0);
@@ -20,7 +20,7 @@ Real digits_of_error(const Ball& relative, const Real& most) {
     return std::clamp(Real(-log10(error)), Real(0), most);
 }
 
-/// x/exact - 1 in as many bits as either has, and some.
+/// Returns |x/exact - 1| with `bits` bits.
 Ball relative_error(const Real& x, const Ball& exact, long bits) {
     const Ball at = exact.with_bits(bits);
     return abs(Ball((Ball(x, bits) - at) / at));

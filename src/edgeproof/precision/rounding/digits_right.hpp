@@ -4,15 +4,15 @@
 
 namespace edgeproof {
 
-/// Digits counted no further than this: what a relative error of 0 has.
+/// The largest number of digits that is counted, also for a relative error of 0.
 constexpr unsigned most_digits_right = 1000;
 
-/// -log10 |x/exact - 1| for the number of the ball that is worst for x, no more than its bits can
-/// tell; 0 for fewer than none, for a NaN, and where the ball holds zero and x is not zero.
+/// Returns -log10 |x/exact - 1| for the number of the ball that is worst for x, limited by the bits
+/// of both. 0 for negative values, for a NaN, and if the ball contains zero and x is not zero.
 [[nodiscard]] double digits_reached(const Real& x, const Ball& exact);
-/// The same rounded down, and 0 for fewer than one digit.
+/// The same rounded down; 0 for less than one digit.
 [[nodiscard]] unsigned digits_right(const Real& x, const Ball& exact);
-/// -log10 of the ball's relative radius, rounded down.
+/// Returns -log10 of the relative radius of the ball, rounded down.
 [[nodiscard]] unsigned digits_proved(const Ball& x);
 
 } // namespace edgeproof

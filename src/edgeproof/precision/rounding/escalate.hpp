@@ -8,20 +8,21 @@
 
 namespace edgeproof {
 
-/// A budget counted in bits, never in seconds: the same on every machine.
+/// A budget counted in bits, never in seconds, and so the same on every machine.
 struct BitBudget {
     long first = 128;
     long last = 1L << 20;
 };
 
-/// An enclosure, and whether it is as narrow as was asked.
+/// An enclosure, and whether it is as narrow as requested.
 struct Escalated {
     Ball value;
     bool reached = false;
     long bits = 0; ///< the working precision of the last attempt
 };
 
-/// Calls f(bits) -> Ball with the precision doubled until `enough(ball)` or the budget ends.
+/// Calls f(bits) -> Ball with doubled precision until `enough(ball)` is true or the budget is used
+/// up.
 template <class F, class Enough>
 [[nodiscard]] Escalated try_escalate(const F& f, const Enough& enough, const BitBudget& budget) {
     Escalated e;
@@ -36,7 +37,7 @@ template <class F, class Enough>
     }
 }
 
-/// The same; throws BudgetError, saying how far it came, where the budget does not suffice.
+/// The same; throws BudgetError with the accuracy reached if the budget does not suffice.
 template <class F, class Enough>
 [[nodiscard]] Ball escalate(const F& f, const Enough& enough, const BitBudget& budget = {}) {
     Escalated e = try_escalate(f, enough, budget);

@@ -14,7 +14,7 @@ namespace edgeproof {
 namespace {
 
 constexpr long max_exponent = 100000;
-/// Of a result: relative errors of many terms have powers of what is given.
+/// For a result: relative errors of many terms contain powers of the input.
 constexpr long most_result_exponent = 100 * max_exponent;
 constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up", "enclosure"};
 
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up"
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Of a finite number.
+/// Returns a finite number in decimal.
 Decimal decimal_of(const Real& x, unsigned count, mpfr_rnd_t rounding) {
     if (count == 0) {
         throw DomainError("a number cannot be written to no digits at all");
@@ -63,7 +63,7 @@ Rounded enclosing(const Decimal& lower, const Decimal& upper, unsigned digits) {
             upper};
 }
 
-/// About floor(log10(x/y)): beside a power of ten it may be off by one.
+/// About floor(log10(x/y)): near a power of ten it may be wrong by one.
 long decades(const Integer& x, const Integer& y) {
     long of_x = 0;
     long of_y = 0;
@@ -96,7 +96,7 @@ Scaled scaled(const Decimal& d) {
     return s;
 }
 
-/// The ends of a ball, exactly: midpoint -+ radius in as many bits as that takes.
+/// The ends of a ball, midpoint -+ radius, exactly, in as many bits as that takes.
 struct Ends {
     Real lo;
     Real hi;
@@ -246,7 +246,7 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     const bool negative = q.sign() < 0;
     const Integer size = abs(boost::multiprecision::numerator(q));
     const Integer denominator = boost::multiprecision::denominator(q);
-    // |q| 10^shift has `digits` digits before its point: whole is between these two.
+    // |q| 10^shift has `digits` digits before its point: `whole` is between these two.
     const Integer least = ten_to(static_cast<long>(digits) - 1);
     const Integer most = 10 * least;
     long shift = static_cast<long>(digits) - 1 - decades(size, denominator);
@@ -346,7 +346,7 @@ std::optional<double> nearest_binary64(const Ball& x) {
         return seen;
     }
     const Ends ends = exact_ends(x);
-    // mpfr_get_d rounds once, subnormals included.
+    // mpfr_get_d rounds once, including subnormals.
     const double lo = mpfr_get_d(ends.lo.backend().data(), MPFR_RNDN);
     const double hi = mpfr_get_d(ends.hi.backend().data(), MPFR_RNDN);
     if (lo == hi) {
@@ -356,8 +356,8 @@ std::optional<double> nearest_binary64(const Ball& x) {
 }
 
 double nearest_binary64(const Rational& q) {
-    // Cut off far behind the last bit of any binary64, the last bit kept 1 if anything was cut:
-    // that rounds as q does, and is half-way between two only where q is.
+    // Truncated far behind the last bit of every binary64, with the last bit set to 1 if anything
+    // was truncated: this rounds like q, and is half-way between two binary64 only if q is.
     constexpr mpfr_prec_t bits = 80;
     Real x;
     mpfr_set_prec(x.backend().data(), bits);

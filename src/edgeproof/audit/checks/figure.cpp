@@ -9,7 +9,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// How bad a verdict on a figure is.
+/// Returns the rank of a verdict on a figure, from good to bad.
 int badness(Verdict v) {
     switch (v) {
     case Verdict::confirmed:
@@ -23,14 +23,15 @@ int badness(Verdict v) {
     }
 }
 
-/// The figure at one sample.
+/// The result of the comparison at one sample.
 struct FigureAt {
     Judgement verdict;
     std::optional<Ball> value;
     std::string problem;
 };
 
-/// An exact number, or an enclosure at as many bits as it takes to round it, and to show `digits`.
+/// Evaluates the figure as an exact number, or as an enclosure with enough bits to round it and to
+/// show `digits`.
 FigureAt figure_at(const Sample& sample, const formula::Expr& of, const QuotedFigure& figure,
                    unsigned digits) {
     FigureAt found;

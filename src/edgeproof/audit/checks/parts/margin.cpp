@@ -103,13 +103,13 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
             m.difference = m.value;
         } else if (alike) {
             const bool strict = r.op == Op::less || r.op == Op::greater;
-            // Zero on both sides is equality; anything else may yet come apart.
+            // If both sides are zero, they are equal; otherwise more digits may show a difference.
             m.clear = !strict || scale == 0;
             m.value = strict ? Real(0) : noise;
             m.difference = m.value;
         }
         if (m.clear && m.value < 0) {
-            return m; // one that fails decides
+            return m; // one relation that fails decides
         }
         if (!least) {
             least = m;
@@ -140,7 +140,7 @@ std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
         }
         return m;
     } catch (const DomainError&) {
-        return std::nullopt; // on a corner, or beyond the far edge by roundoff
+        return std::nullopt; // at a corner, or beyond the far edge because of roundoff
     }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int places_per_decade = 3;
 constexpr int even_places = 24;
-constexpr unsigned scan_digits = 40; // of the fractions themselves
+constexpr unsigned scan_digits = 40; // for the fractions themselves
 
 bool smaller(const MarginAt& x, const MarginAt& y) { return x.margin.value < y.margin.value; }
 

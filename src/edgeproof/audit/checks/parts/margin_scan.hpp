@@ -10,25 +10,25 @@ struct MarginAt {
     Margin margin;
 };
 
-/// A condition looked at all over a contact: geometrically towards both edges and both sides of
-/// every knot, evenly between them, and wherever the margin dips between those places as if it
-/// might change its sign. That nothing is missed is *sampled*, not proved.
+/// Evaluates a condition all over a contact: at places spaced geometrically towards both edges and
+/// both sides of every knot, evenly between them, and at extrema of the margin between these places
+/// where its sign might change. The completeness of this search is *sampled*, not proved.
 class MarginScan {
 public:
-    /// `nearest`: how near to the edge, as a fraction of the length.
+    /// `nearest`: the least distance from the edge, as a fraction of the length.
     MarginScan(const ConditionInScene& condition, const Real& nearest);
 
-    /// In the order of their distance from the edge.
+    /// The places in the order of their distance from the edge.
     [[nodiscard]] const std::vector<MarginAt>& places() const noexcept { return places_; }
-    /// nullptr if no place is admitted.
+    /// Returns nullptr if no place is admitted.
     [[nodiscard]] const MarginAt* least() const;
     [[nodiscard]] const MarginAt* most() const;
     [[nodiscard]] std::size_t unclear() const;
-    /// Whether, where the condition fails everywhere, the difference of its sides comes so near to
-    /// zero between its neighbours that it may hold at a point.
+    /// For a condition that fails everywhere: true if the difference of its sides comes so near to
+    /// zero between places that the condition may hold at a point.
     [[nodiscard]] bool nearly_holds() const;
-    /// Intervals in which the condition holds (or fails), their ends isolated to 12 digits, one
-    /// end being a place of the scan where the condition is not asked beyond it.
+    /// Returns the intervals in which the condition holds (or fails). Their ends are isolated to 12
+    /// digits, except ends at a place of the scan beyond which the condition is not evaluated.
     [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;
 
 private:

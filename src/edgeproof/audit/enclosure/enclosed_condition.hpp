@@ -6,14 +6,15 @@
 
 namespace edgeproof::audit {
 
-/// Whether a relation holds, by the enclosures of both sides. Sides that are equal to `digits`
-/// digits, relative to the sizes of their terms, satisfy =, <= and >=.
+/// Decides a relation by the enclosures of both sides. Sides that are equal to `digits` digits,
+/// relative to the sizes of their terms, satisfy =, <= and >=.
 [[nodiscard]] Decision decide(const Relation& relation, const EnclosedSample& sample,
                               double digits);
-/// The same for all relations of a condition: one that fails decides.
+/// Decides a condition: one relation that fails decides.
 [[nodiscard]] Decision decide(const Condition& condition, const EnclosedSample& sample,
                               double digits);
-/// At as many bits as it takes, to `digits` digits. Nothing where the enclosures do not decide.
+/// Decides with as many bits as needed, to `digits` digits. Returns nothing if the enclosures do
+/// not decide.
 [[nodiscard]] Decision decide(const Condition& condition, SampleInBalls& sample, double digits);
 
 } // namespace edgeproof::audit

@@ -214,7 +214,7 @@ formula::Expr ContactFormulas::root_of_y(const formula::Expr& x) const {
     return root_of((edge_a - x) * (x + edge_a)) / edge_a;
 }
 
-/// With y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
+/// For y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
 /// (Abramowitz and Stegun 15.3.6)
 ///     I_m = (w/m) 2F1((1 - m)/2, 1; 1 - m/2; z^2) + (sqrt(pi)/2) Gamma(-m/2)/Gamma((1 - m)/2) z^m.
 formula::Expr ContactFormulas::power_law_pressure(const formula::Expr& x, const Ball& near) const {

@@ -45,8 +45,7 @@ struct EvaluatedSceneState {
     std::map<std::string, Real, std::less<>> derived; ///< P, P1, ..., computed on first use
     std::array<std::vector<Real>, 2> expansions;      ///< right, left
     std::map<unsigned, EvaluatedSceneLevel> levels;   ///< by digits
-    /// By the distance from the right edge and from the left edge: integrals of p share their
-    /// nodes.
+    /// p by the distance from the right edge and from the left edge; integrals of p share nodes.
     std::array<std::map<Real, Real>, 2> pressures;
 
     /// For a scene with friction, by bits; null if this number of bits does not give an enclosure.

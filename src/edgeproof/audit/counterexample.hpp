@@ -10,6 +10,7 @@ namespace edgeproof::audit {
 /// Returns the clearest numbers that show a refuted claim to be wrong. They are small and whole
 /// where possible, so that a reader can check them by hand. (The samples used for a verdict are
 /// chosen to find errors, not to show them.) All decimals are rounded from enclosures.
+///
 /// For a formula, the symbols get small numbers; `printed` and `correct` are the formulas,
 /// `printed_value` and `correct_value` their exact values (left out where there is no closed form),
 /// and decimals are added. For the reach of an approximation: a distance at which the error is on

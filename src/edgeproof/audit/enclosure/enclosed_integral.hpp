@@ -28,6 +28,7 @@ struct IntegralSurroundings {
 /// principal value, the path passes the pole in the upper half-plane, where the integrand without
 /// the pole is shown to be holomorphic, and half the residue is added. The pressure of a piecewise
 /// linear slope is integrated above the contact, where it is analytic.
+///
 /// `digits`: the relative accuracy aimed at, which is not guaranteed: the width of the ball is the
 /// result of a limited number of evaluations. The ball is not finite if the integrand has no bound,
 /// or is singular at an end that is not proved to be a zero of the expression under the root.

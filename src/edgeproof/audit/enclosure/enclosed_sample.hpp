@@ -38,8 +38,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The enclosure of a formula at a sample, right to `digits` digits if the bits are sufficient;
-/// otherwise nothing, and the reason in `problem`.
+/// The enclosure of a formula at a sample, right to `digits` digits if the bits are sufficient. If
+/// `ball` is empty, `problem` gives the reason.
 struct Enclosed {
     std::optional<Ball> ball;
     std::string problem;

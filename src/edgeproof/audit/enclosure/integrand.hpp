@@ -36,21 +36,21 @@ struct IntegrandMeaning {
 /// singular at e has no singularity in v. The divided difference of a part follows from the finite
 /// form of the rules of differentiation; that of b(s) from its derivative over the segment from e,
 /// as b is convex.
+///
 /// In addition to the functions of formulas, it has log_above(z), the logarithm continued from the
 /// upper half-plane (real for z > 0), and gauss(a, b, c, z), Gauss's 2F1.
-/// half-plane (that of z > 0 is real), and gauss(a, b, c, z), Gauss's 2F1.
 class Integrand {
 public:
     Integrand(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
     ~Integrand();
     Integrand(Integrand&&) noexcept;
 
-    /// True if it is identically 0.
+    /// True if the formula reduces to the constant 0.
     [[nodiscard]] bool vanishes() const;
     enum class Centre {
         rooted, ///< n is as large as needed for roots of parts that vanish at the centre
-        pole,   ///< n = 1, v of either sign; roots that vanish at the centre are not recognised
-        regular ///< n = 1; zeros at the centre are not recognised
+        pole,   ///< n = 1, v of either sign; zeros at the centre are ignored if one is under a root
+        regular ///< n = 1; zeros at the centre are ignored
     };
     /// Sets the centre e = `at`, where the variable is `written`, with v towards greater values
     /// (direction 1) or smaller ones (-1). `angle`: the angle of e on the path, if there is one.

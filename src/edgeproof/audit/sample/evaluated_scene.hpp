@@ -46,6 +46,7 @@ using IntegralCache = std::unordered_map<formula::Expr, FormulaValue, formula::E
 enum class Effort { screening, full };
 
 /// A scene in numbers, right to `digits` digits, in which the formulas of a ledger are evaluated.
+///
 /// Symbols: every parameter of the scene (m, C, t, R, phi, alpha, Es, ...), a, b, P, M, L = a + b,
 /// P1, P2, ... (P'(a), P''(a), ...), b1, b2, ..., right_c0, ..., left_c0, ... (the coefficients of
 /// the expansions: "right.c0" in a ledger), u and x of the place, `edge` (+1 right, -1 left).

@@ -15,6 +15,7 @@ namespace edgeproof::audit {
 /// Evaluates a formula as a truncated expansion in one of its variables. The functions along the
 /// family of contacts are given by their Taylor series, with the coefficients P1, P2, ..., b, b1,
 /// ... of the field T. No other data of the contact is used.
+///
 /// Field:  T symbol(std::string_view) const;  T pi() const;
 ///         T integral(const T& f, std::string_view variable, const T& hi) const;  from 0 to hi
 template <class T, class Field> class ExpansionEnvironment {

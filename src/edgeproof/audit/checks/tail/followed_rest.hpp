@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const Ball& last() const;
     /// The largest |rest| for the first size.
     [[nodiscard]] Ball largest() const;
-    /// For a table: "10^-64".
+    /// Returns the last distance as text: "10^-64".
     [[nodiscard]] std::string last_distance() const;
 
 private:

@@ -141,8 +141,7 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
                                              ? at_quoted_distance(later, claim, context)
                                              : at_samples(later, claim, context);
             one.add("comes_to", finding.comes_to).add("as_printed", finding.as_printed);
-        } catch (const Error& error) { // a limit of the program; it decides nothing about the later
-                                       // result
+        } catch (const Error& error) { // a limit of the program, not a result
             one.add("not_computed", error.what());
         }
         found[later.from].emplace_back(std::move(one));

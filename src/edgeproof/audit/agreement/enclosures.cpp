@@ -21,7 +21,6 @@ constexpr std::size_t others_of_integrals = 4;
 constexpr unsigned spare_digits = 2; // added to the aim of integrals
 constexpr double every_digit = 1e6;  // for numbers that are exactly equal
 
-/// One of the samples.
 struct Sampled {
     const EvaluatedSamples& samples;
     std::size_t index;

@@ -209,8 +209,7 @@ FormulaValue EvaluatedSamples::known(const formula::Expr& e, std::size_t sample_
         return it->second;
     }
     FormulaValue value = samples_at_[sample_at].evaluate(e, &cache);
-    // emplace would keep the value without the digits that evaluate has already stored for an
-    // integral.
+    // An integral may have an entry from evaluate, without digits; replace it.
     cache.insert_or_assign(e, value);
     return value;
 }

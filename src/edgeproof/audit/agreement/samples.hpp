@@ -103,10 +103,8 @@ public:
                                     const std::optional<formula::Expr>& scale = std::nullopt);
     /// Returns the value, at a sample, of a formula that is compared with many others.
     [[nodiscard]] FormulaValue known(const formula::Expr& e, std::size_t sample_at);
-    /// Returns a sample in balls.
     [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample_at, long bits,
                                                  unsigned integral_digits) const;
-    /// Returns the value of a formula at a sample.
     [[nodiscard]] FormulaValue value(const formula::Expr& e, std::size_t sample_at) {
         return samples_at_[sample_at].evaluate(e, &caches_[sample_at]);
     }

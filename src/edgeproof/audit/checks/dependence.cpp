@@ -14,10 +14,8 @@ namespace {
 
 /// The result of a search for polynomial relations; the quantity is the first variable.
 struct AlgebraicDependence {
-    std::optional<std::string> relation; ///< a relation that contains the quantity, proved by
-                                         ///< symbols
-    std::optional<std::string> solved;   ///< the quantity from that relation, if it is linear in
-                                         ///< the quantity
+    std::optional<std::string> relation; ///< contains the quantity; proved by symbols
+    std::optional<std::string> solved;   ///< the quantity, if the relation is linear in it
     bool none = false;                   ///< it is proved that there is none up to the degree
 };
 

@@ -102,8 +102,7 @@ Remainder measure_remainder(const Claim& claim, const std::vector<Sample>& sampl
 /// coefficient may vanish that does not vanish in general.
 struct ComparedTerms {
     std::vector<Decision> decisions;
-    const ExpansionComparison::Term* wrong = nullptr; ///< the first coefficient that is proved to
-                                                      ///< differ
+    const ExpansionComparison::Term* wrong = nullptr; ///< the first that is proved to differ
     std::string problem;
 };
 

@@ -23,7 +23,6 @@ int badness(Verdict v) {
     }
 }
 
-/// The result of the comparison at one sample.
 struct FigureAt {
     Judgement verdict;
     std::optional<Ball> value;

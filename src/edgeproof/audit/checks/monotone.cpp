@@ -20,12 +20,10 @@ struct Step {
     Decision as_claimed;
 };
 
-/// All steps of all samples.
 struct Steps {
     std::vector<Decision> decisions;
     std::vector<std::string> bad_steps; ///< of the first sample that has any
-    std::size_t bad_from = 0;           ///< the index of the value at which the largest bad step
-                                        ///< begins
+    std::size_t bad_from = 0;           ///< the index of the value where the largest begins
     std::string bad_at;
     Step against;                    ///< the largest bad step
     std::vector<std::string> values; ///< of `of`, at that sample or at the first

@@ -9,13 +9,11 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The result in one scene.
 struct RelationInScene {
     Decision decision;
     std::size_t places = 0;
     std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
-    std::vector<std::string> where;   ///< the intervals in which it fails (or holds, for
-                                      ///< "somewhere")
+    std::vector<std::string> where;   ///< intervals where it fails ("somewhere": where it holds)
 };
 
 bool names_a_place(const Condition& condition) {

@@ -20,9 +20,8 @@ struct Quoted {
     std::string key; ///< everything except the scene on which the figure and its meaning depend
     ExtentOf of;
     std::optional<ExtentOf> over; ///< the divisor, if any
-    Float128 lower;               ///< the interval of numbers that round to the figure: its lower
-                                  ///< end (included) ...
-    Float128 upper;               ///< ... and its upper end (excluded)
+    Float128 lower;               ///< the numbers that round to the figure: lower end ...
+    Float128 upper;               ///< ... and upper end (excluded)
     Rational figure;
     Rational unit; ///< one unit of its last place
     formula::Exact tolerance;
@@ -262,8 +261,7 @@ std::vector<Group> largest_groups(const std::vector<Quoted>& figures,
     }
     std::vector<Group> largest;
     for (const auto& found : at) {
-        const std::vector<std::size_t>& group = found.first; // a structured binding cannot be
-                                                             // captured by a lambda
+        const std::vector<std::size_t>& group = found.first; // a lambda cannot capture a binding
         const bool within_another = std::any_of(at.begin(), at.end(), [&](const auto& other) {
             return other.first.size() > group.size() &&
                    std::includes(other.first.begin(), other.first.end(), group.begin(),

@@ -9,8 +9,7 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr unsigned split_digits = 18; // only an order is measured, so that more digits are not
-                                      // useful
+constexpr unsigned split_digits = 18; // sufficient to measure an order
 
 /// The expansion of the integrand up to the cut, term by term, minus the finite part of the whole
 /// integral: the terms of the first part that contain the cut.
@@ -104,8 +103,7 @@ private:
     std::string small_;
     formula::Expr of_;
     std::vector<std::string> texts_;
-    std::vector<EnclosedSample> samples_; ///< two for each text: with the small variable, and with
-                                          ///< a tenth of it
+    std::vector<EnclosedSample> samples_; ///< two for each text: the small variable, and a tenth
     std::vector<Ball> second_;            ///< the integrals from the cut to 1
 };
 

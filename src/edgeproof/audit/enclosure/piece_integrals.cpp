@@ -89,8 +89,8 @@ Box PieceIntegrals::over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd
         const Box top(zero, r);
         Box sum = line_integral(f, Box(-r), top, digits_) + line_integral(f, top, Box(r), digits_) +
                   f.leading(Box(bits_)).factor * Box(zero, Ball::pi(bits_));
-        const formula::Expr unnamed = formula::Expr::symbol("a place inside"); // no text can
-                                                                               // contain this name
+        const formula::Expr unnamed =
+            formula::Expr::symbol("a place inside"); // not a name in any text
         const PieceEnd before{unnamed, pole.at - r};
         const PieceEnd behind{unnamed, pole.at + r};
         sum = sum + by_ends(f, from, before, false);

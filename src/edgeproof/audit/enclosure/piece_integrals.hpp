@@ -10,7 +10,6 @@
 
 namespace edgeproof::audit {
 
-/// One end of a piece.
 struct PieceEnd {
     formula::Expr written;
     Ball at;

@@ -7,8 +7,8 @@ namespace edgeproof::audit {
 /// The contacts of a tilted flat and rounded punch whose left edge is beyond the right arc. Each is
 /// given by an angle in which all quantities are analytic, although they are not analytic in the
 /// right edge s. With the middle c, the half-length d, and v = c + d cos h for a point, the right
-/// end of the flat is at h = pi - eta and its left end, if the contact reaches it, at h = pi -
-/// kappa. With r := R alpha,
+/// end of the flat is at h = pi - eta, and its left end, if the contact reaches it, is at
+/// h = pi - kappa. With r := R alpha,
 ///     s = d (1 + cos eta) - r,   b(s) = d (1 - cos eta) + r,
 ///     P'(s) = (E* d/2R)(sin eta + pi - eta + kappa - sin kappa),
 /// and moore-hills.tex eqn:Consistency becomes

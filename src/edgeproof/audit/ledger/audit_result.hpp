@@ -13,10 +13,8 @@ namespace edgeproof::audit {
 
 /// A file of theorems about a claim that Coq checks.
 struct TheoremFile {
-    std::string path;           ///< as it is shown, relative to the ledger's folder:
-                                ///< "certificates/EQ18.v"
-    bool whole_verdict = false; ///< true if the theorems prove the whole verdict, not only a part
-                                ///< of it
+    std::string path;           ///< as shown, in the ledger's folder: "certificates/EQ18.v"
+    bool whole_verdict = false; ///< the theorems prove all of the verdict
     std::string file;           ///< the path of the file
 };
 
@@ -35,8 +33,7 @@ struct AuditResult {
     std::string source;
     unsigned digits = 0;
     std::vector<ClaimResult> claims;
-    std::vector<ClaimError> errors; ///< for the selected claims without a result, in the ledger's
-                                    ///< order
+    std::vector<ClaimError> errors; ///< of selected claims without a result, in order
 };
 
 } // namespace edgeproof::audit

@@ -30,12 +30,10 @@ struct KeySpec {
     std::vector<std::string_view> choices = {};
 };
 
-/// A required key that holds a formula.
 [[nodiscard]] inline KeySpec required_formula(std::string_view name) {
     return {.name = name, .type = KeySpec::Type::formula, .required = true};
 }
 
-/// An optional key that holds a formula.
 [[nodiscard]] inline KeySpec optional_formula(std::string_view name) {
     return {.name = name, .type = KeySpec::Type::formula};
 }

@@ -53,8 +53,7 @@ struct Family {
     std::size_t points = 1; ///< the number of places in each scene
     std::vector<std::string> union_of;
     std::size_t line = 0;
-    std::map<std::string, std::size_t, std::less<>> lines; ///< the lines of the parameters in the
-                                                           ///< file
+    std::map<std::string, std::size_t, std::less<>> lines; ///< of the parameters
 
     [[nodiscard]] bool has(std::string_view parameter) const { return lines.contains(parameter); }
 };

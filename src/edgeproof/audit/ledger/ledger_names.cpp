@@ -44,7 +44,7 @@ formula::Symbols scene_names() {
     return symbols;
 }
 
-/// States if some scene of the family has friction, and if all have.
+/// True if some scene of the family has friction, and if all scenes have it.
 struct Friction {
     bool some = false;
     bool all = true;

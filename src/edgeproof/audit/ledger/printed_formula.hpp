@@ -18,8 +18,8 @@ namespace edgeproof::audit {
 /// to a neighbour of it.
 [[nodiscard]] inline Rational neighbour_units() { return {3, 2}; }
 
-/// A decimal printed in a formula: "0.418". It represents every number that rounds to it: value -
-/// unit/2 ... value + unit/2.
+/// A decimal printed in a formula: "0.418". It represents every number that rounds to it:
+/// value - unit/2 ... value + unit/2.
 struct PrintedDecimal {
     std::string text;
     std::size_t offset = 0; ///< in the formula's text
@@ -78,8 +78,7 @@ private:
 
 using PrintedFormula = std::variant<ExactFormula, DecimalFormula>;
 
-/// Returns the printed formula of a field. All numbers are exact in a claim with `decimals =
-/// "exact"`.
+/// Returns the printed formula of a field. With `decimals = "exact"` all numbers are exact.
 [[nodiscard]] PrintedFormula printed_formula(const Claim& claim, std::string_view key = "says");
 
 /// A printed condition and its decimals, which represent intervals.

@@ -9,8 +9,7 @@ namespace edgeproof::audit {
 /// The verdict on a claim; always computed, never written in a ledger.
 enum class Verdict {
     proved,         ///< by a symbolic identity: printed minus derived is zero
-    confirmed,      ///< agrees to the required digits at every sample, or rounds to the quoted
-                    ///< figure
+    confirmed,      ///< agrees to the digits needed at every sample, or rounds to what is quoted
     imprecise,      ///< off by one unit in the last quoted place, or true under one reading only
     refuted,        ///< proved wrong by enclosures
     underspecified, ///< cannot be evaluated as printed

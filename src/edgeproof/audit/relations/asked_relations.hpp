@@ -15,8 +15,7 @@ struct RelationQuestion {
     std::vector<std::string> quantities; ///< "left.c1", "b1", "L", ...
     long degree = 4;
     bool symmetric = false;                                 ///< b = a
-    std::vector<std::pair<std::string, std::string>> given; ///< names with formulas, not free:
-                                                            ///< {"P2", "m*P1/a"}
+    std::vector<std::pair<std::string, std::string>> given; ///< not free: {"P2", "m*P1/a"}
     std::vector<std::string> free;                          ///< additional free names: "m"
 };
 

@@ -28,8 +28,7 @@ struct PolynomialRelation {
         std::vector<unsigned> exponents; ///< of the quantities
         [[nodiscard]] unsigned degree() const;
     };
-    std::vector<Term> terms; ///< integers without a common factor, the leading term first; their
-                             ///< sum is zero
+    std::vector<Term> terms; ///< coprime integers, leading term first; the sum is 0
     [[nodiscard]] unsigned degree() const { return terms.front().degree(); }
     [[nodiscard]] std::size_t terms_with(std::size_t quantity) const;
     [[nodiscard]] bool involves(std::size_t quantity) const { return terms_with(quantity) > 0; }

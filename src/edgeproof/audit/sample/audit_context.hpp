@@ -71,8 +71,8 @@ public:
     }
 
     /// Returns an object that is expensive to make and that only one thread may use at a time: a
-    /// returned one, or a new one. It is returned when the last pointer to it is destroyed; the
-    /// context must outlive it.
+    /// kept one, or a new one. The context keeps it when the last pointer to it is destroyed, and
+    /// must outlive it.
     template <class T>
     [[nodiscard]] std::shared_ptr<T> borrow(const std::string& key,
                                             const std::function<std::unique_ptr<T>()>& make) const {

@@ -21,7 +21,6 @@ public:
                  unsigned working_digits = digits);
 
     [[nodiscard]] const Variables& values() const noexcept { return values_; }
-    /// Adds a name, or changes its value.
     void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const formula::Expr& e) const;

@@ -8,9 +8,9 @@ class ex;
 
 namespace edgeproof::audit::ginac {
 
-/// Replaces roots by symbols. GiNaC's `normal` does not relate roots: it treats a^(1/2) and (2
-/// a)^(1/2) as independent. Here roots are taken of irreducible factors only; each is a symbol w
-/// with the rule w^n = factor. The result is a rational function, for which `normal` decides.
+/// Replaces roots by symbols, because GiNaC's `normal` treats a^(1/2) and (2 a)^(1/2) as
+/// independent. Here roots are taken of irreducible factors only; each is a symbol w with the rule
+/// w^n = factor. The result is a rational function, for which `normal` decides.
 class Roots {
 public:
     Roots();

@@ -39,8 +39,8 @@ public:
         }
         return known_.emplace(std::string(name), meaning(name)).first->second;
     }
-    /// Returns the integral of c over 0 < variable < hi; c must be a polynomial divided by sqrt(hi
-    /// - variable).
+    /// Returns the integral of c over 0 < variable < hi; c must be a polynomial divided by
+    /// sqrt(hi - variable).
     [[nodiscard]] ex integral(const ex& c, std::string_view variable, const ex& hi) const {
         const ex s = ginac::symbol(variable);
         const std::vector<ex> q = ginac::polynomial_over_root(c, s, hi);

@@ -110,8 +110,7 @@ void report_agreement(const Agreement& agreement, const EvaluatedSamples& sample
 
 namespace {
 
-constexpr unsigned most_fitted_digits = 100; ///< the greatest number of digits in the search for
-                                             ///< numbers in place of decimals
+constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
 constexpr std::size_t most_with_integrals = 8;
 
 /// Returns one equation for each sample with an enclosure; returns none if a sample has no

@@ -13,8 +13,7 @@ namespace {
 
 constexpr int most_iterations = 60;
 constexpr std::size_t most_boxes = 3000;   ///< in a subdivision
-constexpr std::size_t most_subdivided = 4; ///< the greatest number of decimals for which the box is
-                                           ///< subdivided
+constexpr std::size_t most_subdivided = 4; ///< decimals of a box that is subdivided
 
 using Row = std::vector<Real>;
 

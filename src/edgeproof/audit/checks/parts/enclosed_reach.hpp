@@ -16,8 +16,8 @@ struct ReachQuestion {
     contact::ExtentRange range;
 };
 
-/// The proved extents in which n terms are within a tolerance in a scene; only a problem if no
-/// number of bits up to 8 times that of `digits` decides.
+/// The proved extents in which n terms are within a tolerance in a scene. If no number of bits up
+/// to 8 times that of `digits` decides, `extents` is empty and `problem` gives the reason.
 struct EnclosedReach {
     std::optional<contact::EnclosedExtents> extents;
     long bits = 0;

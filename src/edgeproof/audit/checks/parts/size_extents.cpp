@@ -13,8 +13,7 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr int points_per_decade = 10; // of the geometrically spaced points
-constexpr int nearest_decades = 4;    // the least distance of these points from a knot or the far
-                                      // edge
+constexpr int nearest_decades = 4;    // their least distance from a knot or the far edge
 constexpr int uniform = 24;           // points between landmarks
 const Float128 refined("1e-24");      // relative, for a crossing
 
@@ -250,8 +249,7 @@ ContactsBySize::Fractions ContactsBySize::At::found(const ExtentOf& of, bool ref
     }
     const std::vector<Node> nodes = errors(of);
     const auto tolerance = static_cast<long double>(of.tolerance);
-    std::vector<Float128> crossings; // alternately outwards and inwards, as the error vanishes at
-                                     // the edge
+    std::vector<Float128> crossings; // alternately outwards and inwards
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         const int before = side_of(nodes[i].f, tolerance);
         const int after = side_of(nodes[i + 1].f, tolerance);

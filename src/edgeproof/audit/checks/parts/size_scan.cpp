@@ -19,7 +19,6 @@ const Float128 isolation("1e-16");
 /// An interval of at most this relative width is a jump that crosses both bounds.
 const Float128 width_of_a_jump("1e-13");
 
-/// A value at a size.
 struct Value {
     Float128 a;
     Float128 f;

@@ -23,8 +23,7 @@ constexpr std::array<unsigned, 3> sizes{0, 6, 12};
 /// Decades of the distance. Growth is measured at those that are powers of two.
 constexpr std::array<unsigned, 20> main_stations{1,  2,  3,  4,   6,   8,   12,  16,  24,  32,
                                                  48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
-constexpr double bounded_margin = 8; ///< the last steps must be smaller than the remainder by this
-                                     ///< number of decades
+constexpr double bounded_margin = 8; ///< decades from the last steps to the remainder
 constexpr double most_hidden = 390;
 constexpr std::size_t doublings = 3;
 constexpr long rest_bits = 30;

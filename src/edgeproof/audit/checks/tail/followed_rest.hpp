@@ -37,8 +37,7 @@ public:
     enum class Course {
         unknown,
         nothing,     ///< the balls do not distinguish the remainder from zero
-        bounded,     ///< it tends to a limit for each size, and its maximum tends to a limit for
-                     ///< small sizes
+        bounded,     ///< it has a limit for each size, and its maximum has one for small sizes
         grows,       ///< without bound as the variable tends to its limit, or as the size decreases
         wrong_order, ///< it grows as the size decreases, also far from the limit
     };

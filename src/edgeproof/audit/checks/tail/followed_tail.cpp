@@ -21,8 +21,7 @@ constexpr std::array<unsigned, 22> stations{1,  2,  3,  4,  5,   6,   7,   8,   
 constexpr unsigned first_judged = 128;
 constexpr unsigned farthest_of_integrals = 16;
 constexpr std::size_t least_points = 5;
-constexpr double margin = 20;      ///< required decrease of a gap in decades, in addition to those
-                                   ///< that may be hidden
+constexpr double margin = 20;      ///< required decades of decrease, plus those hidden
 constexpr double short_margin = 4; ///< the same where enclosures end early
 constexpr double most_decades = 4000;
 constexpr long relative_bits = 30; ///< required relative accuracy of a gap

@@ -7,8 +7,7 @@
 
 namespace edgeproof::audit {
 
-/// The claim, or the last of its readings that is refuted (the reading most favourable to the
-/// source).
+/// The claim, or its last refuted reading (the most favourable to the source).
 struct RefutedReading {
     const Claim* claim = nullptr;
     const Outcome* outcome = nullptr;

@@ -64,8 +64,7 @@ Evidence numbers_of(const SceneSpec& scene) {
     return with;
 }
 
-/// Returns the value of a formula at a sample, rounded from its enclosure; empty if there is no
-/// enclosure.
+/// Returns a formula's value, rounded from its enclosure; empty if there is no enclosure.
 std::string enclosed_decimal(const formula::Expr& e, const Sample& sample) {
     const Enclosed value = enclosed(e, sample, proving_digits);
     return value.ball ? round_ball(*value.ball, shown_digits).text : "";

@@ -203,7 +203,7 @@ bool has_disjoint(const Outcome& outcome) {
     return apart != nullptr && std::get<bool>(apart->value());
 }
 
-/// True if the evidence has balls for the quantities of the verdict.
+/// True if the evidence has balls.
 bool is_enclosed(const Outcome& outcome) {
     const EvidenceItem* item = outcome.evidence.find("enclosures");
     const auto* pair = item == nullptr ? nullptr : std::get_if<Evidence>(&item->value());

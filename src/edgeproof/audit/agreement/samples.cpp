@@ -42,7 +42,7 @@ bool certainly_holds(const Condition& where, const Sample& sample) {
     return confirms(decide(where, in_balls, condition_digits));
 }
 
-/// Returns a key that contains everything on which the samples of a claim depend.
+/// Returns a key with everything on which the samples depend.
 std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) {
     std::string key = fmt::format("samples/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
                                   claim.text_or("edge", "right"), claim.text_or("points", ""));
@@ -64,8 +64,7 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
 
 namespace {
 
-/// True if the values in Real differ by more than their errors: this sample is to be checked in
-/// balls.
+/// True if the values in Real differ by more than their errors: then balls must decide.
 bool seems_different(const SampleAgreement& s, double digits_needed) {
     const ValuePair* v = s.values();
     return v != nullptr && v->digits < digits_needed && abs(v->printed - v->exact) > v->error;

@@ -84,8 +84,7 @@ struct Agreement {
 /// used in comparisons, and of integrals. Not thread-safe: one thread may use an object at a time.
 class EvaluatedSamples {
 public:
-    /// Returns the samples of a claim, which claims with the same sampling share; made once for
-    /// each run and thread.
+    /// Returns samples, shared by claims with the same sampling; made once for each run and thread.
     [[nodiscard]] static std::shared_ptr<EvaluatedSamples> of(const Claim& claim,
                                                               const AuditContext& context,
                                                               unsigned digits, std::size_t most = 0,

@@ -135,8 +135,7 @@ private:
     static bool is_higher_derivative_of_b(std::string_view name) {
         return name.size() == 2 && name[0] == 'b' && name[1] >= '2' && name[1] <= '9';
     }
-    /// True if b(a) is a multiple of a: for symmetric contacts, and for wedges, which have no
-    /// length.
+    /// True if b(a) is a multiple of a: for symmetric contacts and for wedges.
     [[nodiscard]] bool b_is_linear() const {
         const contact::Profile& profile = sample_at_.scene_values->contact().profile();
         return profile.symmetric() || profile.kind() == contact::Profile::Kind::tilted_wedge;

@@ -114,8 +114,8 @@ void judge_independent(const Claim& claim, const GradientRank& rank, bool says_i
              digits, outcome.evidence);
 }
 
-/// Judges from a proof that near a drawn point the gradient of the quantity lies in the span of the
-/// other gradients, so that the rank is the same with it and without it.
+/// Judges from a proof that near a drawn point the quantity's gradient lies in the span of the
+/// others, so that the rank is the same with it and without it.
 void judge_function(const Claim& claim, const GradientRank& rank, bool says_independent,
                     unsigned digits, Outcome& outcome) {
     constexpr long bits = 64;

@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::size_t formal_draws = 3;
 
-/// Returns the names in two formulas, and the derivatives that occur in the expansions of functions
-/// along the family of contacts.
+/// Returns the names in two formulas, and the derivatives in the expansions of contact functions.
 std::set<std::string> names_of(const formula::Expr& x, const formula::Expr& y) {
     std::set<std::string> names = free_symbols(x);
     names.merge(free_symbols(y));

@@ -77,8 +77,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     return reach;
 }
 
-/// Computes the same figure in balls: every crossing is found, and it is proved that there are no
-/// others.
+/// Computes the figure in balls; it is proved that all crossings are found.
 Enclosed enclosed_figure(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
     ReachQuestion question{claim.edge(),
                            static_cast<std::size_t>(claim.integer("terms")),

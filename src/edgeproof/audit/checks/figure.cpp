@@ -29,8 +29,7 @@ struct FigureAt {
     std::string problem;
 };
 
-/// Evaluates the figure as an exact number, or as an enclosure with enough bits to round it and to
-/// show `digits`.
+/// Uses an exact number, or an enclosure with enough bits to round it and to show `digits`.
 FigureAt figure_at(const Sample& sample, const formula::Expr& of, const QuotedFigure& figure,
                    unsigned digits) {
     FigureAt found;

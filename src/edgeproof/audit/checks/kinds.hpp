@@ -13,8 +13,7 @@ namespace edgeproof::audit {
 [[nodiscard]] CheckKind value_kind();
 /// Compares a formula with a derived quantity by symbols, and at samples.
 [[nodiscard]] CheckKind identity_kind();
-/// Compares an expansion with a function, power by power, and checks the remainder in real
-/// contacts.
+/// Compares an expansion with a function, by powers, and checks the remainder in real contacts.
 [[nodiscard]] CheckKind expansion_kind();
 /// A quoted extent without the size of the contact: finds the sizes for which it holds.
 [[nodiscard]] CheckKind size_extent_kind();

@@ -86,8 +86,8 @@ void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<fo
     // The printed coefficients need as many digits as the fit uses for the pressure.
     const auto enough = digits + static_cast<unsigned>(orders * (options.points / 3 + 6));
     const EvaluatedScene scene_values(scene, enough);
-    // The claim gives no coefficient for the remainder, only its order. This expansion is computed
-    // first, as the terms need fewer orders.
+    // The remainder has no claimed coefficient. This is computed first, as the terms need fewer
+    // orders.
     const std::vector<Real> exact = scene_values.expansion(edge, orders);
     std::vector<Real> c;
     c.reserve(terms.size());

@@ -59,8 +59,7 @@ ComparedNumbers at_the_last_place(const ExpansionToFollow& expansion, const Samp
             at.text()};
 }
 
-/// Returns the last step of the remainder, which is much smaller than the largest remainder if it
-/// is bounded.
+/// Returns the remainder's last step, much smaller than the largest remainder if it is bounded.
 Ball last_step(const FollowedSample& one) { return abs(one.rest.last() - one.rest.before_last()); }
 
 /// Returns the enclosures that show that the remainder is bounded, or that it grows.

@@ -121,8 +121,8 @@ Judgement judge_ratio(const std::vector<SceneSpec>& scenes, const Claim& claim, 
 }
 
 /// Adds the ratio of tension to shear force for which one term stays within a tolerance for the
-/// longest distance from the right edge, for comparison with the printed one. Both are given as
-/// ratio sigma_0 (a + b)/(2 Q), the only quantity on which the relative error depends.
+/// longest distance from the right edge, and the printed one, both as sigma_0 (a + b)/(2 Q): the
+/// relative error depends only on this ratio.
 void add_best_ratio(const Claim& claim, Outcome& outcome) {
     const auto name = std::string("ratio");
     const auto errors = contact::full_stick_errors(

@@ -13,8 +13,7 @@ namespace edgeproof::audit {
 /// Decides a condition: one relation that fails decides.
 [[nodiscard]] Decision decide(const Condition& condition, const EnclosedSample& sample,
                               double digits);
-/// Decides with as many bits as needed, to `digits` digits. Returns nothing if the enclosures do
-/// not decide.
+/// Decides with as many bits as needed. Returns nothing if the enclosures do not decide.
 [[nodiscard]] Decision decide(const Condition& condition, SampleInBalls& sample, double digits);
 
 } // namespace edgeproof::audit

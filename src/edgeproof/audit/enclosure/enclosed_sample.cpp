@@ -446,8 +446,7 @@ std::string ball_text(const Ball& ball, unsigned digits) {
     if (!ball.is_exact() && contains_zero(ball)) {
         return "0 +- " + bound_text(abs(ball).upper());
     }
-    // The text shows one digit that the radius makes uncertain, and the next; more would only look
-    // exact.
+    // Only two digits that the radius makes uncertain are shown.
     const long known =
         std::min(ball.relative_accuracy_bits(), formula::bits_for(digits)) * 301 / 1000 + 2;
     const Rounded middle =

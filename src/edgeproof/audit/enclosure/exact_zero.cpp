@@ -41,9 +41,8 @@ std::optional<formula::Expr> argument_if_all(const formula::Expr& e, const std::
     return std::nullopt;
 }
 
-/// Returns e with the known properties of b and its inverse put in. Returns nothing if e contains a
-/// root, a binder or a built-in function, because rules that hold only for some signs must not be
-/// used.
+/// Returns e with the known properties of b and its inverse put in; nothing if e contains a root, a
+/// binder or a built-in function, because some of their rules hold only for one sign.
 std::optional<formula::Expr> as_rational_function(const formula::Expr& e, bool symmetric) {
     if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
         return formula::Expr::symbol("a");

@@ -19,8 +19,7 @@ struct IntegrandMeaning {
     std::function<Ball(const formula::Expr&)> constant;
     /// Returns that value if it is a rational number, for exponents.
     std::function<std::optional<Rational>(const formula::Expr&)> rational;
-    /// Returns a function of the contact, or |g'|, as a formula; throws Error if it has no
-    /// enclosure.
+    /// A function of the contact, or |g'|, as a formula; throws Error without an enclosure.
     std::function<formula::Expr(const formula::Expr& call)> written_out;
     /// True if e, which does not contain the variable, is zero.
     std::function<bool(const formula::Expr& e)> surely_zero;

@@ -56,8 +56,8 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     if (work.thrown) {
         std::rethrow_exception(work.thrown);
     }
-    // The difference between the middle and another point of its box is at most the largest value
-    // over the box times the distance.
+    // The integral from the middle of a box to another of its points is at most the largest value
+    // times the distance.
     for (const Box* end : {&v, &w}) {
         if (acb_is_exact(end->get()) == 0) {
             Box value(bits);

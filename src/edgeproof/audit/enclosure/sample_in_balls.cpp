@@ -8,8 +8,7 @@ namespace {
 
 formula::Expr named(const char* name) { return formula::Expr::symbol(name); }
 
-/// Returns a quantity of the same dimension as a name that does not vanish where the name's value
-/// does.
+/// A quantity of the same dimension as a name that does not vanish where the name does.
 formula::Expr scale_of_name(const formula::Expr& e) {
     const std::string& name = e.name();
     if (name == "M") {

@@ -11,8 +11,7 @@
 
 namespace edgeproof::audit {
 
-/// A sample in ball arithmetic with increasing numbers of bits, until a question about it is
-/// decided.
+/// A sample in balls with increasing numbers of bits, until a question about it is decided.
 class SampleInBalls {
 public:
     /// Begins with twice the bits of `digits`.

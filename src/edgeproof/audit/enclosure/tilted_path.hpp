@@ -32,8 +32,7 @@ public:
         Box ds;   ///< by the angle
         Box db;
     };
-    /// Returns the enclosure for every angle in the box, which must meet the real axis; not finite
-    /// if there is no enclosure.
+    /// For every angle in the box, which must meet the real axis; not finite without an enclosure.
     [[nodiscard]] Point at(const Box& angle) const;
     [[nodiscard]] Ball end_of_flat() const;
     /// Returns the angle of the contact with these edges, in this part of the path.

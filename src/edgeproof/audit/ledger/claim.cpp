@@ -16,8 +16,7 @@ namespace {
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Replaces the dot in a name ("right.c1") by an underscore. A dot between names has no other
-/// meaning; the length of the text does not change.
+/// Replaces the dot in a name ("right.c1") by an underscore; columns stay the same.
 std::string undotted(std::string_view text) {
     std::string plain(text);
     bool in_name = false;

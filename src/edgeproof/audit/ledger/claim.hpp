@@ -35,8 +35,7 @@ struct Vocabulary {
         formula::Expr body;
     };
     std::vector<Definition> definitions;
-    /// For names without a meaning in the family of the claim: the problem and what to write
-    /// instead.
+    /// A name without a meaning in the family: the problem, and what to write instead.
     struct Refusal {
         std::string problem;
         std::string instead;
@@ -93,8 +92,7 @@ struct Claim {
     [[nodiscard]] bool has(std::string_view key) const { return fields.contains(key); }
     /// Returns nullptr if the field is missing.
     [[nodiscard]] const Field* find(std::string_view key) const;
-    /// The functions below throw InputError with the line if the field is missing or has another
-    /// type.
+    /// These throw InputError with the line if the field is missing or has another type.
     [[nodiscard]] const std::string& text(std::string_view key) const;
     [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
     /// The edge that the claim is about: the right one, unless the field `edge` is given.
@@ -103,13 +101,11 @@ struct Claim {
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;
-    /// The parsed fields with all definitions put in, so that only names known to an EvaluatedScene
-    /// are left.
+    /// Fields with all definitions put in, so that only names of an EvaluatedScene are left.
     [[nodiscard]] const formula::Expr& formula(std::string_view key) const;
     [[nodiscard]] const Condition& condition(std::string_view key) const;
     [[nodiscard]] const std::vector<formula::Expr>& formulas(std::string_view key) const;
-    /// The fields as written. find_written returns nullptr if the field is missing or is not a
-    /// formula.
+    /// Fields as written. find_written returns nullptr if there is no such formula.
     [[nodiscard]] const formula::Expr& written(std::string_view key) const;
     [[nodiscard]] const formula::Expr* find_written(std::string_view key) const;
 

@@ -29,8 +29,7 @@ struct SceneSpec {
 
     [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
     [[nodiscard]] contact::Profile make_profile() const;
-    /// True if there is friction: then the contact slips at its edges, and q(x) is the traction in
-    /// partial slip.
+    /// True if there is friction: then q(x) is the traction in partial slip.
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
     /// Returns the enclosed partial slip. Throws as ProvedSlip does.
     [[nodiscard]] contact::ProvedSlip partial_slip(long bits) const;
@@ -46,8 +45,7 @@ struct Family {
     std::vector<std::pair<std::string, std::vector<formula::Expr>>> parameters;
     std::vector<formula::Expr> knots;
     std::vector<formula::Expr> slopes;
-    /// Fractions of the contact's length, measured from the edge of the claim, at which it is
-    /// sampled.
+    /// The sampled places: fractions of the contact's length, from the edge of the claim.
     std::vector<formula::Exact> u;
     std::size_t count = 0;  ///< the number of scenes drawn
     std::size_t points = 1; ///< the number of places in each scene

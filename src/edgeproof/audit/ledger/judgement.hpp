@@ -26,8 +26,7 @@ private:
 /// A proof that a claim holds, at one sample or in one part. It can be made only from enclosures.
 class Confirmation {
 public:
-    /// Made if |claimed - found| <= 10^-digits * scale is proved (scale > 0), or if both are
-    /// exactly equal.
+    /// Made if |claimed - found| <= 10^-digits * scale, scale > 0, or exact equality is proved.
     [[nodiscard]] static std::optional<Confirmation>
     agreement(const Ball& claimed, const Ball& found, const Ball& scale, double digits);
     /// Made if `x < y` is proved.
@@ -73,8 +72,7 @@ public:
     [[nodiscard]] static Judgement definition() { return Judgement(Verdict::definition); }
     /// For formulas that are equal by symbols.
     [[nodiscard]] static Judgement proved_by_symbols() { return Judgement(Verdict::proved); }
-    /// For a claim that holds only in a weaker form, for instance with a figure off by one unit of
-    /// the last quoted place.
+    /// For a claim that is nearly right, such as a figure off by one unit of the last place.
     [[nodiscard]] static Judgement imprecise(const Confirmation&) {
         return Judgement(Verdict::imprecise);
     }

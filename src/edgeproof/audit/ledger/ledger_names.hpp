@@ -18,8 +18,8 @@ struct Ledger;
                                                                    const io::TomlSection& table);
 
 /// Returns all names that the formulas of a claim may use: those of an evaluated scene, the
-/// parameters of its family, its free variables, the names not defined in print, the claim's own
-/// definitions, and the ledger's. The claim's own definitions come before the ledger's.
+/// parameters of its family, its free variables, the names not defined in print, its own
+/// definitions, and then the ledger's.
 [[nodiscard]] Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim);
 
 } // namespace edgeproof::audit

@@ -30,8 +30,7 @@ struct Outcome {
     std::optional<SampleUse> sample_use; ///< for a verdict by agreement at samples
 };
 
-/// True if the claim is confirmed as a rounded formula: right to the printed digits of its
-/// decimals.
+/// Confirmed as a rounded formula: right to the printed digits of its decimals.
 [[nodiscard]] inline bool is_rounded(const Outcome& outcome) {
     return outcome.verdict == Verdict::confirmed && outcome.evidence.find("rounded") != nullptr;
 }

@@ -14,8 +14,7 @@ namespace edgeproof::audit {
 
 /// The greatest distance, in units of the last place, of a number that rounds to the printed one.
 [[nodiscard]] inline Rational rounding_units() { return {1, 2}; }
-/// The greatest distance, in units of the last place, of a number that rounds to the printed one or
-/// to a neighbour of it.
+/// The same for a number that rounds to the printed one or to its neighbour.
 [[nodiscard]] inline Rational neighbour_units() { return {3, 2}; }
 
 /// A decimal printed in a formula: "0.418". It represents every number that rounds to it:
@@ -57,7 +56,7 @@ class DecimalFormula {
 public:
     /// Returns the formula with definitions put in and with a name for each decimal.
     [[nodiscard]] const formula::Expr& expr() const { return expr_; }
-    /// Returns the formula with definitions put in and with the printed decimals.
+    /// Returns the same formula with the printed decimals.
     [[nodiscard]] const formula::Expr& as_printed() const { return as_printed_; }
     [[nodiscard]] const std::vector<PrintedDecimal>& decimals() const { return decimals_; }
     [[nodiscard]] static std::string name_of_decimal(std::size_t k);

@@ -22,8 +22,7 @@ struct PrintedSource {
     std::string doi;
     std::string arxiv;
     std::string version;
-    /// The first line in the TeX source and the heading ("2.1 Title"), in ascending order of the
-    /// lines.
+    /// The first line in the TeX source and the heading ("2.1 Title"), in ascending order.
     std::vector<std::pair<std::size_t, std::string>> sections;
     Texts labels;   ///< the number for each label
     Texts numbers;  ///< the equation numbers by the ids of claims

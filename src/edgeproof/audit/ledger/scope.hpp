@@ -13,8 +13,7 @@ namespace edgeproof::audit {
 /// "friction" for mu, a "point contact" for sphere. Nothing for any other name.
 [[nodiscard]] std::optional<std::string_view> outside_of_scope(std::string_view name);
 
-/// Returns the same error; for an unknown name outside the scope, a sentence about the scope is
-/// added.
+/// Returns the same error; for an unknown name outside the scope, it adds what is computed.
 [[nodiscard]] InputError with_scope(const InputError& error);
 
 } // namespace edgeproof::audit

@@ -25,8 +25,8 @@ struct TexFault {
 /// environment). Returns nothing for a text without a fault.
 [[nodiscard]] std::optional<TexFault> tex_fault(std::string_view tex, const TexMacros& macros);
 
-/// Checks a macro: its name must consist of letters, and its body must be a text without a fault
-/// that does not use the macro itself, directly or through other macros.
+/// Checks a macro: its name must consist of letters, and its body must have no fault and must not
+/// use the macro itself, directly or through other macros.
 [[nodiscard]] std::optional<TexFault> macro_fault(const std::string& name, const TexMacros& macros);
 
 /// Returns the text with its macros replaced by their bodies, as TeX does. The macros must have no

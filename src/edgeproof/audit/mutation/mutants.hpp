@@ -57,8 +57,8 @@ struct MutationOptions {
     std::uint64_t seed = 1;
     /// Fates from an earlier run over the same formulas: those mutants are not checked again.
     std::vector<MutantFate> known = {};
-    /// Called from time to time, and at an interruption, with all fates found up to then; never
-    /// called concurrently.
+    /// Called from time to time, and at an interruption, with all fates found so far; never
+    /// concurrently.
     std::function<void(const std::vector<MutantFate>&)> checkpoint = {};
 };
 

@@ -10,8 +10,8 @@ namespace edgeproof::audit {
 /// The exponents of a formula's scaling with the units of force, of length and of shear force.
 using ScalingWeights = std::array<Rational, 3>;
 
-/// Determines the weights from the expression tree: all terms of a sum must have the same weights.
-/// Returns nothing if they differ, or if a function other than sqrt is called.
+/// Finds the weights from the expression tree. Returns nothing if the terms of a sum have different
+/// weights, or if a function other than sqrt is called.
 [[nodiscard]] std::optional<ScalingWeights> scaling_weights(const formula::Expr& e);
 
 } // namespace edgeproof::audit

@@ -52,13 +52,12 @@ public:
     [[nodiscard]] static unsigned digits_needed(unsigned of) noexcept { return of - 5; }
     /// Returns the scenes of the family in the claim's `over`.
     [[nodiscard]] std::vector<SceneSpec> scenes(const Claim& claim) const;
-    /// Returns the combinations of scenes, places (from the claim's `edge`; `points` in each scene)
-    /// and values of `vary`.
+    /// Combines scenes, places (from the claim's `edge`; `points` in each scene) and values of
+    /// `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
-    /// Returns a result that several claims need and that is expensive. It is computed once in a
-    /// run, by the first caller, while the others wait. The key must contain everything on which
-    /// the result depends.
+    /// Returns an expensive result that several claims need. The first caller in a run computes it,
+    /// while the others wait. The key must contain everything on which the result depends.
     template <class T>
     [[nodiscard]] std::shared_ptr<const T> once(const std::string& key,
                                                 const std::function<T()>& make) const {

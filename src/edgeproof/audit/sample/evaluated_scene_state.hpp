@@ -11,8 +11,7 @@
 
 namespace edgeproof::audit {
 
-/// The family of contacts that contains the contact of an EvaluatedScene, and the parameters, at
-/// one precision.
+/// The family of contacts of an EvaluatedScene, and its parameters, at one precision.
 struct EvaluatedSceneLevel {
     EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile);
 
@@ -31,8 +30,7 @@ struct EvaluatedSceneLevel {
     Real right_edge_of(const Real& y);
 };
 
-/// The data of an EvaluatedScene: the exact contact, and the family of contacts to which it
-/// belongs.
+/// The data of an EvaluatedScene: the exact contact, and its family of contacts.
 struct EvaluatedSceneState {
     EvaluatedSceneState(SceneSpec scene, unsigned digits_wanted, Effort effort);
 
@@ -69,8 +67,7 @@ struct EvaluatedSceneState {
     [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
     [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
-    /// Returns the middle of an enclosure of a quantity of partial slip, to the digits of plain
-    /// formulas.
+    /// Returns the middle of the enclosure of a quantity of partial slip.
     Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
     /// Returns right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
     std::optional<Real> slip_symbol(std::string_view name);

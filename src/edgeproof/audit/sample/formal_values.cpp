@@ -15,8 +15,7 @@ Rational random_fraction(const std::string& name, std::size_t draw) {
             static_cast<long>(steps + 1)};
 }
 
-/// The order of the lengths is the one that printed formulas assume: a is largest, then b, and the
-/// rest are small.
+/// Lengths have the order that printed formulas assume: a is largest, then b; others are small.
 Rational drawn(const std::string& name, std::size_t draw) {
     const Rational r = random_fraction(name, draw);
     if (name == "a") {

@@ -24,8 +24,8 @@ public:
     void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const formula::Expr& e) const;
-    /// Evaluates in ball arithmetic: the drawn numbers are exact, and values that depend on them
-    /// are enclosed.
+    /// Evaluates in balls: the drawn numbers are exact, and values that depend on them are
+    /// enclosed.
     [[nodiscard]] Ball enclose(const formula::Expr& e, long bits) const;
 
     static constexpr unsigned digits = 40;

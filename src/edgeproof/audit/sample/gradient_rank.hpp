@@ -25,8 +25,7 @@ public:
     /// If the quantity is not a function of the others: a component of its gradient at a point
     /// after elimination of the others, certainly positive.
     [[nodiscard]] const std::optional<Ball>& outside() const { return outside_; }
-    /// If the quantity is a function of the others near the point: the rank, with it and without
-    /// it.
+    /// If it is a function of the others near the point: the rank, with it and without it.
     [[nodiscard]] const std::optional<std::size_t>& rank() const { return rank_; }
     /// The point, as text.
     [[nodiscard]] const std::string& at() const { return at_; }
@@ -45,8 +44,7 @@ private:
     [[nodiscard]] Row gradient(const formula::Expr& e) const;
     void drop_equal_columns();
     [[nodiscard]] std::optional<Eliminated> eliminate(std::size_t draw) const;
-    /// True if the row does not increase the rank of the pivots' rows, at all points where their
-    /// minor is not 0.
+    /// True if the row does not increase the rank of the pivots' rows where their minor is not 0.
     [[nodiscard]] bool adds_nothing(const Row& row, const Eliminated& pivots) const;
     [[nodiscard]] bool others_add_nothing(const Eliminated& pivots) const;
     [[nodiscard]] bool by_own_name(const Eliminated& pivots);

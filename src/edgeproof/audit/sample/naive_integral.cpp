@@ -11,8 +11,8 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The points where an interval [lo, hi] is split, and the distances to the nearest points beyond
-/// its ends where f is not analytic.
+/// The marks that split an interval [lo, hi], and the distances from its ends to points beyond them
+/// where f is not analytic.
 struct Split {
     std::vector<Real> marks; ///< lo, cuts inside, hi
     Real beyond_lo;          ///< 0: none is known
@@ -97,7 +97,7 @@ void require_a_value(const NaiveIntegrand& f, const Split& split, const NaivePre
 }
 
 /// Integrates over an interval without a cut inside: with few nodes if the ends are roots, as in
-/// most printed integrals; otherwise by the tanh-sinh rule, which allows any singularity at an end.
+/// most printed integrals; otherwise by the tanh-sinh rule.
 quadrature::QuadratureResult<Real> between_cuts(const quadrature::IntegrandRef<Real, Real>& f,
                                                 const Real& length, const Real& beyond_lo,
                                                 const Real& beyond_hi,

@@ -100,8 +100,7 @@ bool differ_inside(const formula::Expr& x, const formula::Expr& y, Kind kind) {
     return true;
 }
 
-/// True for principal values over the contact whose integrands differ by a constant divided by
-/// w(s)(s - x).
+/// True for principal values whose integrands differ by a constant over w(s)(s - x).
 bool differ_by_a_zero_integral(const formula::Expr& x, const formula::Expr& y,
                                const SymbolicCase& under) {
     if (!differ_inside(x, y, Kind::pv)) {
@@ -119,8 +118,7 @@ bool differ_by_a_zero_integral(const formula::Expr& x, const formula::Expr& y,
         difference, substitute(difference, s.name(), formula::Expr::symbol("s_elsewhere")), under);
 }
 
-/// True for integrals over one interval whose integrands differ by a function that is odd about its
-/// middle.
+/// True for integrals whose integrands differ by a function odd about the middle.
 bool differ_by_an_odd_part(const formula::Expr& x, const formula::Expr& y,
                            const SymbolicCase& under) {
     if (!differ_inside(x, y, Kind::integral)) {

@@ -22,8 +22,7 @@ namespace edgeproof::audit::ginac {
 /// Converts an expression. Functions that GiNaC does not have, and integrals, become symbols, which
 /// are converted back by to_expr.
 [[nodiscard]] GiNaC::ex from_expr(const formula::Expr& e);
-/// True if the name occurs inside a part that becomes a symbol; then a derivative by that name is
-/// wrong.
+/// True if the name is inside a part that becomes a symbol; derivatives by it are then wrong.
 [[nodiscard]] bool hides(const formula::Expr& e, std::string_view name);
 [[nodiscard]] formula::Expr to_expr(const GiNaC::ex& e);
 

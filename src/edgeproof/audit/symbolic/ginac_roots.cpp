@@ -240,7 +240,7 @@ private:
         return one_root(prime, q);
     }
 
-    /// The number is factored into primes, so that sqrt(8) becomes 2 sqrt(2).
+    /// Factors the number, so that sqrt(8) becomes 2 sqrt(2).
     ex number_power(numeric n, const numeric& q) {
         ex product = 1;
         for (int p = 2; p <= 1000 && !n.is_equal(1); ++p) {

@@ -18,8 +18,7 @@ public:
     Roots(const Roots&) = delete;
     Roots& operator=(const Roots&) = delete;
 
-    /// Returns e as a rational function of symbols, where roots and other transcendental parts are
-    /// symbols.
+    /// Returns e as a rational function, with symbols for roots and other transcendental parts.
     GiNaC::ex rational(const GiNaC::ex& e);
     /// Returns `rational` as one fraction in lowest terms, with powers of roots reduced.
     GiNaC::ex fraction(const GiNaC::ex& e);

@@ -39,8 +39,7 @@ public:
         }
         return known_.emplace(std::string(name), meaning(name)).first->second;
     }
-    /// Returns the integral of c over 0 < variable < hi; c must be a polynomial divided by
-    /// sqrt(hi - variable).
+    /// Integrates c over 0 < variable < hi; c must be a polynomial over sqrt(hi - variable).
     [[nodiscard]] ex integral(const ex& c, std::string_view variable, const ex& hi) const {
         const ex s = ginac::symbol(variable);
         const std::vector<ex> q = ginac::polynomial_over_root(c, s, hi);
@@ -128,8 +127,7 @@ SymbolLaurent expansion_through(const formula::Expr& e, const ExpansionIn& in,
     }
 }
 
-/// Returns the result of f, which uses GiNaC. Exceptions of GiNaC (a pole, a division by zero)
-/// become Error.
+/// Calls f, which uses GiNaC; its exceptions (a pole, a division by zero) become Error.
 template <class F> auto by_symbols(const F& f) {
     const auto lock = ginac::hold();
     try {

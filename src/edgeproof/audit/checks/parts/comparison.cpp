@@ -113,8 +113,7 @@ namespace {
 constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
 constexpr std::size_t most_with_integrals = 8;
 
-/// Returns one equation for each sample with an enclosure; returns none if a sample has no
-/// enclosure.
+/// Returns one equation for each sample; none if a sample has no enclosure.
 std::vector<DecimalEquation> equations_at(const DecimalFormula& printed,
                                           const EvaluatedSamples& samples_at,
                                           const formula::Expr& exact,

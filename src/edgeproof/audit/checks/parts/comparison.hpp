@@ -12,8 +12,7 @@
 /// Functions that the kinds value, identity and expansion share.
 namespace edgeproof::audit {
 
-/// Returns the case of a claim: b = a for a family of symmetric contacts, and P(a), b(a) if `given`
-/// names them.
+/// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
 /// Adds the digits, the samples and the worst sample to the evidence.

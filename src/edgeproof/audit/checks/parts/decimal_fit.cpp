@@ -110,8 +110,8 @@ std::optional<Confirmation> DecimalFit::agrees(const std::vector<Real>& numbers)
 }
 
 /// The unknowns are the differences from the printed decimals, in units of the last place; `fixed`
-/// are decimals that stay. Derivatives are approximated by difference quotients: if the iteration
-/// does not converge, nothing is found, and a result is proved afterwards.
+/// are decimals that stay. Difference quotients approximate the derivatives. This is safe, because
+/// results are proved afterwards.
 std::optional<std::vector<Real>>
 DecimalFit::search(const std::optional<Rational>& units,
                    const std::vector<std::optional<Real>>& fixed) const {

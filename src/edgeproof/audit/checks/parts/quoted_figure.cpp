@@ -13,8 +13,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Computed figures are assumed to be right to all working digits except this number of the last
-/// ones.
+/// Computed figures are assumed to be right to all working digits except these last ones.
 constexpr int lost_digits = 25;
 
 Rational power_of_ten(unsigned k) {

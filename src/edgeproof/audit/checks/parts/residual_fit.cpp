@@ -71,8 +71,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
     if (options.route == contact::Route::singular_integral ||
         (options.route == contact::Route::automatic &&
          !contact::BallContact::has_closed_form(profile))) {
-        // For many points of one contact at many digits, the nodes and slopes are computed only
-        // once.
+        // For many points of one contact, the nodes and slopes are computed only once.
         const contact::BatchPressure p(contact, digits);
         for (const Real& u : places) {
             pressure.push_back(p(edge, u).value);
@@ -108,8 +107,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
         fit.coefficient = limit.value;
         fit.spread = limit.change;
         fit.expected = c[n];
-        // A coefficient is compared with the size expected from its neighbours, so that a vanishing
-        // one is recognised.
+        // To recognise a vanishing coefficient, compare with the size expected from its neighbours.
         const Real natural = abs(exact[0]) * pow(radius, -static_cast<int>(n));
         const Real negligible = natural * pow(Real(10), 5 - static_cast<int>(options.digits));
         fit.vanishing = abs(fit.coefficient) < negligible && abs(fit.expected) < negligible;

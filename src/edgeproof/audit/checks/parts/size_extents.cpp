@@ -197,8 +197,7 @@ Float128 ContactsBySize::At::crossing(const ExtentOf& of, const Node& l, const N
     return roots::bracketed_root<Float128>(f, lo, f_lo, hi, f_hi, refined).x;
 }
 
-/// Returns p_local/p - 1 at the sampled places, and at extrema between them that may reach the
-/// tolerance.
+/// p_local/p - 1 at the sampled places, and at extrema between them that may reach the tolerance.
 std::vector<ContactsBySize::At::Node> ContactsBySize::At::errors(const ExtentOf& of) {
     const std::vector<long double>& c = rough_coefficients(of.edge);
     std::vector<Node> nodes;

@@ -39,8 +39,7 @@ struct ExtentOf {
 class ContactsBySize {
 public:
     static constexpr std::size_t most_terms = 4;
-    /// Throws DomainError for a profile that is not piecewise linear, as its pressures have no
-    /// closed form.
+    /// Throws DomainError for a profile that is not piecewise linear.
     explicit ContactsBySize(const contact::Profile& profile);
 
     /// One fraction for each reading.

@@ -22,8 +22,7 @@ struct ExpansionToFollow {
     [[nodiscard]] formula::Expr rest() const;
 };
 
-/// Returns the sample with the variable at a distance of about 10^-decades from its limit; exactly
-/// at that distance if `exactly`.
+/// Returns the sample with the variable at about (or `exactly`) 10^-decades from its limit.
 [[nodiscard]] Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion,
                                  unsigned decades, bool exactly = false);
 

@@ -57,7 +57,7 @@ std::string uniformity(const std::string& of, const std::string& approximation,
 } // namespace
 
 TEST_CASE("dependence: a function of others is told from what is none") {
-    // The first multipliers of the two edges differ by b' alone.
+    // The first multipliers of the two edges differ only by the factor b'.
     CHECK(appendix_verdict(dependence("left.c0", "\"right.c0\", \"b1\"", "function")) ==
           Verdict::confirmed);
     CHECK(appendix_verdict(dependence("left.c0", "\"right.c0\", \"b1\"", "independent")) ==
@@ -68,11 +68,11 @@ TEST_CASE("dependence: a function of others is told from what is none") {
         dependence("left.c1", "\"right.c0\", \"right.c1\", \"b1\", \"a\", \"b\"", "independent"));
     CHECK(second.verdict == Verdict::confirmed);
     CHECK(second.note.find("b2") != std::string::npos);
-    // With b'' given it is one: P' and P'' follow from the right edge.
+    // If b'' is given, too, it is a function: P' and P'' follow from the right edge.
     CHECK(appendix_verdict(dependence("left.c1",
                                       "\"right.c0\", \"right.c1\", \"b1\", \"b2\", \"a\", \"b\"",
                                       "function")) == Verdict::confirmed);
-    // Products and quotients hide nothing.
+    // The quantities may be products and quotients.
     CHECK(appendix_verdict(dependence("P1*P2", "\"P1/P2\", \"P2^3\"", "function")) ==
           Verdict::confirmed);
     CHECK(appendix_verdict(dependence("P1*P2", "\"P1/P2\"", "independent")) == Verdict::confirmed);
@@ -91,14 +91,14 @@ TEST_CASE("dependence: however small the difference, and where nothing is left")
     CHECK(both("a + 1e13*P2", "\"a\", \"P2^3\"") == function);
     CHECK(both("right.c0 - 2/(Pi*sqrt(a+b))*P1", "\"b2\"") == function);
     CHECK(both("sin(P1*b1)^2 + cos(P1*b1)^2", "\"a\"") == function);
-    // The others depend on each other.
+    // Some of the others depend on each other.
     CHECK(both("P1^2*b1", "\"P1\", \"P1^3\", \"b1\"") == function);
     CHECK(both("P1^2*b1 + 1e-40*b2", "\"P1\", \"P1^3\", \"b1\", \"b1*P1\"") == no_function);
     CHECK(both("P1 + P2", "\"P1*P2\", \"P1^2*P2^2\"") == no_function);
-    // Products whose gradients are nearly parallel.
+    // These products have nearly parallel gradients.
     CHECK(both("P1*(P2 + 1e-30*b2)", "\"P1*P2\", \"P1*b2*b1\", \"b1\"") == function);
     CHECK(both("P1*(P2 + 1e-30*b2^2)", "\"P1*P2\", \"P1*b2*b1\", \"b1\"") == no_function);
-    // A function that has no derivative in symbols.
+    // This function has no symbolic derivative.
     CHECK(both("asinh(P1)", "\"P1\"") == std::pair(Verdict::undecided, Verdict::undecided));
 }
 
@@ -110,14 +110,14 @@ TEST_CASE("uniformity: a pole is told from a bounded rest") {
     const char* without = "1 + eps*s + eps^2*(1-s^3)/(1-s)";
     CHECK(appendix_verdict(uniformity(without, "1 + eps*s", "breaks down")) == Verdict::refuted);
     CHECK(appendix_verdict(uniformity(without, "1 + eps*s", "uniform")) == Verdict::confirmed);
-    // The term that is said to break down is held to what is left, in balls.
+    // The term that is stated to break down is compared with the remainder, in balls.
     const Outcome refuted = appendix_outcome(uniformity(without, "1 + eps*s", "breaks down") +
                                              "term = \"s^3/(1-s)\"\n");
     CHECK(refuted.verdict == Verdict::refuted);
     const EvidenceItem* balls = refuted.evidence.find("enclosures");
     REQUIRE(balls != nullptr);
     CHECK(std::get<bool>(std::get<Evidence>(balls->value()).find("disjoint")->value()));
-    // A term that stays bounded is not among them.
+    // A term that stays bounded is not compared.
     const Outcome bounded =
         appendix_outcome(uniformity(without, "1 + eps*s", "breaks down") + "term = \"s^3\"\n");
     const EvidenceItem* others = bounded.evidence.find("enclosures");
@@ -131,8 +131,8 @@ TEST_CASE("uniformity: slow growth, boundary layers and exact expansions") {
         const char* approximation;
         bool breaks;
     };
-    // What is left: (1-s)^(-1/2), log, 1/(1-s+eps), (1-s)/((1-s)^2 + eps^2), log(1-s+eps): the last
-    // three are bounded for each eps, and not for all.
+    // The remainders are (1-s)^(-1/2), log, 1/(1-s+eps), (1-s)/((1-s)^2 + eps^2), log(1-s+eps). The
+    // last three are bounded for each eps, but not uniformly.
     for (const Case& c : {Case{"1 + eps^2/sqrt(1-s)", "1", true},
                           {"1 + eps + eps^2*log(1-s)", "1 + eps", true},
                           {"1 + eps^2/(1-s+eps)", "1", true},
@@ -153,15 +153,15 @@ TEST_CASE("uniformity: slow growth, boundary layers and exact expansions") {
           Verdict::refuted);
     CHECK(appendix_verdict(uniformity("1 + eps^2/(1-s+eps)", "1", "uniform")) == Verdict::refuted);
     CHECK(appendix_verdict(uniformity("1 + eps^2*cos(1-s)", "1", "uniform")) == Verdict::confirmed);
-    // Bounded, but only beyond the distance 1e-400, and by 1e400.
+    // The remainder is bounded, but only beyond the distance 1e-400, and by 1e400.
     CHECK(appendix_verdict(uniformity("1 + eps^2/(1-s+1e-400)", "1", "breaks down")) ==
           Verdict::undecided);
-    // Of order 1, not 2, wherever s is: no expansion to that order.
+    // The remainder has order 1, not 2, for every s: there is no expansion to that order.
     CHECK(appendix_verdict(uniformity("1 + eps + eps^2/(1-s)", "1", "uniform")) ==
           Verdict::refuted);
     CHECK(appendix_verdict(uniformity("1 + eps*s + eps^2", "1", "breaks down")) ==
           Verdict::undecided);
-    // Nothing is left.
+    // The remainder is zero.
     CHECK(appendix_verdict(uniformity("(1+eps*s)^2", "1 + 2*eps*s + eps^2*s^2", "breaks down")) ==
           Verdict::refuted);
     CHECK(appendix_verdict(uniformity("(1+eps*s)^2", "1 + 2*eps*s + eps^2*s^2", "uniform")) ==
@@ -180,10 +180,10 @@ TEST_CASE("split: the terms of a cut cancel if the integrand is the one that is 
     const Outcome same = appendix_outcome(claim(integrand, integrand));
     CHECK(same.verdict == Verdict::confirmed);
     CHECK(same.evidence.find("as_if")->text().find("the terms cancel") != std::string::npos);
-    // Wrong at eps^1: what is left is of that order.
+    // The expansion is wrong at eps^1, and the remainder is of that order.
     const Outcome other = appendix_outcome(claim(integrand, "1/sqrt((1-s)*(1+eps*s^2))"));
     CHECK(other.evidence.find("as_if")->text().find("they do not cancel") != std::string::npos);
-    // With a pole at the end nothing can cancel it.
+    // No other term can cancel a pole at the end.
     const Outcome pole =
         appendix_outcome(claim(integrand, "1/sqrt(1-s)*(1 - eps*s/2 + eps/(1-s))"));
     CHECK(pole.evidence.find("as_if")->text().find("not integrable") != std::string::npos);

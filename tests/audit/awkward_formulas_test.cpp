@@ -9,9 +9,10 @@
 
 namespace {
 
-/// Ways to write 1 that are hard to evaluate, or cannot be: sums too long, constants at the ends of
-/// any range, integrals in one another, quotients that are 0/0 at places, roots of what cancels.
-/// Each is 1 by hand wherever it has a value. Some mention s, k: bound names.
+/// Expressions equal to 1 that are hard or impossible to evaluate: long sums, constants at the ends
+/// of the range of numbers, nested integrals, quotients that are 0/0 at some places, roots of
+/// expressions that cancel. Each is 1 by hand calculation where it has a value. Some contain the
+/// bound names s, k.
 constexpr std::array ones{
     "(sum(1, k, 1, 100001)/100001)",
     "(sum(1, k, 1, 50)/50)",
@@ -45,8 +46,8 @@ constexpr std::array ones{
     "(2 - step(1e-200))",
 };
 
-/// For all samples; wrong by this factor everywhere it has a value: at 30 digits, claims are held
-/// to 25.
+/// Factors that make a formula wrong at every sample where it has a value: with 30 digits, claims
+/// must agree to 25.
 constexpr std::array wrongs{"(1 + 1e-20)", "2", "(1 - 1e-24)", "Pi", "(a+1)/(a+2)", "-1"};
 
 std::string product(std::mt19937_64& random, const std::string& begin, std::size_t factors) {
@@ -158,7 +159,7 @@ TEST_CASE("a limit of ours is undecided and named; no value in print is underspe
 }
 
 TEST_CASE("divided by the root of what is zero by b's inverse: no value, whatever roundoff makes") {
-    // Of 1000 mutants of the paper's formulas the one that roundoff once kept undecided.
+    // Among 1000 mutants of the paper's formulas, this one was undecided because of roundoff.
     CHECK(verdict_of_factor("(1/sqrt(x + bof(a + (binv(-x) - a))))").find("underspecified: ") == 0);
     CHECK(verdict_of_factor("integral(1/sqrt(s*(x + bof(a + (binv(-x) - a)))), s, 0, 1)")
               .find("underspecified: ") == 0);

@@ -9,7 +9,7 @@
 
 namespace edgeproof {
 
-/// A formula with the names and functions of a evaluated scene, as a ledger has them.
+/// A formula with the names and functions of an evaluated scene, as in a ledger.
 inline Expr contact_formula(const std::string& text) {
     Symbols symbols;
     for (const std::string& name : scene_symbols()) {

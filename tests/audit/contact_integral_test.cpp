@@ -24,7 +24,8 @@ struct SampledProfile {
     Given parameters;
 };
 
-/// Every kind of the paper's profiles; of the tilted punch, the left edge in each of its pieces.
+/// Every kind of the paper's profiles; for the tilted punch, with the left edge in each of its
+/// pieces.
 const std::vector<SampledProfile>& sampled_profiles() {
     static const std::vector<SampledProfile> all{
         {"power-law", {{"m", "0"}, {"C", "3/7"}, {"a", "3/2"}}},
@@ -57,7 +58,7 @@ Sample sample_of(const SampledProfile& profile, const char* fraction) {
 
 constexpr unsigned aimed_digits = 30;
 
-/// Both formulas have balls with a number in common, as narrow as 24 digits of the scale.
+/// The balls of both formulas must overlap, and be narrow: 24 digits of the scale.
 std::string fault_between(const EnclosedSample& sample, const Expr& integral, const Expr& known,
                           const Expr& scale) {
     try {
@@ -78,7 +79,7 @@ std::string fault_between(const EnclosedSample& sample, const Expr& integral, co
     }
 }
 
-/// In all profiles, at one place.
+/// Checks all profiles at one place.
 std::string faults_of(const std::string& integral, const std::string& known,
                       const std::string& scale, const char* fraction = "2/7") {
     std::string faults;
@@ -95,7 +96,7 @@ std::string faults_of(const std::string& integral, const std::string& known,
 } // namespace
 
 TEST_CASE("functions of the contact inside integrals: what is known of them holds") {
-    // The growth of the force, by closed forms of the force.
+    // The growth of the force is compared with closed forms of the force.
     CHECK(faults_of("integral(P1of(s), s, a/9, a)", "P - Pof(a/9)", "P") == "");
     CHECK(faults_of("integral(P1of(2*a - 2*s/3), s, 3*a/4, a)", "3/2*(Pof(3*a/2) - Pof(4*a/3))",
                     "P + Pof(3*a/2)") == "");
@@ -107,7 +108,7 @@ TEST_CASE("functions of the contact inside integrals: what is known of them hold
 }
 
 TEST_CASE("the left edge inside integrals: the growth of the moment") {
-    // dM = dP (a - b)/2: the moment of what a flat punch lays over the contact.
+    // dM = dP (a - b)/2 is the moment of the pressure increment, which is that of a flat punch.
     const Expr integral = contact_formula("integral(P1of(s)*(s-bof(s))/2, s, a/9, a) + u");
     for (const SampledProfile& profile : sampled_profiles()) {
         const Sample sample = sample_of(profile, "2/7");
@@ -125,7 +126,7 @@ TEST_CASE("the pressure inside integrals: force, moment, and the slope that it a
     CHECK(faults_of("integral(p(s), s, -b, a)", "P", "P") == "");
     CHECK(faults_of("integral(s*p(s), s, -b, a)", "M", "P*L") == "");
     CHECK(faults_of("integral((2 - s)*p(s)/7, s, -b, a)", "(2*P - M)/7", "P + P*L") == "");
-    // A half of it only where it is a power law's.
+    // Each half has P/2 only for a symmetric profile.
     const Sample half = sample_of(sampled_profiles()[3], "1/2");
     CHECK(fault_between(EnclosedSample(half, 300, aimed_digits),
                         contact_formula("integral(p(s), s, 0, a)"), contact_formula("P/2"),
@@ -176,7 +177,7 @@ TEST_CASE("the pressure at a point by what is laid over the contact as it grows"
                             contact_formula("1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, "
                                             "binv(-x), a)"),
                             p, p) == "");
-        // The same in a variable that runs against s.
+        // The same integral in a variable that runs in the opposite direction.
         CHECK(fault_between(sample,
                             contact_formula("(a-binv(-x))/Pi*integral(P1of(a+(binv(-x)-a)*s)/"
                                             "sqrt((a-x+(binv(-x)-a)*s)*(x+bof(a+(binv(-x)-a)*s))), "

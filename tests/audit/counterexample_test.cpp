@@ -23,7 +23,7 @@ std::string text_in(const Evidence& evidence, const char* key) {
 } // namespace
 
 TEST_CASE("the clearest counterexample: small numbers, exact values") {
-    // Hertz: p = E* C sqrt(a^2 - x^2)/2, so at its middle 1/2 where all is 1.
+    // Hertz: p = E* C sqrt(a^2 - x^2)/2, so that p(0) = 1/2 if all parameters are 1.
     const AuditResult result = small_ledger::audit_of(
         "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"Es*C*sqrt(a^2 - x^2)\"\n");
     REQUIRE(result.claims.front().outcome.verdict == Verdict::refuted);

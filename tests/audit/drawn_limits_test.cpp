@@ -11,7 +11,8 @@ using namespace edgeproof::small_ledger;
 
 namespace {
 
-/// A formula in s whose limit at s -> 0 is known by construction, and numbers that it comes near.
+/// A formula in s, its limit for s -> 0, which is known by construction, and numbers near its
+/// values.
 struct KnownLimit {
     std::string of;
     std::string limit;
@@ -36,17 +37,17 @@ public:
             return {pick({"1", "1e-9", "7e12", "1/C"}) + "*s^(-" + p + ")", "infinity", {L, near}};
         case 2:
             return {L + "+" + k + "*s^(" + p + ")*log(s)", L, {near, "infinity"}};
-        case 3: // 5 where s is larger than t
+        case 3: // 5 if s is larger than t
             return {L + "+(5-" + L + ")*s/(s+" + t + ")", L, {"5", near, "infinity"}};
-        case 4: // 0 where s is larger than t
+        case 4: // 0 if s is larger than t
             return {L + "*(" + t + "/(s+" + t + "))+s", L, {near, "infinity"}};
-        case 5: // large where s is larger than t
+        case 5: // large if s is larger than t
             return {"1/(s+" + t + ")+" + L, "(1/" + t + "+" + L + ")", {L, "infinity"}};
         case 6:
             return {L + "+" + k + "*s*sin(1/s)", L, {near, "infinity"}};
         case 7:
             return {L + "+exp(-1/s)+" + k + "*(1-exp(-s/" + t + "))", L, {near, "infinity"}};
-        default: // never as near to it as a claim says
+        default: // approaches its limit too slowly for a decision
             return {"1/log(1/s)", "0", {"1e-4", "infinity", "1e-30"}};
         }
     }
@@ -81,7 +82,7 @@ TEST_CASE("drawn limits: none that is true is refuted, none that is false is con
         for (const std::string& other : known.others) {
             CAPTURE(other);
             const std::string of_false = verdict_of(claim_of(known.of, other));
-            // What is drawn as the limit may be one of the others.
+            // The drawn limit may be equal to one of the other numbers.
             CHECK((of_false != "confirmed" || other == known.limit));
             decided += of_false == "refuted" ? 1 : 0;
             ++claims;

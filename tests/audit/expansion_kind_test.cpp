@@ -8,7 +8,7 @@
 
 namespace {
 
-/// One claim about expansions, over a contact whose b(a) is no straight line.
+/// One claim about expansions, over a contact with a nonlinear b(a).
 Outcome expansion_outcome(const std::string& claim) {
     const std::string text = R"toml([ledger]
 name = "own"

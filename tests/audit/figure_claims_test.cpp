@@ -46,7 +46,7 @@ TEST_CASE("a half is rounded up, on whichever side of it roundoff leaves the val
         CHECK(verdict_of(figure(text, "13 %")) == "confirmed");
         CHECK(verdict_of(figure(text, "0.125")) == "confirmed");
     }
-    // No enclosure of an integral decides on which side of a half it lies: the integral of
+    // An enclosure of an integral cannot decide on which side of a half it lies: the integral of
     // 1/(1 + s^2) is pi/4.
     CHECK(verdict_of(figure("integral(1/(1 + s^2), s, 0, 1)/(2*Pi)", "0.13")) == "undecided");
     CHECK(verdict_of(figure("integral(1/(1 + s^2), s, 0, 1)/(2*Pi)", "0.125")) == "confirmed");
@@ -73,7 +73,7 @@ TEST_CASE("a quoted figure is a decimal") {
 }
 
 TEST_CASE("the extent of the one-term approximation of Hertz's pressure") {
-    // v = 2 (1 - 1/1.01^2) = 3.94079 %, and half of it of the whole contact.
+    // v = 2 (1 - 1/1.01^2) = 3.94079 %, which is half as much as a fraction of the whole contact.
     CHECK(verdict_of(extent(1, "a", "4 %")) == "confirmed");
     CHECK(verdict_of(extent(1, "a", "3.94 %")) == "confirmed");
     CHECK(verdict_of(extent(1, "a", "3.941 %")) == "confirmed");

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// A ledger of one family; its parameters begin at line 7 (piecewise: 9).
+/// Returns a ledger of one family; its parameters begin at line 7 (piecewise: 9).
 std::string one_family(const std::string& profile, const std::map<std::string, std::string>& keys,
                        const std::string& claim = "") {
     std::string text = "[ledger]\nname = \"one\"\n[[family]]\nname = \"own\"\nprofile = \"" +
@@ -111,7 +111,7 @@ TEST_CASE("a parameter has an effect through another one, a formula or a definit
     const std::string defined = "[define]\nlam = \"1 - nu^2\"\n";
     CHECK(refusal_of(one_family("power-law", keys, "P*lam/lam") + defined) == "");
     CHECK(refusal_of(one_family("power-law", keys) + defined).find("nu") != std::string::npos);
-    // Each of two that use only each other has no effect.
+    // Two parameters that use only each other have no effect.
     keys = keys_of("power-law");
     keys["one"] = "1";
     keys["two"] = "2*one";
@@ -181,10 +181,10 @@ TEST_CASE("names of full stick and of partial slip are refused where they have n
     for (const char* name : {"right.d", "left.d", "stick_a", "stick_b", "friction", "q(a/2)"}) {
         CHECK(refusal_of(one_family("power-law", keys, name)) == "");
     }
-    // Through a definition as well.
+    // The same through a definition.
     CHECK(refusal_of(one_family("power-law", keys, "K") + "[define]\nK = \"right.s0\"\n")
               .find("full stick") != std::string::npos);
-    // A name of the ledger's own keeps its meaning.
+    // A name defined by the ledger keeps its meaning.
     keys.erase("friction");
     CHECK(refusal_of(one_family("power-law", keys, "stick_a") + "[define]\nstick_a = \"a/2\"\n") ==
           "");

@@ -28,10 +28,10 @@ std::vector<std::string> file_lines(const std::filesystem::path& file) {
     return lines;
 }
 
-/// The row that a claim is of: what stands before the first dot.
+/// Returns the row of a claim: the part of the id before the first dot.
 std::string row_of(const std::string& id) { return id.substr(0, id.find('.')); }
 
-/// White space is no part of what is printed.
+/// Removes white space, which has no meaning in the printed text.
 std::string squeezed(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -80,7 +80,8 @@ TEST_CASE("every row of the list of checkable claims has a verdict to get, at it
         CAPTURE(claim.id);
         const auto row = rows.find(row_of(claim.id));
         REQUIRE(row != rows.end());
-        // Overlapping: a sentence may begin before the row's lines, a condition end behind them.
+        // The lines need only overlap: a sentence may begin before the row's lines, and a condition
+        // may end after them.
         CHECK(claim.lines.first <= row->second.second);
         CHECK(claim.lines.second >= row->second.first);
         CHECK(claim.lines.second - claim.lines.first < 20);

@@ -28,8 +28,8 @@ TEST_CASE("the order of the one-term error, and what multiplies it") {
     CHECK(verdict_of(order("u")) == "confirmed");
     CHECK(verdict_of(order("u^2")) == "refuted");
     CHECK(verdict_of(order("u^(3/2)")) == "refuted");
-    CHECK(verdict_of(order("sqrt(u)")) == "imprecise"); // true, but not the order
-    // The error is u/(4 a) + ...: of the size of u/a, not of u.
+    CHECK(verdict_of(order("sqrt(u)")) == "imprecise"); // true as a bound, but not the order
+    // The error is u/(4 a) + ..., of the order of u/a, not of u.
     CHECK(verdict_of(order("u/a", pure)) == "confirmed");
     CHECK(verdict_of(order("u", pure)) == "refuted");
     CHECK(verdict_of(order("right.c1/right.c0*u", pure)) == "confirmed");
@@ -60,7 +60,7 @@ TEST_CASE("past 100 digits the coefficients are held to all of them in six scene
     const std::string c0 = "Es*C/2*sqrt(2*a)";
     const std::string halves = R"("1/2", "3/2")";
     const ClaimResult r = result_of(series_claim('"' + c0 + '"', halves, "nine"), 130);
-    // Of m = 1 the printed one is right; the others' are not.
+    // The printed coefficient is right for m = 1, and wrong for the other values.
     CHECK(name_of(r.outcome.verdict) == "refuted");
     const ClaimResult right = result_of(series_claim("\"right.c0\"", halves, "nine"), 130);
     CHECK(name_of(right.outcome.verdict) == "confirmed");
@@ -72,7 +72,7 @@ TEST_CASE("past 100 digits the coefficients are held to all of them in six scene
     CHECK(number("scenes_to_all_digits") == 6);
     CHECK(number("digits_of_the_coefficients") > 95);
     CHECK(number("all_digits_of_the_coefficients") > 125);
-    // A part in 1e115 off.
+    // The relative error is 1e-115.
     CHECK(verdict_of(series_claim('"' + c0 + "*(1+1e-115)\"", halves), 130) == "refuted");
     CHECK(verdict_of(series_claim('"' + c0 + '"', halves), 130) == "confirmed");
     CHECK(verdict_of(series_claim('"' + c0 + "*(1+1e-115)\"", halves), 100) == "refuted");

@@ -27,7 +27,8 @@ TEST_CASE("readings: all hold, some hold, none holds") {
     CHECK(combine_readings({confirmed, refuted}) == Verdict::imprecise);
     CHECK(combine_readings({refuted, confirmed, imprecise}) == Verdict::imprecise);
     CHECK(combine_readings({refuted, refuted}) == Verdict::refuted);
-    // A far-fetched reading that is nearly right does not save what the plain one refutes.
+    // An unlikely reading that is nearly right does not save a claim that the plain reading
+    // refutes.
     CHECK(combine_readings({refuted, imprecise}) == Verdict::refuted);
     CHECK(combine_readings({imprecise, refuted}) == Verdict::imprecise);
 }

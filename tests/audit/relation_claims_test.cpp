@@ -14,7 +14,7 @@ std::string relation(const std::string& says, const std::string& more = "",
     return "kind = \"relation\"\nover = \"" + over + "\"\nsays = \"" + says + "\"\n" + more;
 }
 
-/// Where it fails (or holds) in the first scene that is told of.
+/// Returns the interval in which it fails (or holds) in the first scene of the evidence.
 std::string first_interval(const ClaimResult& r, const char* key) {
     const auto* list = r.outcome.evidence.find("in_scenes");
     REQUIRE(list != nullptr);
@@ -28,7 +28,8 @@ std::string first_interval(const ClaimResult& r, const char* key) {
 } // namespace
 
 TEST_CASE("a relation that holds all over, and its opposite") {
-    // Hertz: every truncation lies above the pressure, for all coefficients but the first are < 0.
+    // Hertz: every truncation lies above the pressure, as all coefficients except the first are <
+    // 0.
     CHECK(verdict_of(relation("right_local(1, x) > p(x) and right_local(2, x) > p(x)")) ==
           "confirmed");
     CHECK(verdict_of(relation("right_local(1, x) < p(x)")) == "refuted");
@@ -61,12 +62,13 @@ TEST_CASE("somewhere, nowhere, near the edge") {
 }
 
 TEST_CASE("a difference beyond the digits at hand is found with more of them") {
-    // At u = 1e-40 L the one-term approximation is above by 2.5e-41 of the pressure.
+    // At u = 1e-40 L the one-term approximation is too large by 2.5e-41 of the pressure.
     CHECK(verdict_of(relation("right_local(1, x) > p(x)", "holds = \"near-edge\""), 20) ==
           "confirmed");
     CHECK(verdict_of(relation("right_local(1, x) < p(x)", "holds = \"near-edge\""), 20) ==
           "refuted");
-    // Identical sides do not come apart: that is no inequality, and it is not said to be one.
+    // More digits do not separate identical sides: the claim is not a strict inequality and must
+    // not be confirmed.
     CHECK(verdict_of(relation("sqrt(u)*sqrt(u) < u"), 20) != "confirmed");
 }
 

@@ -74,9 +74,9 @@ std::string parts(const std::string& of, const std::string& says, const std::str
 } // namespace
 
 // With D = a + b and z = u/D the traction is [Q/pi +- sigma_0 D (1 - 2z)/8] (1-z)^(-1/2)/sqrt(D u):
-// its z^k coefficient vanishes for +-sigma_0 D/Q = -(8/pi) p_k/(p_k - 2 p_{k-1}), p_k the
-// coefficients 1, 1/2, 3/8, 5/16 of (1-z)^(-1/2). So sigma_0 d/Q = 4/(3 pi) at the right edge for
-// k = 1, 12/(5 pi) for k = 2, and the negatives of these at the left edge.
+// its z^k coefficient vanishes for +-sigma_0 D/Q = -(8/pi) p_k/(p_k - 2 p_{k-1}), where p_k are the
+// coefficients 1, 1/2, 3/8, 5/16 of (1-z)^(-1/2). So sigma_0 d/Q = 4/(3 pi) at the right edge for k
+// = 1, 12/(5 pi) for k = 2, and the negatives of these at the left edge.
 TEST_CASE("vanishing: the ratio of the loads at which a coefficient is zero") {
     CHECK(shear_verdict(vanishing("right.s1", "4/(3*Pi)")) == Verdict::confirmed);
     CHECK(shear_verdict(vanishing("left.s1", "-4/(3*Pi)")) == Verdict::confirmed);
@@ -102,7 +102,7 @@ TEST_CASE("superposition: parts that add and parts that subtract, at any signs o
           Verdict::confirmed);
     CHECK(shear_verdict(parts("left.s1", "add", "when_zero = \"right.s1\"\n")) ==
           Verdict::confirmed);
-    // With signs drawn freely they do one in some scenes and the other in others.
+    // With arbitrary signs, the loads add in some scenes and subtract in others.
     CHECK(shear_verdict(parts("right.s0", "add")) == Verdict::refuted);
     CHECK(shear_verdict(parts("right.s0", "subtract")) == Verdict::refuted);
     // A quantity that is not linear in the loads has no parts.

@@ -66,7 +66,7 @@ const char* const first_of_side = "first exit, of the side from the edge to the 
 
 TEST_CASE("sizes: extents in binary128 are those of the multiprecision scan") {
     const ContactsBySize contacts(punch());
-    // The left edge on the right arc, on the flat, near the knot, and on the left arc.
+    // The left edge is on the right arc, on the flat, near the knot, and on the left arc.
     for (const char* size : {"1/4", "3/5", "0.99", "5/4", "10"}) {
         const Exact a = Exact::parse(size);
         const NormalContact contact(punch(), Exact::parse("1"), Load::right_edge(a), 30);
@@ -85,7 +85,7 @@ TEST_CASE("sizes: extents in binary128 are those of the multiprecision scan") {
                 for (std::size_t r = 0; r < fine.size(); ++r) {
                     CHECK(abs(Real(rough[r]) / Real(fine[r]) - 1) < Real("1e-11"));
                 }
-                // Of a side: the same first exit, unless the side ends before it.
+                // For a side, the first exit is the same, unless the side ends before it.
                 const Real side = edge == Edge::right ? contact.a() : contact.b();
                 const Real first = all.first_exit < side ? all.first_exit : side;
                 CHECK(abs(Real(fine[0]) * side / first - 1) < Real("1e-20"));
@@ -113,10 +113,10 @@ TEST_CASE("sizes: the search finds intervals, extrema and jumps of a known funct
     CHECK(near(parabola[0].to, "2"));
     CHECK(near(parabola[1].from, "4"));
     CHECK(near(parabola[1].to, "5"));
-    // Its bottom, which no size that is looked at comes to.
+    // The bottom of the parabola, which lies between the tried sizes.
     CHECK(set_of([](const Float128& a) { return Float128((a - 3) * (a - 3)); }, "-1", "1e-8")
               .size() == 1);
-    // A jump over the interval is no interval.
+    // A jump across the interval gives no interval of sizes.
     CHECK(set_of([](const Float128& a) { return Float128(a < 7 ? 0 : 1); }, "0.4", "0.6").empty());
     const SizeSet step =
         set_of([](const Float128& a) { return Float128(a < 7 ? 0 : 1); }, "0.5", "2");
@@ -132,7 +132,7 @@ TEST_CASE("sizes: a figure without its size is underspecified, its sizes are tho
     const AuditResult result = run_sizes(extent_claim("A", "left", 2, "10/100"));
     const Outcome& o = result.claims[0].outcome;
     CHECK(o.verdict == Verdict::underspecified);
-    // The ends by the multiprecision scan: 9.5 % and 10.5 % of the side.
+    // The ends by the multiprecision scan are 9.5 % and 10.5 % of the side.
     const std::string sizes = text_at(o, {first_of_side, "holds_for_a"});
     const std::size_t last = sizes.rfind("; ");
     REQUIRE(last != std::string::npos);
@@ -158,7 +158,7 @@ TEST_CASE("sizes: a figure that no size gives is refuted, one that all sizes giv
 
 TEST_CASE("sizes: figures that hold together, and figures that do not") {
     const std::string together = "together = [\"A\", \"B\"]\n";
-    // 42 % and 71 % both hold near a = 3/2; 43 % and 80 % nowhere.
+    // 42 % and 71 % both hold near a = 3/2; 43 % and 80 % hold together nowhere.
     const AuditResult both = run_sizes(extent_claim("A", "right", 2, "42/100", together) +
                                        extent_claim("B", "right", 3, "71/100", together));
     CHECK(text_at(both.claims[0].outcome, {first_of_side, "all_hold_for_a"}) != "none");
@@ -188,10 +188,10 @@ TEST_CASE("sizes: a condition on the coefficients holds up to where an edge meet
     };
     const AuditResult result = run_sizes(claim("left.c1 < 0"));
     CHECK(result.claims[0].outcome.verdict == Verdict::underspecified);
-    // alpha R = pi/8 is where the left edge comes to the flat: until then b = a.
+    // At a = alpha R = pi/8 the left edge reaches the flat: for smaller sizes b = a.
     CHECK(text_at(result.claims[0].outcome, {"holds_for_a"}).find("... 0.392699081699;") !=
           std::string::npos);
     CHECK(run_sizes(claim("right.c1 < 0")).claims[0].outcome.verdict == Verdict::confirmed);
-    // It fails at every size that is looked at, which proves nothing for the sizes between.
+    // It fails at every tried size, which proves nothing for the sizes between.
     CHECK(run_sizes(claim("b < a")).claims[0].outcome.verdict == Verdict::undecided);
 }

@@ -6,14 +6,14 @@
 
 #include <doctest/doctest.h>
 
-// Formulas of partial slip from the literature or derived by hand, so that nothing here is taken
-// from the code: Cattaneo 1938 and Mindlin 1949 for Hertz, Hills and Nowell 1994 for the shift
-// sigma_0/(2 f E* C) of the stick zone by a tension (e/a = sigma_0/(4 f p_0) with p_0 = E* C a/2).
-// The pressures of a symmetric profile under the loads from P - |Q|/f to P add up to q/f (Jaeger
-// 1998, Ciavarella 1998), so that inside the stick zone q = (f/pi) times the integral of
-// P'(s)/sqrt(s^2 - x^2) over stick_a < s < a. Of the flat-and-rounded punch the stick zone ends at
-// z, where P(z) = E* z^2/(4 R) (pi - 2 w - sin(2 w)), sin(w) = t/z: F = (E*/2) times the integral
-// of sqrt(z^2 - x^2) dg' over t < |x| < z.
+// The formulas of partial slip are from the literature or derived by hand, independently of the
+// code: Cattaneo 1938 and Mindlin 1949 for Hertz; Hills and Nowell 1994 for the shift sigma_0/(2 f
+// E* C) of the stick zone by a tension (e/a = sigma_0/(4 f p_0) with p_0 = E* C a/2). For a
+// symmetric profile, the pressure increments between the loads P - |Q|/f and P add up to q/f
+// (Jaeger 1998, Ciavarella 1998), so that inside the stick zone q = (f/pi) times the integral of
+// P'(s)/sqrt(s^2 - x^2) over stick_a < s < a. For the flat-and-rounded punch, the stick zone ends
+// at z, where P(z) = E* z^2/(4 R) (pi - 2 w - sin(2 w)), sin(w) = t/z: F = (E*/2) times the
+// integral of sqrt(z^2 - x^2) dg' over t < |x| < z.
 namespace {
 
 const std::string slip_head = R"toml(
@@ -168,7 +168,7 @@ TEST_CASE("partial slip of Hertz under a bulk tension") {
     stands("hertz-in-tension", "right.d", "a - c + shift");
     stands("hertz-in-tension", "left.d", "a - c - shift");
     stands("hertz-in-tension", "stick_a", "c - shift");
-    // The tension has an effect.
+    // The tension must have an effect.
     CHECK(slip_outcome("hertz-in-tension", "q(x)", "k(a^2 - x^2) - k(c^2 - x^2)").verdict ==
           Verdict::refuted);
 }
@@ -196,8 +196,8 @@ TEST_CASE("partial slip of curved slopes and of a punch, by increments of the pr
     stands("flat-and-rounded", "q(x)", "sgn(Q)*friction*p(x)", "where = \"x > stick_a\"\n");
 }
 
-// x = c for u = (a - c)/(2 a): p* vanishes there, and the formula of a printed line takes the root,
-// or the hyperbolic arc, of a ball about its end.
+// x = c for u = (a - c)/(2 a): p* vanishes there, and a printed formula takes the root, or the
+// inverse hyperbolic cosine, of a ball that contains the end of its domain.
 TEST_CASE("a place exactly on an edge of the stick zone has an enclosure") {
     const std::pair<const char*, const char*> cases[] = {
         {"on-the-edge-of-stick", "k(a^2 - x^2) - k(c^2 - x^2)"},
@@ -224,7 +224,8 @@ TEST_CASE("a place exactly on an edge of the stick zone has an enclosure") {
     }
 }
 
-// P = pi/4 for a = 1, so that Q = 4/10 slides: no scene of the family has both, the sweep does.
+// P = pi/4 for a = 1, so that the contact slides for Q = 4/10: no scene of the family has both
+// values, but the sweep does.
 TEST_CASE("a load without partial slip along a sweep is refused at the line of the claim") {
     const Ledger ledger = parse_ledger(R"toml([ledger]
 name = "sweep"
@@ -281,7 +282,7 @@ union = ["on-the-edge-of-stick", "stick"]
     };
     AuditOptions options;
     options.digits = 30;
-    // The full-stick traction is right in one of the two families only.
+    // The full-stick traction is right in only one of the two families.
     CHECK(run_audit(both("q(x)", "Q/(Pi*sqrt(a^2 - x^2))"), options).claims[0].outcome.verdict ==
           Verdict::refuted);
     CHECK_THROWS_AS(both("right.d", "a"), InputError);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// A ledger of a few contacts whose answers are known by hand, and one claim at a time over it.
+/// A ledger of a few contacts with results known by hand calculation; each test adds one claim.
 namespace edgeproof::small_ledger {
 
 /// Hertz: p = Es C/2 sqrt(a^2 - x^2), so that at the distance u = v a the one-term approximation

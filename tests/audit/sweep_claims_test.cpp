@@ -37,9 +37,9 @@ TEST_CASE("what grows with a parameter, what falls, and what does both") {
     CHECK(verdict_of(monotone("m", "increasing")) == "confirmed");
     CHECK(verdict_of(monotone("m", "decreasing")) == "refuted");
     CHECK(verdict_of(monotone("1/m", "decreasing")) == "confirmed");
-    CHECK(verdict_of(monotone("(m-5)^2", "increasing")) == "refuted"); // falls from 2 to 4
+    CHECK(verdict_of(monotone("(m-5)^2", "increasing")) == "refuted"); // decreases from 2 to 4
     CHECK(verdict_of(monotone("m-m", "increasing")) == "undecided");
-    // c_1/c_0 is proportional to 5/8 - m, a rational of hand calculation.
+    // c_1/c_0 is proportional to 5/8 - m, by hand calculation.
     CHECK(verdict_of(monotone("right.c1/right.c0", "decreasing")) == "confirmed");
     CHECK(verdict_of(monotone("right.c1/right.c0", "increasing")) == "refuted");
 }
@@ -70,7 +70,7 @@ TEST_CASE("limits that are reached, limits that are not") {
     CHECK(verdict_of(limit("1/m", "infinity")) == "refuted");
     CHECK(verdict_of(limit("m/(1+m)", "infinity")) != "confirmed");
     CHECK(verdict_of(limit("2-s", "infinity", along_s)) == "refuted");
-    // A rectangular punch: P/(pi sqrt(a^2 - x^2)), approached as 1/m.
+    // The limit is a rectangular punch, P/(pi sqrt(a^2 - x^2)); the difference decreases as 1/m.
     CHECK(verdict_of(limit("p(0)*Pi*a/P", "1")) == "confirmed");
     CHECK(verdict_of(limit("p(0)*Pi*a/P", "2")) == "refuted");
     CHECK(verdict_of(limit("p(0)*Pi*a/P", "1+1e-9")) != "confirmed");
@@ -78,16 +78,16 @@ TEST_CASE("limits that are reached, limits that are not") {
 
 TEST_CASE("a limit is judged by what lies beyond the values listed") {
     const std::string along_big = "along = \"s\"\nvary = { s = [\"1\", \"10\", \"100\"] }";
-    // At the values listed it falls to 1e60*exp(-300) = 5e-71 + 1.
+    // At the listed values it decreases to 1e60*exp(-300) = 5e-71 + 1.
     CHECK(verdict_of(limit("1+1e60*exp(-3*s)", "0", along_big)) == "refuted");
     CHECK(verdict_of(limit("1+1e60*exp(-3*s)", "1", along_big)) == "confirmed");
     CHECK(verdict_of(limit("1e-60*exp(s/3)", "0", along_big)) == "refuted");
     CHECK(verdict_of(limit("1e-60*exp(s/3)", "infinity", along_big)) == "confirmed");
-    // exp(-1e8) has no decimals within the range of numbers that are printed.
+    // exp(-1e8) is outside the range of printed numbers.
     CHECK(verdict_of(limit("exp(-1/s)", "0", along_s)) == "confirmed");
     CHECK(verdict_of(limit("exp(1/s)", "infinity", along_s)) == "confirmed");
     CHECK(verdict_of(limit("-exp(1/s)", "infinity", along_s)) == "refuted");
-    // Other forms prevail at s = 1e30 and at 1e-40.
+    // At s = 1e30 and at s = 1e-40 another term becomes dominant.
     CHECK(verdict_of(limit("1/(1+1e-30*s)", "0", along_big)) == "confirmed");
     CHECK(verdict_of(limit("1/(1+1e-30*s)", "1", along_big)) == "refuted");
     CHECK(verdict_of(limit("s/(1+1e-30*s)", "infinity", along_big)) == "refuted");
@@ -113,7 +113,7 @@ TEST_CASE("what prevails beyond the range that is followed decides nothing") {
             CHECK(verdict_of(limit(of, claimed, along_big)) != "confirmed");
         }
     }
-    // The true limits: 0, 0, infinity, exp(-1000), 1e5.
+    // The true limits are 0, 0, infinity, exp(-1000), 1e5.
     CHECK(verdict_of(limit("s/(s+1e5000)", "1", along_big)) == "undecided");
     CHECK(verdict_of(limit("log(log(s+2)+1)-9", "infinity", along_big)) == "undecided");
     CHECK(verdict_of(limit("1/s+exp(-1e3-1/s)", "exp(-1e3)", along_big)) != "refuted");
@@ -137,7 +137,7 @@ TEST_CASE("oscillation, exact equality, and values that a formula makes special"
     CHECK(verdict_of(limit("sin(1/s)*s", "0", along_s)) == "confirmed");
     CHECK(verdict_of(limit("1+sin(1/s)*s", "1", along_s)) == "confirmed");
     CHECK(verdict_of(limit("1+sin(1/s)*s", "1+1e-9", along_s)) == "refuted");
-    // Zero at each power of ten.
+    // This function is zero at each power of ten.
     CHECK(verdict_of(limit("sin(Pi/s)", "0", along_s)) == "undecided");
     CHECK(verdict_of(limit("a*C/(C*a)", "1", along_s)) == "confirmed");
     CHECK(verdict_of(limit("a*C/(C*a)", "1+1e-30", along_s)) == "refuted");
@@ -151,18 +151,18 @@ TEST_CASE("where the values listed go") {
     const auto along = [](const std::string& values) {
         return "along = \"s\"\nvary = { s = [" + values + "] }";
     };
-    // To a multiple of a parameter of the scene, or to 1/3.
+    // The values tend to a multiple of a parameter of the scene, or to 1/3.
     const std::string to_a = along(R"("a/2", "a*9/10", "a-a*1e-3", "a-a*1e-9")");
     CHECK(verdict_of(limit("s/a", "1", to_a)) == "confirmed");
     CHECK(verdict_of(limit("s/a", "1-1e-9", to_a)) == "refuted");
     CHECK(verdict_of(limit("1/(a-s)", "infinity", to_a)) == "confirmed");
-    CHECK(verdict_of(limit("1/(s-a)", "infinity", to_a)) == "refuted"); // to minus infinity
+    CHECK(verdict_of(limit("1/(s-a)", "infinity", to_a)) == "refuted"); // minus infinity
     const std::string to_third = along(R"("0.3", "0.33", "0.333", "0.3333")");
     CHECK(verdict_of(limit("3*s", "1", to_third)) == "confirmed");
     CHECK(verdict_of(limit("s", "0.33333", to_third)) == "refuted");
     const std::string from_above = along(R"("a*2", "a+a*1e-2", "a+a*1e-5")");
     CHECK(verdict_of(limit("sqrt(s/a-1)", "0", from_above)) == "confirmed");
-    // Neither to a simple number nor by steps that halve.
+    // The values do not tend to a simple number, and the steps are not halved.
     const std::string uneven = along(R"("1", "1000", "1500")");
     CHECK(verdict_of(limit("s", "infinity", uneven)) == "undecided");
     CHECK(verdict_of(limit("s", "1500", uneven)) == "undecided");
@@ -171,7 +171,7 @@ TEST_CASE("where the values listed go") {
 }
 
 TEST_CASE("limits of a contact far below the size of the digits asked for") {
-    // What three terms leave of Hertz's pressure falls as s^3.
+    // The remainder of Hertz's pressure after three terms decreases as s^3.
     const std::string tiny =
         "along = \"s\"\nvary = { s = [\"a*1e-30\", \"a*1e-35\", \"a*1e-40\"] }";
     const auto hertz = [&](const std::string& of, const std::string& claimed) {
@@ -180,7 +180,7 @@ TEST_CASE("limits of a contact far below the size of the digits asked for") {
     };
     CHECK(verdict_of(hertz("abs(1-right_local(3,a-s)/p(a-s))", "0")) == "confirmed");
     CHECK(verdict_of(hertz("abs(1-right_local(3,a-s)/p(a-s))", "1e-90")) == "refuted");
-    // By hand: with v = u/(2a), sqrt(1 - v) = 1 - v/2 - v^2/8 - v^3/16 - ...
+    // By hand, with v = u/(2a): sqrt(1 - v) = 1 - v/2 - v^2/8 - v^3/16 - ...
     CHECK(verdict_of(hertz("(1-right_local(3,a-s)/p(a-s))*(2*a/s)^3", "-1/16")) == "confirmed");
     CHECK(verdict_of(hertz("(1-right_local(3,a-s)/p(a-s))*(2*a/s)^3", "1/16")) == "refuted");
     // p is of the order of sqrt(s).
@@ -189,16 +189,17 @@ TEST_CASE("limits of a contact far below the size of the digits asked for") {
 }
 
 TEST_CASE("the best value of a parameter, for one tolerance and in the limit") {
-    // To first order the error is proportional to 5/8 - m; the second order shifts the best value
-    // at any finite tolerance, by about its square root.
+    // In first order the error is proportional to 5/8 - m; the second order shifts the best value
+    // at a finite tolerance by about the square root of the tolerance.
     CHECK(verdict_of(optimum("5/8", "\"1/100\"", "each"), 20) == "refuted");
     CHECK(verdict_of(optimum("5/8", R"("1e-2", "1e-5")", "limit"), 20) == "confirmed");
     CHECK(verdict_of(optimum("3/4", R"("1e-2", "1e-5")", "limit"), 20) == "refuted");
     const ClaimResult r = result_of(optimum("1", "\"1/100\"", "each"), 20);
     CHECK(name_of(r.outcome.verdict) == "refuted");
-    // The reach is largest where the inner maximum of sqrt(2u)/I_m(1 - u) - 1 is the tolerance, and
-    // goes to where the same falls to its negative: by mpmath at 45 digits, findroot on 2F1 (the
-    // source of tests/contact/design/design_test.cpp). Hertz: 1 - (100/101)^2.
+    // The reach is largest where the inner maximum of sqrt(2u)/I_m(1 - u) - 1 equals the tolerance.
+    // It ends where this function has decreased to the negative tolerance: computed with mpmath at
+    // 45 digits, findroot on 2F1 (the source of tests/contact/design/design_test.cpp). Hertz: 1 -
+    // (100/101)^2.
     REQUIRE(r.outcome.computed);
     const std::string& said = *r.outcome.computed;
     CAPTURE(said);

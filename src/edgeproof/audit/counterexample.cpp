@@ -16,7 +16,7 @@ namespace {
 using formula::Expr;
 
 struct FormulaPair {
-    std::string what; ///< empty: the formulas themselves
+    std::string what; ///< empty for the formulas themselves
     Expr printed;
     Expr correct;
 };
@@ -26,7 +26,7 @@ const std::string* text_at(const Evidence& evidence, std::string_view key) {
     return item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
 }
 
-/// Of an expansion: the first coefficient that is wrong.
+/// Returns the first wrong coefficient of an expansion.
 std::optional<FormulaPair> wrong_coefficient(const RefutedReading& refuted) {
     const EvidenceItem* terms = refuted.outcome->evidence.find("terms");
     const auto* list =
@@ -62,10 +62,10 @@ std::optional<FormulaPair> formulas_of(const RefutedReading& refuted) {
 std::vector<Rational> candidates_for(const std::string& name) {
     static const std::set<std::string, std::less<>> may_vanish{"P2", "P3", "P4", "b2",
                                                                "b3", "b4", "x",  "xhat"};
-    if (name == "gam") { // b/a < 1, with a root that is rational
+    if (name == "gam") { // b/a < 1; both values have a rational square root
         return {Rational(1, 4), Rational(4, 9)};
     }
-    if (name == "sigma" || name == "delta") { // in 0 ... 1
+    if (name == "sigma" || name == "delta") { // between 0 and 1
         return {Rational(1, 2), Rational(3, 4), Rational(1, 4)};
     }
     std::vector<Rational> values{1, 2, 3, 4, 5};
@@ -91,7 +91,7 @@ const Rational* value_in(const Assignment& values, std::string_view name) {
     return it == values.end() ? nullptr : &it->second;
 }
 
-/// What a contact asks of the numbers.
+/// True if the numbers describe a possible contact.
 bool admissible(const Assignment& v) {
     const auto less = [&](std::string_view x, std::string_view y) {
         const Rational* left = value_in(v, x);
@@ -108,7 +108,7 @@ bool admissible(const Assignment& v) {
            (S == nullptr || X == nullptr || *S <= *X);
 }
 
-/// All assignments, those of least effort first.
+/// Returns all assignments in the order of their effort.
 std::vector<std::pair<double, Assignment>> assignments(const std::set<std::string>& names) {
     constexpr std::size_t most = 20'000;
     std::vector<std::pair<double, Assignment>> all{{0.0, {}}};
@@ -143,17 +143,17 @@ std::optional<Ball> constant_ball(const Expr& e) {
         Ball ball = formula::enclosed_constant(e, bits);
         return ball.is_finite() ? std::optional(std::move(ball)) : std::nullopt;
     } catch (const Error&) {
-        return std::nullopt; // not defined there
+        return std::nullopt; // not defined for these numbers
     }
 }
 
-/// The simplest exact form, checked against the ball of what it comes from.
+/// Returns the simplest exact form of a constant, checked against its enclosure.
 std::optional<std::string> exact_form(const Expr& constant, const Ball& ball) {
     try {
         const Expr simple = derive(constant, {});
         const std::optional<Ball> same = constant_ball(simple);
         std::string text = to_text(simple);
-        constexpr std::size_t most = 40; // more is no value that a reader compares
+        constexpr std::size_t most = 40; // a longer text is too hard to compare by eye
         return same && overlaps(*same, ball) && text.size() <= most ? std::optional(std::move(text))
                                                                     : std::nullopt;
     } catch (const Error&) {
@@ -161,7 +161,7 @@ std::optional<std::string> exact_form(const Expr& constant, const Ball& ball) {
     }
 }
 
-/// Whether the two are far enough apart to be told by a glance.
+/// True if the two values are disjoint and differ by more than a fifth of the larger one.
 bool clearly_apart(const Ball& x, const Ball& y) {
     const Real larger = std::max(Real(abs(x.midpoint())), Real(abs(y.midpoint())));
     return disjoint(x, y) && abs(x.midpoint() - y.midpoint()) * 5 > larger;
@@ -203,7 +203,7 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
     }
     std::set<std::string> names = free_symbols(pair->printed);
     names.merge(free_symbols(pair->correct));
-    constexpr std::size_t enough = 24; // candidates of least effort, among which the clearest is
+    constexpr std::size_t enough = 24; // the clearest of this number of candidates is chosen
     std::size_t seen = 0;
     double least = 0;
     std::optional<Evidence> clearest;
@@ -217,7 +217,7 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
         }
         const std::optional<std::string> printed_value = exact_form(printed, *x);
         const std::optional<std::string> correct_value = exact_form(correct, *y);
-        constexpr double effort_without = 30; // only decimals
+        constexpr double effort_without = 30; // for a value that has no short exact form
         const double total = effort +
                              (printed_value ? effort_to_read(*printed_value) : effort_without) +
                              (correct_value ? effort_to_read(*correct_value) : effort_without);
@@ -271,7 +271,7 @@ std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
         return integral_counterexample(refuted, context);
     } catch (const Interrupted&) {
         throw;
-    } catch (const Error&) { // nothing simple is found: the evidence stands without
+    } catch (const Error&) { // no simple counterexample was found; the verdict does not need one
         return std::nullopt;
     }
 }

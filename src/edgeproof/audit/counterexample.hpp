@@ -7,15 +7,15 @@
 
 namespace edgeproof::audit {
 
-/// The clearest numbers that show a refuted claim to be wrong: small and whole where they can be,
-/// so that a reader checks them by hand. (The samples that a verdict rests on are chosen to find
-/// errors, not to show them.) All decimals are rounded from enclosures.
+/// Returns the clearest numbers that show a refuted claim to be wrong. They are small and whole
+/// where possible, so that a reader can check them by hand. (The samples used for a verdict are
+/// chosen to find errors, not to show them.) All decimals are rounded from enclosures.
 ///
-/// A formula: its symbols are small numbers; `printed`, `correct` are the formulas,
-/// `printed_value`, `correct_value` what they come to exactly (in symbols; missing where that is no
-/// closed form), and their decimals. A figure for how far an approximation reaches: a distance at
-/// which the error is on the other side of the tolerance. A quantity that is said to grow or to
-/// fall: two values of the parameter. Nothing for other kinds, or where none is found.
+/// For a formula, the symbols get small numbers; `printed` and `correct` are the formulas,
+/// `printed_value` and `correct_value` their exact values (left out where there is no closed form),
+/// and decimals are added. For the reach of an approximation: a distance at which the error is on
+/// the other side of the tolerance. For a quantity stated to increase or decrease: two values of
+/// the parameter. Returns nothing for other kinds, or if no counterexample is found.
 [[nodiscard]] std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
                                                               const AuditContext& context);
 

@@ -7,17 +7,17 @@
 
 namespace edgeproof::audit {
 
-/// The claim, or of its readings the last that is refuted: the kindest to what is printed.
+/// The claim, or its last refuted reading (the most favourable to the source).
 struct RefutedReading {
     const Claim* claim = nullptr;
     const Outcome* outcome = nullptr;
 };
 [[nodiscard]] RefutedReading kindest_refuted(const ClaimResult& result);
 
-/// How hard a number is to work with by hand.
+/// Returns a measure of the effort to calculate with a number by hand.
 [[nodiscard]] double effort_of(const Rational& value);
 
-/// One counterexample each, of the kinds of claim that they are for.
+/// Each function finds a counterexample for one kind of claim.
 [[nodiscard]] std::optional<Evidence> formula_counterexample(const RefutedReading& refuted);
 [[nodiscard]] std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
                                                            const AuditContext& context);

@@ -16,7 +16,7 @@ constexpr unsigned shown_digits = 8;
 constexpr unsigned screening_digits = 30;
 constexpr unsigned proving_digits = 20;
 
-/// A number of a list, with what it costs to work with it.
+/// A number of a list and the effort to calculate with it.
 struct Choice {
     Exact value;
     double effort;
@@ -27,9 +27,8 @@ double effort_of_text(const Exact& value) {
                                : 20 + static_cast<double>(value.text().size());
 }
 
-/// The family with everything as simple as it may be: 1 where the family says a number at all, but
-/// for what depends on other parameters (t = a*2/5), what the scene rests on (`keep`), and its
-/// shape.
+/// Returns the drawn scene with simpler numbers: a, C, Es and R are 1 if the family gives them as
+/// numbers, and the parameters that depend on others (t = a*2/5) are computed from them.
 SceneSpec simplest_scene(const SceneSpec& drawn, const Family& family) {
     SceneSpec scene = drawn;
     for (const auto& [name, texts] : family.parameters) {
@@ -65,7 +64,7 @@ Evidence numbers_of(const SceneSpec& scene) {
     return with;
 }
 
-/// A formula at a sample, rounded from its enclosure; empty where there is none.
+/// Returns a formula's value, rounded from its enclosure; empty if there is no enclosure.
 std::string enclosed_decimal(const formula::Expr& e, const Sample& sample) {
     const Enclosed value = enclosed(e, sample, proving_digits);
     return value.ball ? round_ball(*value.ball, shown_digits).text : "";
@@ -91,14 +90,14 @@ Sample simplest_sample(const Claim& claim, const AuditContext& context) {
     return sample;
 }
 
-/// "46 %" and "0.03" as numbers.
+/// Reads "46 %" or "0.03" as a number.
 Rational quoted_number(const std::string& text) {
     const std::size_t percent = text.find(" %");
     const Rational number = parse_decimal(text.substr(0, percent));
     return percent == std::string::npos ? number : Rational(number / 100);
 }
 
-/// The decimal with the fewest places that is well inside the two.
+/// Returns the decimal with the fewest places that lies well between the two numbers.
 Rational short_decimal_between(const Rational& x, const Rational& y) {
     const Rational low = std::min(x, y);
     const Rational high = std::max(x, y);
@@ -129,7 +128,7 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
     Sample sample = simplest_sample(claim, context);
     const std::string side = claim.edge() == contact::Edge::right ? "right" : "left";
     const std::string terms = claim.text("terms");
-    // u = at * base from the edge.
+    // The distance from the edge is u = at * base.
     const std::string u = "(" + exact_text(at) + ")*(" + claim.text("base") + ")";
     const std::string x = side == "right" ? "a-" + u : "-b+" + u;
     const auto read = [&](const std::string& text) {
@@ -187,7 +186,7 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
         }
         return texts;
     };
-    // Where the parameter is a place, the shape of the body is free as well.
+    // If the parameter is a place, the shape of the body can be chosen, too.
     const bool has_shape = !of_scene && base.scene.parameters.contains("m");
     std::vector<Choice> shapes{{Exact::parse("1"), 0}};
     if (has_shape) {
@@ -242,7 +241,7 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
             }
         }
         if (clearest) {
-            break; // shapes come in the order of their effort
+            break; // the shapes are sorted by effort, so that the first success is the clearest
         }
     }
     return clearest;
@@ -253,8 +252,7 @@ std::optional<Evidence> vanishing_counterexample(const RefutedReading& refuted) 
     if (claim.text_or("ratio", "") != "sig0*d/Q") {
         return std::nullopt;
     }
-    // A Hertzian contact of half-width d = 1, with Q = 3 pi, so that a ratio with pi comes out
-    // even.
+    // A Hertzian contact of half-width d = 1; Q = 3 pi cancels pi in the ratio.
     Sample sample;
     sample.scene = {"", "power-law", {}, {}, {}};
     for (const char* name : {"m", "C", "a", "Es"}) {
@@ -284,7 +282,8 @@ std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
         return std::nullopt;
     }
     Sample sample = simplest_sample(claim, context);
-    // A size of 2, so that a power of it too many shows; half of it where the profile has a corner.
+    // The size is 2, so that a wrong power of it changes the value; the corner of the profile (if
+    // any) is at 1, half of it.
     sample.scene.parameters.insert_or_assign("a", Exact::parse("2"));
     if (sample.scene.parameters.contains("t")) {
         sample.scene.parameters.insert_or_assign("t", Exact::parse("1"));

@@ -12,7 +12,7 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr unsigned later_digits = 100; // several orders cancel before the one that is asked for
+constexpr unsigned later_digits = 100; // several orders cancel before the required one
 constexpr unsigned told_digits = 6;
 
 struct LaterFinding {
@@ -20,13 +20,13 @@ struct LaterFinding {
     bool as_printed = false;
 };
 
-/// The claim as its plain reading has it.
+/// Returns the first reading of the claim, or the claim itself if it has no readings.
 const Claim& plain(const Claim& claim) {
     return claim.readings.empty() ? claim : claim.readings.front();
 }
 
-/// Of a reach: the error at the distance quoted, in the first scene; as printed if it rounds to the
-/// tolerance there.
+/// For a reach: computes the error at the quoted distance, in the first scene. The result is "as
+/// printed" if the error rounds to the tolerance.
 LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
                                 const AuditContext& context) {
     const EvaluatedScene values(context.scenes(claim).front(), later_digits);
@@ -41,7 +41,7 @@ LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
             error < tolerance * 3 / 2 && error * 2 > tolerance};
 }
 
-/// Of a formula: its value at every sample, beside what is printed of the later line.
+/// For a formula: compares its value at every sample with the printed later line.
 LaterFinding at_samples(const LaterResult& later, const Claim& claim, const AuditContext& context) {
     const bool formula = claim.find_written("says") != nullptr;
     EvaluatedSamples samples(claim, context, later_digits, formula ? 0 : 3);
@@ -56,9 +56,9 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
         } catch (const DomainError&) {
             continue;
         }
-        if (!formula) { // a term that is said to grow without bound
+        if (!formula) { // a term that is stated to grow without bound
             if (abs(value) < pow(Real(10), -30)) {
-                continue; // not there at all in this scene
+                continue; // the term vanishes in this scene
             }
             finding.as_printed = finding.as_printed && abs(value) > 1000000;
         } else {
@@ -141,7 +141,7 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
                                              ? at_quoted_distance(later, claim, context)
                                              : at_samples(later, claim, context);
             one.add("comes_to", finding.comes_to).add("as_printed", finding.as_printed);
-        } catch (const Error& error) { // our limit: nothing is said of it
+        } catch (const Error& error) { // a limit of the program, not a result
             one.add("not_computed", error.what());
         }
         found[later.from].emplace_back(std::move(one));

@@ -5,11 +5,11 @@
 
 namespace edgeproof::audit {
 
-/// Adds to the evidence of each claim that does not hold what the source's later results come to
-/// when they are computed with that line as it is printed (the ledger's [[later]], and `as_if` of
-/// later claims): `later_results`, a list of {claim, what, comes_to, as_printed}. `as_printed`: the
-/// later line, or figure, comes out as the source has it; so the error was carried on, or does not
-/// show there. Otherwise the source did not compute it with this line.
+/// For each claim that does not hold, computes the later results of the source from that line as it
+/// is printed (the ledger's [[later]], and `as_if` of later claims), and adds them to the evidence:
+/// `later_results`, a list of {claim, what, comes_to, as_printed}. `as_printed` is true if the
+/// computed value agrees with the printed later line or figure: then the error was carried on, or
+/// has no effect there. Otherwise the source did not compute the later result from this line.
 void add_later_results(AuditResult& result, const AuditContext& context);
 
 } // namespace edgeproof::audit

@@ -25,9 +25,9 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
     }
     try {
         return kind->check(claim, context);
-    } catch (const InputError& error) { // such as a scene along a sweep in which the contact slides
+    } catch (const InputError& error) { // such as a scene of a sweep in which the contact slides
         throw error.file().empty() ? error.at(claim.file, claim.line) : error;
-    } catch (const Error& e) { // a budget spent, or a way that does not lead there
+    } catch (const Error& e) { // the budget is spent, or the method does not apply
         Outcome o;
         o.note = e.what();
         return o;
@@ -42,7 +42,7 @@ std::string join(const std::vector<std::string>& parts, const std::string& betwe
     return text;
 }
 
-/// The outcome that follows from those under the readings; `undefined` names what print leaves out.
+/// Combines the outcomes under several readings; `undefined` lists the names not defined in print.
 Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Outcome>>& readings) {
     Outcome all;
     std::vector<Judgement> verdicts;
@@ -156,7 +156,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             }
             failed[i] = error;
         }
-        check_interruption(); // perhaps in the middle
+        check_interruption(); // the interruption may have come during the check
         const std::size_t now = ++done;
         if (options.progress) {
             options.progress(now, chosen.size());
@@ -164,7 +164,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     };
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        // One claim a task: they differ a thousandfold in what they cost.
+        // Each claim is a task of its own, as their costs differ by a factor of up to 1000.
         tbb::parallel_for(std::size_t{0}, chosen.size(), run_claim, tbb::simple_partitioner());
     });
     std::vector<ClaimResult> judged;

@@ -30,7 +30,7 @@ Sample tilted_sample(Edge edge, const char* fraction) {
     return sample;
 }
 
-/// The route in Real must lie in the ball, but for its own error, and the ball must be narrow.
+/// The value in Real must lie in the ball, up to its own error, and the ball must be narrow.
 std::string fault_of(const std::string& text, const Sample& sample) {
     const unsigned digits = 40;
     const Expr e = contact_formula(text);
@@ -130,7 +130,7 @@ TEST_CASE("a pair of enclosures in the evidence, or the reason that there is non
 }
 
 TEST_CASE("a difference that only the enclosures show refutes") {
-    // It agrees to D - 5 digits, and yet it is certainly another number.
+    // The value agrees to D - 5 digits, but is certainly different.
     const ClaimResult near = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-32)"));
     CHECK(near.outcome.verdict == Verdict::refuted);
     CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));

@@ -10,13 +10,13 @@
 #include <type_traits>
 
 TEST_CASE("refuted is made of a refutation, confirmed of a confirmation, by type") {
-    // No verdict, and so no constant either, becomes a judgement; nor can one be assigned.
+    // A verdict, also a constant one, cannot be converted or assigned to a judgement.
     static_assert(!std::is_convertible_v<Verdict, Judgement>);
     static_assert(!std::is_constructible_v<Judgement, Verdict>);
     static_assert(!std::is_assignable_v<Judgement&, Verdict>);
     static_assert(!std::is_default_constructible_v<Refutation>);
     static_assert(!std::is_default_constructible_v<Confirmation>);
-    // Values in Real make neither.
+    // Values in Real cannot make either of them.
     static_assert(!std::is_constructible_v<Refutation, Real>);
     static_assert(!std::is_constructible_v<Confirmation, Real>);
     CHECK(Judgement() == Verdict::undecided);
@@ -36,7 +36,7 @@ TEST_CASE("balls decide what all of their numbers have in common") {
     CHECK_FALSE(Refutation::less(nothing, two));
     CHECK(Confirmation::agreement(one, about_one, one, 5));
     CHECK_FALSE(Confirmation::agreement(one, about_one, one, 7));
-    // Zero agrees to so many digits of a scale only, or exactly.
+    // Zero agrees only to a number of digits relative to a scale, or exactly.
     const Ball zero(0, 64);
     const Ball about_zero = Ball::around(Real(0), Real("1e-30"), 64);
     CHECK(Confirmation::agreement(zero, about_zero, two, 29));

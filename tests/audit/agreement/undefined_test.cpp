@@ -43,7 +43,7 @@ TEST_CASE("a principal value whose pole is beyond its interval is an integral li
 }
 
 TEST_CASE("the root of zero, which roundoff makes negative: says nothing") {
-    // Sums that are zero; each comes out negative at some of these.
+    // These sums are zero; roundoff makes each negative for some of the values of k.
     for (const char* zero : {"a*(1+k) - a - a*k", "(1+k)^2 - 1 - 2*k - k^2", "k - 2*k/3 - k/3",
                              "(a+k)*(a-k) - a^2 + k^2"}) {
         for (const char* k : {"1/3", "1/7", "1/11", "3/13", "5/17", "7/29"}) {

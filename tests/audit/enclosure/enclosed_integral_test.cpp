@@ -15,7 +15,7 @@ namespace {
 constexpr long test_bits = 240;
 constexpr unsigned test_digits = 35;
 
-/// Names of these tests: c is what a is, but nobody says so.
+/// The names in these tests; c has the same value as a, but this is not known by symbols.
 struct IntegralNames {
     std::map<std::string, Ball, std::less<>> values{{"a", Ball(Rational(3, 2), test_bits)},
                                                     {"c", Ball(Rational(3, 2), test_bits)},
@@ -53,7 +53,8 @@ Ball integral_ball(const std::string& text) {
     return enclosed_integral(integral_formula(text), around, test_digits);
 }
 
-/// The integral has the value, and its ball is narrow: empty, or what is wrong.
+/// Checks that the integral has the value and that its ball is narrow; returns the fault or an
+/// empty text.
 std::string fault_of_integral(const std::string& integral, const std::string& value) {
     const Ball found = integral_ball(integral);
     const Ball known = constant_ball(value);
@@ -102,13 +103,13 @@ TEST_CASE("roots that vanish at an end are integrated exactly there") {
 }
 
 TEST_CASE("what is singular without a proof, or not real, or not integrable has no enclosure") {
-    // The same number under another name: zero in the numbers, but not for certain.
+    // c - a is zero for these numbers, but this is not proved.
     CHECK_FALSE(integral_ball("integral(1/sqrt(c-s), s, 0, a)").is_finite());
     CHECK_FALSE(integral_ball("integral(1/sqrt(s-1/2), s, 1/2 - 1/10^40, a)").is_finite());
     CHECK_FALSE(integral_ball("integral(1/(a-s), s, 0, a)").is_finite());
     CHECK_FALSE(integral_ball("integral((a-s)^(-3/2), s, 0, a)").is_finite());
     CHECK_FALSE(integral_ball("integral(1/(s - 1/2), s, 0, 1)").is_finite());
-    // Real over one half of the interval, imaginary over the other.
+    // The integrand is real in one half of the interval, imaginary in the other.
     CHECK_FALSE(integral_ball("integral(sqrt(1 - s), s, 0, 2)").is_finite());
     CHECK_FALSE(integral_ball("integral(1/sqrt(s-a), s, 0, a)").is_finite());
     CHECK_THROWS_AS(static_cast<void>(integral_ball("integral(p(s), s, 0, 1)")), Error);
@@ -132,7 +133,7 @@ TEST_CASE("principal values are enclosed") {
 
 TEST_CASE("a principal value without a simple pole inside has no enclosure") {
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(1/(s-a), s, 0, a, a)")), BudgetError);
-    // Beyond the interval the pole does no harm: by hand, log(1/2).
+    // A pole outside the interval is allowed; by hand, log(1/2).
     CHECK(fault_of_integral("pv(1/(s-a), s, 0, a/2, a)", "-log(2)") == "");
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(1/(s-x)^2, s, 0, a, x)")), Error);
     CHECK_THROWS_AS(static_cast<void>(integral_ball("pv(s, s, 0, a, x)")), Error);
@@ -156,7 +157,7 @@ TEST_CASE("zero is proved for rational functions, with b and its inverse, and fo
     CHECK_FALSE(zero("bof(x)-x"));
     CHECK_FALSE(zero("a-c"));
     CHECK_FALSE(zero("bof(binv(x)+a)-x"));
-    // True for one sign of x only.
+    // The first two are zero only for x >= 0.
     CHECK_FALSE(zero("sqrt(x^2)-x"));
     CHECK_FALSE(zero("x^(1/2)-x^(1/2)"));
     CHECK_FALSE(zero("1/(a-a)"));

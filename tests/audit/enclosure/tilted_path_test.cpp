@@ -27,7 +27,7 @@ constexpr PathCase path_cases[] = {{"1/10", "1", "2", "3/10", TiltedPath::LeftEd
 
 Ball path_number(const char* text) { return enclosed_constant(Exact::parse(text), path_bits); }
 
-/// As wide as the last digits.
+/// True if only the last digits are uncertain.
 bool narrow(const Box& x) {
     return x.is_finite() && x.real().relative_accuracy_bits() > path_bits - 60;
 }
@@ -55,7 +55,8 @@ TEST_CASE("the path of angles holds the contacts that the left edge's equation g
         CHECK(narrow(at.ds));
         CHECK(certainly_positive(at.ds.real()));
         CHECK(overlaps((at.db / at.ds).real(), contact.left_edge_derivatives(2)[1]));
-        // ds itself, by the mean over a short step: it is in the derivative's box over the step.
+        // Check ds by the mean slope over a short step, which must lie in the derivative's box over
+        // the step.
         const Ball step(Rational(1, 1000000), path_bits);
         const TiltedPath::Point next = path.at(Box(angle + step));
         const TiltedPath::Point over = path.at(Box(Ball::hull(angle, angle + step)));

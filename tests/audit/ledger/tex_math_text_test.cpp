@@ -44,7 +44,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
-/// The error of a ledger with one text in the place of a word; the rest is harmless.
+/// Returns the error of a ledger in which one word is replaced by a text and the others by harmless
+/// ones.
 std::string error_with(const std::string& word, const std::string& tex) {
     std::string text = replaced(ledger_text, word, tex);
     for (const char* other : {"PRINTED", "NOTATION", "MACRO"}) {
@@ -139,7 +140,7 @@ TEST_CASE("TeX of a ledger: the error names the line, and what to write") {
     CHECK(error_with("PRINTED", "x^2").empty());
     for (const std::string& tex : hostile_tex) {
         if (tex.find('\x1b') != std::string::npos || tex.find('\xff') != std::string::npos) {
-            continue; // refused by the reader of TOML
+            continue; // refused by the TOML reader
         }
         CAPTURE(tex);
         CHECK(

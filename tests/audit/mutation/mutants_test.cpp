@@ -10,7 +10,7 @@
 
 namespace {
 
-/// "kind: formula" of every mutant, in no order.
+/// Returns "kind: formula" of every mutant.
 std::set<std::string> mutants(const std::string& text) {
     Symbols symbols;
     for (const char* name : {"a", "b", "P1", "P2", "t", "right_c0"}) {
@@ -23,7 +23,7 @@ std::set<std::string> mutants(const std::string& text) {
     return all;
 }
 
-/// Hertz, in scenes enough to tell a power of one parameter from a power of another.
+/// Hertz, with enough scenes to distinguish powers of different parameters.
 const std::string mutants_head = R"toml([ledger]
 name = "small"
 [[family]]
@@ -50,7 +50,7 @@ MutationRun run_all(const std::string& claims, int threads, std::size_t count = 
 const std::string hertz_pressure =
     "[[claim]]\nid = \"H\"\nkind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n"
     "says = \"Es*C/2*sqrt(a^2 - x^2)\"\n";
-/// b = a under a symmetric contact: a for b changes nothing.
+/// For a symmetric contact b = a, so that exchanging them has no effect.
 const std::string first = "[[claim]]\nid = \"F\"\nkind = \"identity\"\nover = \"hertz\"\n"
                           "of = \"right.c0\"\nsays = \"P1*sqrt(2)/(Pi*sqrt(b))\"\n";
 

@@ -59,7 +59,7 @@ TEST_CASE("residues: a field, roots and small fractions") {
     CHECK(x.fraction() == Rational(-7, 3));
     CHECK(Residue::of(Rational(123456, 654321)).fraction() == Rational(123456, 654321));
     CHECK(Residue::root(x * x).has_value());
-    // p = 3 modulo 4: of x and -x just one is a square.
+    // As p = 3 modulo 4, exactly one of x and -x is a square.
     CHECK(Residue::root(x).has_value() != Residue::root(-x).has_value());
     CHECK_THROWS_AS((void)(x / Residue(0)), DomainError);
     // Fermat: 2^(p-1) = 1; and 2^61 = p + 1.
@@ -77,8 +77,8 @@ TEST_CASE("relations of the multipliers of both edges") {
     const FoundRelations found = find_relations(related(names), 4, {});
     CHECK(found.complete);
     REQUIRE(found.relations.size() >= 2);
-    // Held to the printed multipliers (eqn:LI_NonSym_Right to eqn:MI_NonSym_Left) at numbers of
-    // our own, times pi: a + b = 4, P' = 3, P'' = 5/7, b' = 2/3, b'' = -1/5.
+    // The printed multipliers (eqn:LI_NonSym_Right to eqn:MI_NonSym_Left), times pi, are evaluated
+    // at these numbers: a + b = 4, P' = 3, P'' = 5/7, b' = 2/3, b'' = -1/5.
     const Rational P1 = 3;
     const Rational P2(5, 7);
     const Rational b1(2, 3);
@@ -105,18 +105,18 @@ TEST_CASE("relations of the multipliers of both edges") {
 }
 
 TEST_CASE("relations under full stick, and of symmetric contacts") {
-    // q of Q and sigma_0: 2 D s_1 = 2 s_0(other edge) - s_0, since Q and sigma_0 are two.
+    // For q from Q and sigma_0: 2 D s_1 = 2 s_0(other edge) - s_0, as there are two loads.
     const auto shear = relations_of({"right_s1", "right_s0", "left_s0", "L"}, 2);
     CHECK(shear == std::vector<std::string>{"2*L*right_s1 + right_s0 - 2*left_s0 = 0"});
-    // P and Q are free of each other.
+    // P and Q are independent of each other.
     CHECK(relations_of({"right_s0", "right_s1", "right_c0", "right_c1"}, 3).empty());
     SymbolicCase symmetric;
     symmetric.symmetric = true;
     CHECK(relations_of({"right_c2", "right_c1", "right_c0", "a"}, 4, symmetric).empty());
     CHECK(relations_of({"left_c1", "right_c1"}, 1, symmetric) ==
           std::vector<std::string>{"left_c1 - right_c1 = 0"});
-    // Along the power laws one multiplier follows from the others: with mu = 5/8 - m, a c_1/c_0 =
-    // 2 mu/3 and a^2 c_2/c_0 = (129 - 272 m + 128 m^2)/480 (line 158).
+    // For power laws, one multiplier follows from the others: with mu = 5/8 - m, a c_1/c_0 = 2 mu/3
+    // and a^2 c_2/c_0 = (129 - 272 m + 128 m^2)/480 (line 158).
     SymbolicCase power_law = symmetric;
     power_law.names.emplace("P2", formula::parse("m*P1/a", relation_names));
     power_law.names.emplace("P3", formula::parse("m*(m-1)*P1/a^2", relation_names));

@@ -43,7 +43,7 @@ Expr setting_formula(const std::string& text) {
     return parse_formula(text, v);
 }
 
-/// Digits to which two formulas agree in a evaluated scene.
+/// Returns the digits to which two formulas agree in an evaluated scene.
 double agreement(const EvaluatedScene& scene_values, const std::string& x, const std::string& y,
                  const Place* place = nullptr) {
     const FormulaValue fx = scene_values.evaluate(setting_formula(x), place);
@@ -59,7 +59,7 @@ double agreement(const EvaluatedScene& scene_values, const std::string& x, const
 
 TEST_CASE("naive integrals lose nothing at their end points") {
     const EvaluatedScene scene_values(hertz_scene(), setting_digits);
-    // Closed forms from any table of integrals.
+    // These closed forms are in tables of integrals.
     CHECK(agreement(scene_values, "integral(1/sqrt(a^2-s^2), s, -a, a)", "Pi") > setting_digits);
     CHECK(agreement(scene_values, "integral(1/sqrt((a-s)*(s+b)), s, -b, a)", "Pi") >
           setting_digits);

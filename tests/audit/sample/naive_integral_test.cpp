@@ -19,7 +19,7 @@ bool agrees(const NaiveIntegral& found, const Real& right) {
 
 } // namespace
 
-// The values are elementary integrals, by their antiderivatives.
+// The values are elementary integrals, computed from antiderivatives.
 TEST_CASE("an integrand as it stands: singular ends of every power that has an integral") {
     const PrecisionScope scope(3 * naive_digits);
     const Real zero(0);

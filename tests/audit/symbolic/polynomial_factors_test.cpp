@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Factors that are no numbers, with their multiplicity.
+/// Returns the number of factors that are not numbers, with their multiplicity.
 long count_of(const GiNaC::ex& product) {
     const auto count = [](const GiNaC::ex& factor) -> long {
         if (GiNaC::is_a<GiNaC::numeric>(factor)) {
@@ -36,9 +36,10 @@ long count_of(const GiNaC::ex& product) {
 
 } // namespace
 
-// Products of polynomials that are linear in a variable of their own, with coprime coefficients,
-// and so irreducible. The symbols are new each time and made in another order: the factorization
-// that stood here before drew places in an order that depends on that, and did not always end.
+// The products have factors that are linear in a variable of their own, with coprime coefficients,
+// and are therefore irreducible. The symbols are new in each round and created in another order:
+// the former factorization drew points in an order that depends on this, and did not always
+// terminate.
 TEST_CASE("polynomials in many variables come apart into the factors they were made of") {
     const auto held = audit::ginac::hold();
     std::mt19937_64 draw(20261123);

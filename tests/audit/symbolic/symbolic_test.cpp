@@ -47,7 +47,7 @@ TEST_CASE("identities with roots are decided") {
 }
 
 TEST_CASE("the first multipliers of a symmetric contact, by a derivation made on paper") {
-    // p = (1/pi) int_x^a P'(s)/sqrt(s^2 - x^2) ds, s = a - u r, by hand:
+    // p = (1/pi) int_x^a P'(s)/sqrt(s^2 - x^2) ds with s = a - u r, expanded by hand:
     CHECK(equal("right.c0", "sqrt(2/a)*P1/Pi", symmetric_case));
     CHECK(equal("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8-a*P2)", symmetric_case));
     CHECK(equal("left.c1", "right.c1", symmetric_case));
@@ -68,7 +68,7 @@ TEST_CASE("expansions, power by power") {
     CHECK(compare_expansions(formula_of("sqrt(eps+eps^2)"), formula_of("sqrt(eps)+eps^(3/2)/2"), in,
                              {})
               .equal());
-    // b^{-1}(b - y) - a, reverted by hand to second order.
+    // The expansion of b^{-1}(b - y) - a to second order, by hand.
     CHECK(compare_expansions(formula_of("binv(b-eps*X)-a"),
                              formula_of("-eps*X/b1-eps^2*X^2*b2/(2*b1^3)"), in, {})
               .equal());
@@ -81,7 +81,7 @@ TEST_CASE("expansions, power by power") {
     CHECK(compare_expansions(formula_of("integral((1+eps*S)/sqrt(X-S), S, 0, X)"),
                              formula_of("2*sqrt(X)+eps*4*X^(3/2)/3"), in, {})
               .equal());
-    // Two derivations of the pressure's expansion that share nothing but P' and b.
+    // These two derivations of the pressure's expansion share only P' and b.
     const ExpansionIn u{"u", Edge::left, Rational(5, 2)};
     const auto terms = expand(formula_of("p(x)"), u, {});
     REQUIRE(terms.size() == 3);

@@ -13,15 +13,14 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr std::size_t tries = 24; // samples at which a refutation is looked for in balls
-/// The same where there are integrals, and how many samples these are enclosed at.
+constexpr std::size_t tries = 24; // samples at which a refutation by balls is tried
+/// The same for formulas with integrals, and the numbers of samples with enclosures for them.
 constexpr std::size_t tries_of_integrals = 4;
 constexpr std::size_t worst_of_integrals = 4;
 constexpr std::size_t others_of_integrals = 4;
-constexpr unsigned spare_digits = 2; // that integrals aim at
-constexpr double every_digit = 1e6;  // of numbers that are exactly equal
+constexpr unsigned spare_digits = 2; // added to the aim of integrals
+constexpr double every_digit = 1e6;  // for numbers that are exactly equal
 
-/// One of the samples.
 struct Sampled {
     const EvaluatedSamples& samples;
     std::size_t index;
@@ -35,7 +34,7 @@ struct Pair {
     std::string problem;
 };
 
-/// The digits to which any two numbers in the balls agree, relative to the scale.
+/// Returns the digits to which any two numbers in the balls agree, relative to the scale.
 double proved_digits(const Pair& pair) {
     const Real most = abs(*pair.printed - *pair.exact).upper();
     if (most == 0) {
@@ -61,7 +60,7 @@ Ball scale_at(const EnclosedSample& sample, const ComparedFormulas& formulas, co
     }
 }
 
-/// False where more bits are of no use.
+/// Returns false if more bits are not useful.
 bool enclose(const Sampled& at, const ComparedFormulas& formulas, long bits, unsigned aim,
              Pair& pair) {
     try {
@@ -86,7 +85,7 @@ bool enclose(const Sampled& at, const ComparedFormulas& formulas, long bits, uns
     }
 }
 
-/// At more and more bits, until the balls are disjoint or prove `digits` digits.
+/// Increases the bits until the balls are disjoint or prove `digits` digits.
 Pair pair_at(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
@@ -100,8 +99,8 @@ Pair pair_at(const Sampled& at, const ComparedFormulas& formulas, unsigned digit
     return pair;
 }
 
-/// Integrals are as wide as the digits that they aim at: twice the bits for what is not enclosed,
-/// and once more digits where too many cancel.
+/// The width of an integral's ball depends on the digits it aims at. The bits are doubled if there
+/// is no enclosure, and the digits are increased once if too many cancel.
 Pair pair_of_integrals(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
     Pair pair;
     const long needed = formula::bits_for(digits);
@@ -136,7 +135,7 @@ Evidence both(const Pair& pair, const std::string& at, unsigned digits) {
     return e;
 }
 
-/// Indices from the sample that agrees least on.
+/// Returns the indices, beginning with the sample of least agreement.
 std::vector<std::size_t> by_digits(const Agreement& agreement) {
     std::vector<std::size_t> order(agreement.samples_at.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -146,7 +145,7 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
     return order;
 }
 
-/// A refutation, looked for at the samples where the values in Real differ most.
+/// Searches for a refutation at the samples where the values in Real differ most.
 std::optional<Refutation> find_refutation(const Agreement& agreement,
                                           const EvaluatedSamples& samples_at,
                                           const ComparedFormulas& formulas, unsigned digits,
@@ -173,8 +172,8 @@ std::optional<Refutation> find_refutation(const Agreement& agreement,
     return std::nullopt;
 }
 
-/// The samples at which a confirmation is enclosed: all, or of integrals those that agree least
-/// (where they do not agree in Real: every one) and some of the others.
+/// Returns the samples at which a confirmation is enclosed: all; for integrals, those that agree
+/// least (including all that do not agree in Real) and some of the others.
 std::vector<std::size_t> chosen(const Agreement& agreement, const ComparedFormulas& formulas,
                                 unsigned digits) {
     std::vector<std::size_t> order = by_digits(agreement);
@@ -257,7 +256,7 @@ Decision compare_by_enclosures(const Agreement& agreement, const EvaluatedSample
         }
     }
     if (worst) {
-        // Not rounded up, as it would be by the nearest tenth.
+        // The digits are rounded down to a tenth.
         const double tenths = std::floor(std::min(least, 1.0 * digits) * 10) / 10;
         worst->add("digits_proved", digits_text(tenths)).add("samples", count);
         outcome.evidence.add("enclosures", std::move(*worst));

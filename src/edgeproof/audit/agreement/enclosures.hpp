@@ -10,8 +10,8 @@
 
 namespace edgeproof::audit {
 
-/// Two formulas that a claim says are equal, and what their difference is compared with: `scale`,
-/// or where there is none the exact value, or where that is zero the sum of the sizes of the terms.
+/// Two formulas that are equal according to a claim. Their difference is compared with `scale`; if
+/// there is none, with the exact value; if that is zero, with the sum of the sizes of the terms.
 struct ComparedFormulas {
     formula::Expr printed;
     formula::Expr exact;
@@ -19,10 +19,10 @@ struct ComparedFormulas {
     [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
 };
 
-/// The verdict on a printed formula, by enclosures at the samples of a claim. `agreement` (in Real)
-/// only says where to look first. Evidence `enclosures`.
-/// Refuted: at one sample the two balls have no number in common.
-/// Confirmed: as below.
+/// Judges a printed formula by enclosures at the samples of a claim. `agreement` (in Real) only
+/// determines the order of the samples. Adds the evidence `enclosures`.
+/// Refuted: the two balls are disjoint at one sample.
+/// Confirmed: see compare_by_enclosures.
 /// Underspecified: the printed formula has no value at some sample, and differs at none.
 [[nodiscard]] Judgement judge_by_enclosures(const Agreement& agreement,
                                             const EvaluatedSamples& samples_at,
@@ -30,15 +30,16 @@ struct ComparedFormulas {
                                             const std::optional<formula::Expr>& scale,
                                             unsigned digits, Outcome& outcome);
 
-/// What the enclosures decide of two formulas at the samples. They agree if the balls prove D - 5
-/// digits at every sample, or where there are integrals at the samples that agree least and at some
-/// others, which the evidence counts. Nothing, and a note, where the balls decide nothing.
+/// Compares two formulas at the samples by enclosures. They agree if the balls prove D - 5 digits
+/// at every sample; for formulas with integrals, at the samples that agree least and at some others
+/// (the evidence states their number). Returns nothing, and adds a note, if the balls do not
+/// decide.
 [[nodiscard]] Decision compare_by_enclosures(const Agreement& agreement,
                                              const EvaluatedSamples& samples_at,
                                              const ComparedFormulas& formulas, unsigned digits,
                                              Outcome& outcome);
 
-/// Two numbers that a claim says are equal.
+/// Two numbers that are equal according to a claim.
 struct ComparedNumbers {
     std::string first_name;
     Enclosed first;
@@ -47,7 +48,7 @@ struct ComparedNumbers {
     std::string at; ///< the sample
 };
 
-/// Puts two enclosures into the evidence.
+/// Adds two enclosures to the evidence.
 void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence);
 
 /// What a verdict rests on.

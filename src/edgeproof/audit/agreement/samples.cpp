@@ -30,7 +30,7 @@ double digits_of_ratio(const Real& difference, const Real& scale) {
     return (-log10(Real(difference / scale))).convert_to<double>();
 }
 
-/// How far, on the scale of logarithms, a sample is from a fifth of the contact's length.
+/// Returns the distance of a sample from a fifth of the contact's length, in decades.
 double away_from(const Sample& sample) {
     return sample.fraction ? std::abs(std::log10(5 * sample.fraction->to<double>())) : 0;
 }
@@ -42,7 +42,7 @@ bool certainly_holds(const Condition& where, const Sample& sample) {
     return confirms(decide(where, in_balls, condition_digits));
 }
 
-/// All that the samples of a claim depend on.
+/// Returns a key with everything on which the samples depend.
 std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) {
     std::string key = fmt::format("samples/{}/{}/{}/{}/{}", digits, most, claim.text("over"),
                                   claim.text_or("edge", "right"), claim.text_or("points", ""));
@@ -52,7 +52,7 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
         }
     }
     if (claim.has("vary")) {
-        key += "/" + claim.id; // what is drawn depends on it
+        key += "/" + claim.id; // the drawn samples depend on the id
         for (const auto& [name, values] : claim.table("vary")) {
             key += fmt::format("/{} = {}", name, fmt::join(values, ", "));
         }
@@ -64,7 +64,7 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
 
 namespace {
 
-/// Whether the values in Real differ by more than their errors: a sample to look at in balls.
+/// True if the values in Real differ by more than their errors: then balls must decide.
 bool seems_different(const SampleAgreement& s, double digits_needed) {
     const ValuePair* v = s.values();
     return v != nullptr && v->digits < digits_needed && abs(v->printed - v->exact) > v->error;
@@ -164,7 +164,7 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
     }
     std::vector<Sample> samples = context.samples(claim);
     if (effort == Effort::screening) {
-        // Away from the edge first: there integrals converge soonest.
+        // Samples far from the edge come first, as integrals converge fastest there.
         std::stable_sort(samples.begin(), samples.end(), [](const Sample& x, const Sample& y) {
             return away_from(x) < away_from(y);
         });
@@ -190,7 +190,7 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
             sample_at.place = scene_values.place(sample.edge, *sample.fraction);
         }
         sample_at.variables = scene_values.values_of(sample.variables);
-        // A sample on the boundary of the condition decides nothing: it is left out.
+        // A sample on the boundary of the condition does not decide and is left out.
         if (where && (!scene_values.holds(*where, sample_at.place ? &*sample_at.place : nullptr,
                                           sample_at.variables) ||
                       !certainly_holds(*where, sample))) {
@@ -208,7 +208,7 @@ FormulaValue EvaluatedSamples::known(const formula::Expr& e, std::size_t sample_
         return it->second;
     }
     FormulaValue value = samples_at_[sample_at].evaluate(e, &cache);
-    // Not emplace: an integral has been kept already on the way, without the digits of the whole.
+    // An integral may have an entry from evaluate, without digits; replace it.
     cache.insert_or_assign(e, value);
     return value;
 }
@@ -243,7 +243,7 @@ SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr&
         if (scale) {
             against = abs(known(*scale, i).value);
         } else if (difference != 0) {
-            // Where the exact value is zero but for roundoff, hold it against its terms.
+            // If the exact value is zero except for roundoff, compare with the terms.
             const Real terms = magnitude(
                 printed, [&](const formula::Expr& part) { return this->value(part, i).value; });
             if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
@@ -253,7 +253,7 @@ SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr&
         if (!isfinite(against)) {
             return OurLimit{"a number beyond the range of the arithmetic"};
         }
-        // Three digits of margin: errors of quadratures are estimates.
+        // Three digits of margin are used, because errors of quadratures are estimates.
         const int good = static_cast<int>(std::min(x.digits, y.digits));
         return ValuePair{y.value, x.value, digits_of_ratio(difference, against),
                          Real(against * pow(Real(10), 3 - good))};

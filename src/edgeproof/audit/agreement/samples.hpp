@@ -23,7 +23,7 @@ struct EvaluatedSample {
     std::optional<Place> place;
     Variables variables;
     std::string text;
-    Sample sample; ///< what it was made from: exact
+    Sample sample; ///< the exact sample from which it was made
 
     [[nodiscard]] FormulaValue evaluate(const formula::Expr& e,
                                         IntegralCache* cache = nullptr) const {
@@ -31,60 +31,60 @@ struct EvaluatedSample {
     }
 };
 
-/// The values of two formulas at one sample: finite, and every integral in them converged.
+/// The values of two formulas at one sample: finite, with convergence of every integral.
 struct ValuePair {
     Real printed;
     Real exact;
-    double digits = 0; ///< to which they agree
-    Real error;        ///< an estimate of what their difference may be off by, with a margin
+    double digits = 0; ///< digits of agreement
+    Real error;        ///< an estimated error bound of their difference, with a margin
 };
 
-/// Two formulas at one sample: both values, or that the printed one has none, or that we found
-/// none.
+/// The comparison of two formulas at one sample: both values; or the printed one has no value; or
+/// the program found no value.
 class SampleAgreement {
 public:
     SampleAgreement(ValuePair values) : found_(std::move(values)) {} // NOLINT: converts on purpose
     SampleAgreement(NoValue no_value) : found_(std::move(no_value)) {} // NOLINT
     SampleAgreement(OurLimit limit) : found_(std::move(limit)) {}      // NOLINT
 
-    /// nullptr where there are none.
+    /// Returns nullptr if there are no values.
     [[nodiscard]] const ValuePair* values() const { return std::get_if<ValuePair>(&found_); }
     [[nodiscard]] const NoValue* no_value() const { return std::get_if<NoValue>(&found_); }
     [[nodiscard]] const OurLimit* limit() const { return std::get_if<OurLimit>(&found_); }
-    /// To which they agree; far below zero where there are no values.
+    /// The digits of agreement; a large negative number if there are no values.
     [[nodiscard]] double digits() const;
-    /// Why there are no values; empty where there are.
+    /// The reason why there are no values; empty if there are.
     [[nodiscard]] std::string problem() const;
 
 private:
     std::variant<ValuePair, NoValue, OurLimit> found_;
 };
 
-/// Two formulas at all samples.
+/// The comparison of two formulas at all samples.
 struct Agreement {
     std::vector<SampleAgreement> samples_at;
-    std::size_t worst = 0; ///< index of the sample with the fewest digits in common
+    std::size_t worst = 0; ///< index of the sample with the fewest digits of agreement
     [[nodiscard]] double digits() const {
         return samples_at.empty() ? 0 : samples_at[worst].digits();
     }
-    /// At every sample.
+    /// True if the formulas agree to this number of digits at every sample.
     [[nodiscard]] bool to(double digits) const;
-    /// EvaluatedSamples where the printed formula has no value, and why at the first of them.
+    /// The number of samples at which the printed formula has no value.
     [[nodiscard]] std::size_t without_value() const;
-    /// At some sample we found no value.
+    /// True if the program found no value at some sample.
     [[nodiscard]] bool limited() const;
-    /// Which samples decide.
+    /// Returns how the verdict depends on the samples.
     [[nodiscard]] SampleUse use(double digits_needed) const;
-    /// For a reader: what keeps the formula from a verdict by its values.
+    /// Explains why the values do not give a verdict.
     [[nodiscard]] std::string obstacle(double digits_needed) const;
 };
 
-/// All samples of a claim at so many digits, those that its `where` admits; or `most` of them,
-/// spread evenly over all, or for screening those farthest from an edge. It keeps the values of
-/// what it was compared with, and of integrals; one object belongs to one thread.
+/// The samples of a claim, at a given number of digits, that its `where` admits; or `most` of them,
+/// spread evenly, or (for screening) those farthest from an edge. Stores the values of formulas
+/// used in comparisons, and of integrals. Not thread-safe: one thread may use an object at a time.
 class EvaluatedSamples {
 public:
-    /// Of a claim, or of another that is sampled alike: made once a run and thread.
+    /// Returns samples, shared by claims with the same sampling; made once for each run and thread.
     [[nodiscard]] static std::shared_ptr<EvaluatedSamples> of(const Claim& claim,
                                                               const AuditContext& context,
                                                               unsigned digits, std::size_t most = 0,
@@ -93,19 +93,17 @@ public:
                      std::size_t most = 0, Effort effort = Effort::full);
 
     [[nodiscard]] const std::vector<EvaluatedSample>& all() const noexcept { return samples_at_; }
-    /// Samples that `where` leaves out.
+    /// The number of samples that `where` leaves out.
     [[nodiscard]] std::size_t left_out() const noexcept { return left_out_; }
     [[nodiscard]] std::size_t scenes() const noexcept { return scene_values_.size(); }
-    /// `scale`: what a difference is held against where the exact value is zero.
+    /// Compares two formulas. `scale`: the reference for a difference if the exact value is zero.
     /// Throws Interrupted.
     [[nodiscard]] Agreement compare(const formula::Expr& printed, const formula::Expr& exact,
                                     const std::optional<formula::Expr>& scale = std::nullopt);
-    /// The value of a formula that many others are compared with, at a sample.
+    /// Returns the value, at a sample, of a formula that is compared with many others.
     [[nodiscard]] FormulaValue known(const formula::Expr& e, std::size_t sample_at);
-    /// A sample in balls.
     [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample_at, long bits,
                                                  unsigned integral_digits) const;
-    /// The value of a formula at a sample.
     [[nodiscard]] FormulaValue value(const formula::Expr& e, std::size_t sample_at) {
         return samples_at_[sample_at].evaluate(e, &caches_[sample_at]);
     }
@@ -123,9 +121,9 @@ private:
     const AuditContext& context_;
 };
 
-/// "17.3": digits in evidence, capped at what is worth saying.
+/// Returns a text such as "17.3" for digits in evidence, limited to a useful maximum.
 [[nodiscard]] std::string digits_text(double digits);
-/// A value rounded for evidence.
+/// Returns a value rounded for evidence.
 [[nodiscard]] std::string value_text(const Real& value, unsigned digits);
 
 } // namespace edgeproof::audit

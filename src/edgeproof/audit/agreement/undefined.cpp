@@ -16,15 +16,15 @@ namespace {
 using Kind = formula::Expr::Kind;
 using Found = std::optional<NoValue>;
 
-constexpr int halvings = 16; // places in an integral: 2^-16 of its length from an end, at the least
+constexpr int halvings = 16; // places in an integral: at least 2^-16 of its length from an end
 
-/// A formula at a sample, under values for the variables of the integrals that it stands in.
+/// A formula at a sample, with values for the variables of the integrals around it.
 class At {
 public:
     At(const EvaluatedSample& sample_at, Variables variables)
         : sample_at_(sample_at), variables_(std::move(variables)) {}
 
-    /// The first part without a value, from the innermost.
+    /// Returns the innermost, first part without a value.
     [[nodiscard]] Found undefined(const formula::Expr& e) const {
         if (e.rational() != nullptr) {
             return std::nullopt;
@@ -100,7 +100,7 @@ private:
     static Found by_symbols(const std::string& what, const formula::Expr& e) {
         return NoValue{inside(what, e), true};
     }
-    /// Zero for all that its names may stand for.
+    /// True if e is zero for all values of its names.
     [[nodiscard]] bool zero(const formula::Expr& e) const {
         if (const Rational* q = e.rational()) {
             return *q == 0;
@@ -131,11 +131,11 @@ private:
         return surely_zero(e, sample_at_.scene_values->contact().profile().symmetric());
     }
 
-    /// b'', b''', ...
+    /// True for b'', b''', ...
     static bool is_higher_derivative_of_b(std::string_view name) {
         return name.size() == 2 && name[0] == 'b' && name[1] >= '2' && name[1] <= '9';
     }
-    /// b(a) is a multiple of a: of a symmetric contact, and of a wedge, which has no length.
+    /// True if b(a) is a multiple of a: for symmetric contacts and for wedges.
     [[nodiscard]] bool b_is_linear() const {
         const contact::Profile& profile = sample_at_.scene_values->contact().profile();
         return profile.symmetric() || profile.kind() == contact::Profile::Kind::tilted_wedge;
@@ -146,7 +146,7 @@ private:
             ->evaluate(e, sample_at_.place ? &*sample_at_.place : nullptr, variables_)
             .value;
     }
-    /// `what`, if `margin` is negative by more than roundoff.
+    /// Returns `what` if `margin` is negative by more than roundoff.
     [[nodiscard]] Found beyond(const formula::Expr& margin, const std::string& what,
                                const formula::Expr& e) const {
         try {
@@ -157,7 +157,7 @@ private:
                 return std::nullopt;
             }
         } catch (const DomainError&) {
-            return std::nullopt; // it has a part that is undefined, which is looked at by itself
+            return std::nullopt; // it has an undefined part, which is checked separately
         } catch (const BudgetError&) {
             return std::nullopt;
         }
@@ -179,7 +179,7 @@ private:
             }
             return certainly_negative(sample.evaluate(margin));
         } catch (const Error&) {
-            return false; // no enclosure: the estimate stands, and is called so
+            return false; // no enclosure: the result remains an estimate and is marked as one
         }
     }
     [[nodiscard]] Found undefined_within(const formula::Expr& integral) const {
@@ -204,7 +204,7 @@ private:
                 }
             }
         } catch (const DomainError&) {
-            return std::nullopt; // limits without a value, for reasons that are none here
+            return std::nullopt; // the limits have no value for reasons that are not relevant here
         } catch (const BudgetError&) {
             return std::nullopt;
         }

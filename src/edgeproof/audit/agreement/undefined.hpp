@@ -6,13 +6,13 @@
 
 namespace edgeproof::audit {
 
-/// Why a formula has no value at a sample, if one of these is the cause: division by what is zero
-/// (by symbols), or the logarithm or a negative power of it; a root, a logarithm or an inverse
-/// function of a number outside its domain, pressure or full-stick traction at a place beyond the
-/// contact, or the law of a contact (b, its inverse, P, P') at a size that is not positive,
-/// by more than 1e-20 of the terms that the number is the sum of, where some hundred digits are
-/// carried; in an integral, at one of some places within its limits. `proved`: by symbols, or a
-/// ball bears it out. Nothing where roundoff may be the cause.
+/// Returns the reason why a formula has no value at a sample, if it is one of these: a division by
+/// an expression that is zero (by symbols), or its logarithm or negative power; a root, a logarithm
+/// or an inverse function of a number outside its domain; pressure or full-stick traction at a
+/// place outside the contact; the law of a contact (b, its inverse, P, P') at a size that is not
+/// positive. A number must be beyond its domain by more than 1e-20 of its terms, while some hundred
+/// digits are used. Integrals are checked at some places within their limits. `proved`: by symbols
+/// or by a ball. Returns nothing if roundoff may be the cause.
 [[nodiscard]] std::optional<NoValue> no_value_of(const formula::Expr& e,
                                                  const EvaluatedSample& sample_at);
 

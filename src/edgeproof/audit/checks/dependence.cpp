@@ -12,11 +12,11 @@
 namespace edgeproof::audit {
 namespace {
 
-/// What a search for polynomial relations says of the quantity, which comes first among them.
+/// The result of a search for polynomial relations; the quantity is the first variable.
 struct AlgebraicDependence {
-    std::optional<std::string> relation; ///< one that holds it, proved by symbols
-    std::optional<std::string> solved;   ///< for it, where it is linear in it
-    bool none = false;                   ///< proved that there is none up to the degree
+    std::optional<std::string> relation; ///< contains the quantity; proved by symbols
+    std::optional<std::string> solved;   ///< the quantity, if the relation is linear in it
+    bool none = false;                   ///< it is proved that there is none up to the degree
 };
 
 AlgebraicDependence by_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
@@ -27,7 +27,7 @@ AlgebraicDependence by_relations(const std::vector<RelatedQuantity>& quantities,
     const PolynomialRelation* shortest = nullptr;
     for (const PolynomialRelation& r : found.relations) {
         texts.push_back(relation_text(r, quantities));
-        // The one that a reader can solve most easily.
+        // Prefer the relation that is easiest to solve for the quantity.
         const auto size = [](const PolynomialRelation& of) {
             return std::pair(of.terms_with(0), of.terms.size());
         };
@@ -48,11 +48,11 @@ AlgebraicDependence by_relations(const std::vector<RelatedQuantity>& quantities,
     return result;
 }
 
-/// The quantity, and those that it may be a function of, as formulas in free names.
+/// The quantity, and those of which it may be a function, as formulas in free names.
 struct FreeFormulas {
     formula::Expr of;
     std::vector<formula::Expr> from;
-    std::vector<RelatedQuantity> quantities; ///< as written, the quantity first
+    std::vector<RelatedQuantity> quantities; ///< as written, with the quantity first
 };
 
 FreeFormulas free_formulas(const Claim& claim, const SymbolicCase& under) {
@@ -67,7 +67,7 @@ FreeFormulas free_formulas(const Claim& claim, const SymbolicCase& under) {
     return all;
 }
 
-/// The names that the quantity depends on, and the others do not.
+/// Returns the names on which the quantity depends and the others do not.
 std::string names_alone(const FreeFormulas& formulas) {
     std::set<std::string> known;
     for (const formula::Expr& e : formulas.from) {
@@ -95,7 +95,7 @@ AlgebraicDependence look_for_relations(const Claim& claim, const FreeFormulas& f
     return by_relations(formulas.quantities, static_cast<unsigned>(degree), under, evidence);
 }
 
-/// A proof, at a point drawn, that the quantity is no function of the others.
+/// Judges from a proof, at a drawn point, that the quantity is not a function of the others.
 void judge_independent(const Claim& claim, const GradientRank& rank, bool says_independent,
                        unsigned digits, Outcome& outcome) {
     const Ball& left = *rank.outside();
@@ -114,8 +114,8 @@ void judge_independent(const Claim& claim, const GradientRank& rank, bool says_i
              digits, outcome.evidence);
 }
 
-/// A proof that the gradient of the quantity lies in the span of the others near a point drawn, so
-/// that their ranks with it and without it are one number.
+/// Judges from a proof that near a drawn point the quantity's gradient lies in the span of the
+/// others, so that the rank is the same with it and without it.
 void judge_function(const Claim& claim, const GradientRank& rank, bool says_independent,
                     unsigned digits, Outcome& outcome) {
     constexpr long bits = 64;
@@ -136,8 +136,8 @@ void judge_function(const Claim& claim, const GradientRank& rank, bool says_inde
              digits, outcome.evidence);
 }
 
-/// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a
-/// point, if its gradient is a combination of theirs.
+/// Checks if a quantity is a function of others, where P', P'', b', b'', ... are free: it is one
+/// near a point if its gradient is a linear combination of theirs.
 Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
     const FreeFormulas formulas = free_formulas(claim, under);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t formal_draws = 3;
 
-/// Names of two formulas, and those that the functions along the family of contacts expand into.
+/// Returns the names in two formulas, and the derivatives in the expansions of contact functions.
 std::set<std::string> names_of(const formula::Expr& x, const formula::Expr& y) {
     std::set<std::string> names = free_symbols(x);
     names.merge(free_symbols(y));
@@ -46,14 +46,14 @@ std::vector<EvidenceItem> terms_evidence(const ExpansionComparison& comparison,
     return list;
 }
 
-/// What is left of the exact function after the printed terms, in real contacts: an order found
-/// with no series at all, in balls. The smallest order over the samples.
+/// The exact function minus the printed terms in real contacts: the least order over the samples,
+/// measured by enclosures without a series.
 struct Remainder {
     std::optional<Ball> order;
     std::string at;
     std::size_t samples = 0;
 
-    /// It is proved that more is left than the printed terms allow for.
+    /// True if it is proved that the remainder is larger than the printed terms allow.
     [[nodiscard]] bool contradicts(const Rational& through) const {
         return order &&
                certainly_less(*order, Ball(through, order->bits()) + Ball(Rational(1, 4), 64));
@@ -96,9 +96,9 @@ Remainder measure_remainder(const Claim& claim, const std::vector<Sample>& sampl
     return remainder;
 }
 
-/// Every coefficient at every sample of the claim, by enclosures: the lowest power that departs
-/// refutes. Equal powers of both expansions are compared in the contacts that the claim is about,
-/// where a coefficient may vanish that does not in general.
+/// Every coefficient at every sample of the claim, by enclosures: the lowest power that differs
+/// refutes. Equal powers of both expansions are compared in the contacts of the claim, where a
+/// coefficient may vanish that does not vanish in general.
 struct ComparedTerms {
     std::vector<Decision> decisions;
     const ExpansionComparison::Term* wrong = nullptr; ///< the first that is proved to differ
@@ -147,8 +147,8 @@ ComparedTerms compare_terms(const ExpansionComparison& comparison,
     return found;
 }
 
-/// Candidates of the diagnosis, in numbers: where the variable is 1e-30 a formula that is right
-/// leaves the next power of it, one that is wrong the power where it departs.
+/// Tests candidates of the diagnosis in numbers: the variable is 1e-30, so that a correct formula
+/// leaves the next power of it, and a wrong one the power where it differs.
 class QuickExpansion {
 public:
     QuickExpansion(const Claim& claim, const ExpansionIn& in, const ExpansionComparison& comparison,
@@ -170,7 +170,7 @@ public:
                              pow(small, from_rational<Real>(term.exponent));
                 }
             } catch (const DomainError&) {
-                continue; // a draw outside the domain of a root
+                continue; // a drawn point outside the domain of a root
             }
             draws_.emplace_back(std::move(values), std::move(exact));
         }
@@ -192,7 +192,7 @@ private:
     std::vector<std::pair<FormalValues, Real>> draws_;
 };
 
-/// A printed expansion with decimals: one equation for every coefficient at every sample.
+/// Judges a printed expansion with decimals: one equation for every coefficient at every sample.
 Judgement judge_with_decimals(const DecimalFormula& printed, const formula::Expr& exact,
                               const ExpansionIn& in, const SymbolicCase& under,
                               const std::vector<Sample>& samples, unsigned digits,

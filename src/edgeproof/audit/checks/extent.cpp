@@ -16,7 +16,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// A field's formula in the parameters of a scene, as an exact number.
+/// Returns a field's formula in the parameters of a scene as an exact number.
 formula::Exact exact_in(const Claim& claim, std::string_view key, const SceneSpec& scene) {
     formula::Expr e = claim.formula(key);
     for (const auto& [name, value] : scene.parameters) {
@@ -30,11 +30,11 @@ formula::Exact exact_in(const Claim& claim, std::string_view key, const SceneSpe
     }
 }
 
-/// One scene's figure, and what else could have been meant by it.
+/// The figure in one scene, and evidence on other possible meanings of it.
 struct ReachInScene {
     Real value;
     Evidence evidence;
-    bool none = false; ///< no first exit: the value is the end of the part looked at
+    bool none = false; ///< no first exit: the value is the end of the searched part
 };
 
 ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
@@ -68,7 +68,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     if (!extents.leaves) {
         e.add("first_exit", "none: within the tolerance all over the part looked at");
     }
-    // The tolerance under which the quoted figure would be the distance.
+    // Find the tolerance for which the quoted figure would be the distance.
     const Real u = Real(figure.value()) * base;
     if (u > 0 && u < extents.length) {
         const Real error = scene_values.local(edge, terms, u) / scene_values.pressure(edge, u) - 1;
@@ -77,7 +77,7 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     return reach;
 }
 
-/// The same figure in balls: every crossing found, and proved to be all that there are.
+/// Computes the figure in balls; it is proved that all crossings are found.
 Enclosed enclosed_figure(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
     ReachQuestion question{claim.edge(),
                            static_cast<std::size_t>(claim.integer("terms")),
@@ -97,8 +97,8 @@ Enclosed enclosed_figure(const SceneSpec& scene, const Claim& claim, const Audit
     return reach;
 }
 
-/// The ball, and all numbers that would have been rounded to the quoted figure; of a refutation,
-/// give or take a unit.
+/// Evidence: the ball and the interval of numbers that round to the quoted figure; for a
+/// refutation, the interval is larger by one unit on each side.
 Evidence enclosed_evidence(const Ball& ball, const QuotedFigure& figure, Verdict verdict,
                            const std::string& at, unsigned digits) {
     const auto [lower, upper] =
@@ -134,7 +134,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
             Judgement verdict = enclosed.ball ? figure.verdict(*enclosed.ball) : Judgement();
             if (reach.none &&
                 (Real(figure.value()) >= reach.value || verdict != Verdict::refuted)) {
-                // Where the part looked at ends there is no exit: a figure beyond it may be right.
+                // There is no exit in the searched part: a figure beyond its end may be right.
                 verdict = {};
             }
             if (verdict == Verdict::undecided && !undecided) {

@@ -9,7 +9,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// How bad a verdict on a figure is.
+/// Returns the rank of a verdict on a figure, from good to bad.
 int badness(Verdict v) {
     switch (v) {
     case Verdict::confirmed:
@@ -23,14 +23,13 @@ int badness(Verdict v) {
     }
 }
 
-/// The figure at one sample.
 struct FigureAt {
     Judgement verdict;
     std::optional<Ball> value;
     std::string problem;
 };
 
-/// An exact number, or an enclosure at as many bits as it takes to round it, and to show `digits`.
+/// Uses an exact number, or an enclosure with enough bits to round it and to show `digits`.
 FigureAt figure_at(const Sample& sample, const formula::Expr& of, const QuotedFigure& figure,
                    unsigned digits) {
     FigureAt found;

@@ -7,7 +7,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// A test of candidates by numbers drawn for the symbols.
+/// Tests candidates with random numbers for the symbols.
 class QuickSymbols {
 public:
     QuickSymbols(const Claim& claim, const SymbolicCase& under, const formula::Expr& derived,
@@ -24,7 +24,7 @@ public:
                 const Real target = values.evaluate(derived);
                 draws_.emplace_back(std::move(values), target);
             } catch (const DomainError&) {
-                continue; // a draw outside the domain of a root
+                continue; // a drawn point outside the domain of a root
             }
         }
     }
@@ -59,7 +59,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     if (derived) {
         outcome.evidence.add("derived", to_text(*derived)).add("derived_tex", to_tex(*derived));
     }
-    // The same at samples: there the exact value comes from the contact itself, not from symbols.
+    // Compare at samples, too: there the exact value is computed from the contact, without symbols.
     const std::shared_ptr<EvaluatedSamples> sampled =
         EvaluatedSamples::of(claim, context, context.digits());
     EvaluatedSamples& samples_at = *sampled;

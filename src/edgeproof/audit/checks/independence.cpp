@@ -10,7 +10,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The enclosure of a formula at a sample, and the scale that its errors are compared with.
+/// The enclosure of a formula at a sample, and the scale with which its errors are compared.
 struct EnclosedHere {
     Enclosed value;
     std::optional<Ball> scale;
@@ -24,14 +24,14 @@ EnclosedHere enclose_here(const formula::Expr& e, const Sample& sample, unsigned
         try {
             here.scale = scale_of_terms(e, EnclosedSample(sample, 2 * formula::bits_for(digits)));
         } catch (const Error&) {
-            here.scale.reset(); // no part has an enclosure: only exact zeros are equal
+            here.scale.reset(); // no part has an enclosure: only exact zeros count as equal
         }
     }
     return here;
 }
 
-/// A formula that has the same value in all scenes, at each of some places: it does not depend on
-/// what differs between the scenes.
+/// Checks that a formula has the same value in all scenes, at each of several places: then it does
+/// not depend on the differences between the scenes.
 Outcome check_independence(const Claim& claim, const AuditContext& context) {
     const formula::Expr e = claim.formula("of");
     std::vector<formula::Exact> fractions;

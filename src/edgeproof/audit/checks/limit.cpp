@@ -9,7 +9,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The values of the name listed, at one sample.
+/// Returns the listed values of the name at one sample.
 std::vector<formula::Exact> listed_values(const ParameterSweep& sweep, std::size_t sample) {
     std::vector<formula::Exact> values;
     for (std::size_t j = 0; j < sweep.values().size(); ++j) {
@@ -18,7 +18,7 @@ std::vector<formula::Exact> listed_values(const ParameterSweep& sweep, std::size
     return values;
 }
 
-/// Of what the end of the sweep may be a multiple.
+/// Returns the numbers of which the end of the sweep may be a multiple.
 std::vector<formula::Exact> other_numbers(const ParameterSweep& sweep, std::size_t sample) {
     const Sample& at = sweep.sample_at(0, sample).sample;
     std::vector<formula::Exact> numbers;
@@ -45,7 +45,7 @@ std::vector<std::string> values_listed(const ParameterSweep& sweep, std::size_t 
     return texts;
 }
 
-/// The sample followed to the end of the sweep, or why it is not.
+/// The sample followed to the end of the sweep, or the reason why it was not.
 struct SeenLimit {
     std::optional<FollowedTail> tail;
     std::string problem;

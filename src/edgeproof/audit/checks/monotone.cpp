@@ -13,20 +13,19 @@ std::string step_text(const ParameterSweep& sweep, std::size_t from) {
     return sweep.name() + " = " + sweep.values()[from] + " to " + sweep.values()[from + 1];
 }
 
-/// The values at both ends of a step, at more digits until one is certainly larger.
+/// The values at both ends of a step, with as many digits as needed to show which one is larger.
 struct Step {
     Enclosed from;
     Enclosed to;
     Decision as_claimed;
 };
 
-/// All steps of all samples.
 struct Steps {
     std::vector<Decision> decisions;
     std::vector<std::string> bad_steps; ///< of the first sample that has any
-    std::size_t bad_from = 0;           ///< the value that the largest of them begins at
+    std::size_t bad_from = 0;           ///< the index of the value where the largest begins
     std::string bad_at;
-    Step against;                    ///< the largest of them
+    Step against;                    ///< the largest bad step
     std::vector<std::string> values; ///< of `of`, at that sample or at the first
 
     [[nodiscard]] std::size_t count(bool (*is)(const Decision&)) const {

@@ -17,12 +17,12 @@ namespace {
 
 constexpr unsigned search_digits = 20;
 constexpr unsigned place_digits = 6;
-constexpr unsigned reach_digits = 8; ///< of a reach at a value that was tried
+constexpr unsigned reach_digits = 8; ///< for the reach at a value that was tried
 constexpr int grid = 12;
 constexpr int refinements = 16;
 
-/// The distance from the edge, as a fraction of the length, up to which the approximation of so
-/// many terms stays within the tolerance, as a function of one parameter.
+/// The distance from the edge, as a fraction of the length, up to which the approximation with a
+/// given number of terms stays within the tolerance, as a function of one parameter.
 class Reach {
 public:
     Reach(const Claim& claim, const AuditContext& context, std::size_t scene,
@@ -45,14 +45,14 @@ public:
             within_tolerance(scene_values.contact(), edge_, terms_, tolerance_, range_);
         return tried_[value] = e.first_exit / e.length;
     }
-    /// The same, proved.
+    /// Returns the proved value.
     [[nodiscard]] std::optional<Ball> enclosed(const Rational& value) const {
         const EnclosedReach found =
             enclosed_reach(scene_with(value), {edge_, terms_, tolerance_, range_}, search_digits);
         return found.extents ? std::optional(found.extents->first_exit / found.extents->length)
                              : std::nullopt;
     }
-    /// The values tried next to this one, or the value itself where there is none on that side.
+    /// Returns the neighbours among the values tried; the value itself on a side without one.
     [[nodiscard]] std::pair<Rational, Rational> neighbours(const Rational& value) const {
         const auto at = tried_.find(value);
         const auto next = std::next(at);
@@ -84,8 +84,9 @@ struct Best {
     Real reach;
 };
 
-/// The best of an even grid and of values ever nearer to the one claimed; then golden section
-/// between its neighbours. The reach may jump at its best, where another exit comes up.
+/// Finds the best of an even grid and of values increasingly near to the claimed one, then improves
+/// it by golden section between its neighbours. The reach may jump at its maximum, where another
+/// exit appears.
 Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rational& hi) {
     std::vector<Rational> values{claimed};
     for (int k = 0; k <= grid; ++k) {
@@ -119,7 +120,7 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
         }
         return r;
     };
-    // Of few digits, lest the quotients grow.
+    // Round to few digits, so that the quotients stay short.
     const auto short_of = [](const Rational& v) {
         const Rational scale(1000000000000L);
         return Rational(boost::multiprecision::mpz_int(v * scale)) / scale;
@@ -146,15 +147,16 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
     return best;
 }
 
-/// What is known of the best value for one tolerance.
+/// The best value found for one tolerance.
 struct OptimumFound {
-    Decision is_best; ///< the value claimed; nothing reaches farther by more than a millionth
-    Ball off;         ///< how far the best value is from it
+    Decision is_best; ///< for the claimed value: no other reaches farther by more than a millionth
+    Ball off;         ///< the distance from the claimed value to the best value
     std::string text;
     Evidence evidence;
 };
 
-/// By branch and bound, for the families whose error is enclosed over a range: power laws along m.
+/// Finds the best value by branch and bound, for families whose error is enclosed over a range:
+/// power laws as functions of m.
 std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext& context,
                                           std::size_t scene, const formula::Exact& tolerance,
                                           const contact::ParameterRange& range,
@@ -208,7 +210,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(search_digits + 20);
     Outcome outcome;
     std::vector<EvidenceItem> list;
-    std::vector<Decision> best_at;     // each tolerance, in each scene
+    std::vector<Decision> best_at;     // for each tolerance in each scene
     std::vector<Decision> approaching; // from each tolerance to the next
     std::size_t calls = 0;
     const std::size_t scenes = context.scenes(claim).size();
@@ -236,7 +238,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             const Real here = reach(claimed);
             const Best best = search(reach, claimed, lo, hi);
             calls += reach.calls();
-            // Values that were tried can only show that another one reaches farther.
+            // Values that were tried can only prove that another value reaches farther.
             const auto enclosed_here = reach.enclosed(claimed);
             const auto enclosed_best = reach.enclosed(best.at);
             best_at.push_back(
@@ -246,7 +248,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
             approaching.emplace_back();
             Evidence one;
             // The reach jumps with the parameter where an inner extremum of the error touches the
-            // tolerance: the values tried show only between which of them the best was found.
+            // tolerance: the values tried show only an interval that contains the best value.
             const auto [below, above] = reach.neighbours(best.at);
             const std::string from = to_decimal(below, place_digits, Rounding::down);
             const std::string to = to_decimal(above, place_digits, Rounding::up);

@@ -11,17 +11,17 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Decades from the length of the contact to the places, in two pairs. A term with a factor of
-/// 1e-90 prevails at these places, too.
+/// Decades from the length of the contact down to the places, in two pairs. At these places even a
+/// term with a factor of 1e-90 dominates.
 constexpr std::array<int, 4> decades_of_places{150, 152, 300, 302};
 constexpr int decades_per_pair = 2;
-constexpr unsigned first_digits_of_places = 170; // that the enclosures begin with
-/// What the measured orders and the constants may differ by.
+constexpr unsigned first_digits_of_places = 170; // initial digits of the enclosures
+/// The tolerance for the measured orders and constants.
 const Rational order_tolerance(1, 1000000); // NOLINT: a constant of a type without a literal
-/// A constant is a pure number of order one if over the family it varies by less than this.
+/// A constant counts as a pure number of order one if it varies by less than this over the family.
 constexpr int most_spread = 100;
 
-/// One scene in balls: the order of `of`, that of `says`, and the limit of of/says at the edge.
+/// One scene in balls: the orders of `of` and of `says`, and the limit of of/says at the edge.
 struct OrderInScene {
     std::string text;
     Ball order;
@@ -38,8 +38,8 @@ bool narrow(const Ball& x) {
            certainly_less(Ball(x.radius(), x.bits()), Ball(order_tolerance, x.bits()) / 10);
 }
 
-/// Both formulas at places nearer and nearer to the edge, at one level of bits. Nothing where the
-/// orders of neighbouring steps differ, or the balls are too wide.
+/// Evaluates both formulas at places successively nearer to the edge, with the given number of
+/// bits. Returns nothing if the orders of neighbouring steps differ, or if the balls are too wide.
 std::optional<OrderInScene> measure_at(EnclosedSample& at, contact::Edge edge,
                                        const formula::Expr& of, const formula::Expr& says) {
     std::vector<Ball> f;
@@ -59,8 +59,8 @@ std::optional<OrderInScene> measure_at(EnclosedSample& at, contact::Edge edge,
 
 struct Scenes {
     std::vector<OrderInScene> all;
-    std::size_t left_out = 0; ///< where `says` is zero or `where` does not certainly hold
-    std::string undetermined; ///< a scene in which the order is not determined
+    std::size_t left_out = 0; ///< scenes in which `says` is zero or `where` does not certainly hold
+    std::string undetermined; ///< a scene in which the order could not be determined
 };
 
 Scenes measure_all(const Claim& claim, const AuditContext& context, const formula::Expr& says) {
@@ -84,7 +84,7 @@ Scenes measure_all(const Claim& claim, const AuditContext& context, const formul
         }));
         const std::string text = sample.scene.family + ": " + sample.scene.text();
         if (says_zero) {
-            ++scenes.left_out; // nothing is of the order of zero
+            ++scenes.left_out; // no quantity has the order of zero
         } else if (!found) {
             scenes.undetermined = text;
         } else {

@@ -9,12 +9,11 @@
 namespace edgeproof::audit {
 namespace {
 
-/// What was found in one scene.
 struct RelationInScene {
     Decision decision;
     std::size_t places = 0;
     std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
-    std::vector<std::string> where;   ///< intervals in which it fails (or holds, if that is asked)
+    std::vector<std::string> where;   ///< intervals where it fails ("somewhere": where it holds)
 };
 
 bool names_a_place(const Condition& condition) {
@@ -49,8 +48,8 @@ RelationInScene without_place(const ConditionInScene& condition) {
     return result;
 }
 
-/// Of all places at which the condition is asked: one that fails decides, and the narrowest margin
-/// is looked at first.
+/// Combines the decisions at all places: one place that fails decides. The places with the
+/// narrowest margins are checked first.
 Decision all_of(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
     std::vector<const MarginAt*> order;
     for (const MarginAt& place : places) {
@@ -63,7 +62,7 @@ Decision all_of(const ConditionInScene& condition, const std::vector<MarginAt>& 
     bool open = false;
     for (const MarginAt* place : order) {
         if (open && place->margin.value > 0) {
-            break; // no later place fails, as far as the values in Real go
+            break; // according to the values in Real, no later place fails
         }
         const auto one = condition.decide_at(&place->fraction);
         if (!one) {
@@ -98,8 +97,8 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
     return result;
 }
 
-/// Fails if it does at every place at which the condition is asked. The scan has looked for places
-/// between these where the sides come near to each other; that none is missed is sampled.
+/// Decides that the condition fails if it fails at every place. The scan has also tried places
+/// between these where the sides come close to each other; its completeness is sampled, not proved.
 Decision fails_at_all(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
     Decision last;
     for (const MarginAt& place : places) {
@@ -181,7 +180,7 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
     return result;
 }
 
-/// The places are those where no relation of the condition holds... unless it is one alone.
+/// Returns the negated condition; it must be a single inequality.
 Condition opposite(const Claim& claim, const Condition& condition) {
     using Op = Relation::Op;
     if (condition.size() != 1 || condition.front().op == Op::equal) {
@@ -306,7 +305,7 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
                                  : holds == "somewhere" ? somewhere(in_scene, nearest)
                                  : holds == "near-edge" ? near_edge(in_scene, nearest, has_equality)
                                                         : everywhere(in_scene, nearest);
-        if (result.places == 0) { // `where` admits no place of this scene
+        if (result.places == 0) { // `where` admits no place in this scene
             ++left_out;
         } else {
             found.emplace_back(in_scene.text(), std::move(result));

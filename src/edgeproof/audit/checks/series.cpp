@@ -24,18 +24,18 @@ std::vector<Rational> numbers(const Claim& claim, std::string_view key) {
     return values;
 }
 
-/// One scene: the coefficients and orders by enclosures, and the fitted residuals, which
-/// illustrate them.
+/// The result in one scene: the coefficients and orders by enclosures, and fitted residuals as an
+/// illustration.
 struct SeriesInScene {
     std::vector<Decision> decisions;
-    std::size_t vanishing = 0; ///< coefficients that vanish
+    std::size_t vanishing = 0; ///< the number of coefficients that vanish
     std::string problem;
     std::vector<std::string> slopes;
     int digits = 1000000;
 };
 
-/// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). So after n correct terms
-/// the rest is of the order n + 1/2, or of a higher one where c_n vanishes, and of no other.
+/// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). After n correct terms
+/// the remainder therefore has the order n + 1/2, or a higher one if c_n vanishes.
 void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& printed,
                    const std::vector<Rational>& orders, const Ball& length, double needed,
                    SeriesInScene& found) {
@@ -60,7 +60,7 @@ void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& prin
         if (orders[n] == order) {
             continue;
         }
-        // c_n is proved to be different from zero: the rest has the order n + 1/2.
+        // c_n is proved to differ from zero, so that the remainder has the order n + 1/2.
         const Ball zero(0, exact[n].bits());
         found.decisions.push_back(decision(Refutation::disjoint(zero, exact[n]), std::nullopt));
         if (found.problem.empty()) {
@@ -70,7 +70,7 @@ void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& prin
         }
     }
     if (printed.empty() && found.decisions.empty()) {
-        // The leading coefficient is positive, so that the first order is that claimed.
+        // The leading coefficient is positive, so that the first order is as claimed.
         found.decisions.push_back(
             decision(std::nullopt, Confirmation::less(Ball(0, exact[0].bits()), abs(exact[0]))));
     }
@@ -83,10 +83,11 @@ void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<fo
     options.digits = digits;
     options.points = std::max<std::size_t>(12, digits / 4);
     options.route = contact::Route::automatic;
-    // The printed coefficients, to as many digits as the fit computes the pressure to.
+    // The printed coefficients need as many digits as the fit uses for the pressure.
     const auto enough = digits + static_cast<unsigned>(orders * (options.points / 3 + 6));
     const EvaluatedScene scene_values(scene, enough);
-    // Of what is left no coefficient is claimed, only its order. First, as the terms ask for fewer.
+    // The remainder has no claimed coefficient. This is computed first, as the terms need fewer
+    // orders.
     const std::vector<Real> exact = scene_values.expansion(edge, orders);
     std::vector<Real> c;
     c.reserve(terms.size());
@@ -105,7 +106,7 @@ void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<fo
     }
 }
 
-/// A printed coefficient with decimals: one equation a scene.
+/// A printed coefficient with decimals, and one equation for each scene.
 struct DecimalTerm {
     std::size_t n;
     DecimalFormula printed;
@@ -169,8 +170,8 @@ SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
     return found;
 }
 
-/// Whether numbers that round to the printed decimals fit, each coefficient by itself. The orders
-/// and the other coefficients have to be right, too: a claim with both is not decided here.
+/// Finds numbers that round to the printed decimals and fit, separately for each coefficient. A
+/// claim with wrong orders, or with further coefficients without decimals, is not decided here.
 Judgement judge_decimal_terms(std::vector<DecimalTerm>& with_decimals,
                               const std::vector<Rational>& orders, std::size_t terms,
                               unsigned digits, Outcome& outcome) {
@@ -219,7 +220,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     const std::vector<SceneSpec> all = context.scenes(claim);
     std::vector<DecimalTerm> with_decimals = terms_with_decimals(claim);
     const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
-    // An order wants no more than its slope; it is the coefficients that have digits.
+    // An order needs no more digits than its slope; only the coefficients have many digits.
     std::vector<std::size_t> to_all_digits;
     if (everywhere < context.digits() && !terms.empty()) {
         to_all_digits = spread_first(all.size(), ManyDigits::samples);
@@ -266,7 +267,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     }
     outcome.verdict = Judgement::of_all(decisions);
     if (outcome.verdict != Verdict::confirmed && !with_decimals.empty()) {
-        // The terms as they are printed decide nothing: their decimals stand for intervals.
+        // The printed terms alone decide nothing, as their decimals represent intervals.
         outcome.verdict =
             judge_decimal_terms(with_decimals, orders, terms.size(), everywhere, outcome);
         return outcome;

@@ -12,7 +12,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// a, b, L and the coefficients at both edges, in binary128.
+/// Evaluates a, b, L and the coefficients at both edges in binary128.
 class SizeEnvironment {
 public:
     explicit SizeEnvironment(ContactsBySize::At& contact) : contact_(contact) {}
@@ -39,7 +39,7 @@ private:
     ContactsBySize::At& contact_;
 };
 
-/// Throws BudgetError where a side is not finite.
+/// Throws BudgetError if a side is not finite.
 bool holds(const Relation& r, const SizeEnvironment& at) {
     const auto lhs = evaluate<Float128>(r.lhs, at);
     const auto rhs = evaluate<Float128>(r.rhs, at);
@@ -54,8 +54,8 @@ std::string relation_text(const Relation& r) {
     return to_text(r.lhs) + " " + signs.at(static_cast<std::size_t>(r.op)) + " " + to_text(r.rhs);
 }
 
-/// A condition at the sizes that were looked at, by enclosures. A finite list of sizes confirms
-/// it at these sizes, and the note says so; where it fails at all of them, it may hold between.
+/// Judges a condition at the tried sizes, by enclosures. A finite list of sizes confirms it only at
+/// these sizes, as the note states; if it fails at all of them, it may still hold between them.
 Judgement at_sizes(const SceneSpec& scene, const Condition& condition,
                    const std::vector<Float128>& sizes, const Claim& claim,
                    const AuditContext& context) {

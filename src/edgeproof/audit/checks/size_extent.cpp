@@ -14,16 +14,16 @@ namespace {
 
 constexpr std::string_view kind_name = "size-extent";
 
-/// A quoted extent: the figure, and what it is a figure of.
+/// A quoted extent: the figure, and the quantity that it gives.
 struct Quoted {
     std::string id;
-    std::string key; ///< all that the figure and its meaning depend on, but the scene
+    std::string key; ///< everything except the scene on which the figure and its meaning depend
     ExtentOf of;
-    std::optional<ExtentOf> over; ///< what it is divided by, if anything
-    Float128 lower;               ///< what rounds to the figure lies from here ...
-    Float128 upper;               ///< ... to below here
+    std::optional<ExtentOf> over; ///< the divisor, if any
+    Float128 lower;               ///< the numbers that round to the figure: lower end ...
+    Float128 upper;               ///< ... and upper end (excluded)
     Rational figure;
-    Rational unit; ///< of its last place
+    Rational unit; ///< one unit of its last place
     formula::Exact tolerance;
 };
 
@@ -102,17 +102,18 @@ std::vector<Quoted> companions(const Claim& claim, const AuditContext& context) 
 
 constexpr std::size_t reading_count = extent_readings.size();
 
-/// What a figure is at all sizes, and for which it holds, under each reading.
+/// The values of a figure at all sizes, and the sizes for which it holds, under each reading.
 struct Found {
     std::array<SizeSet, reading_count> holds;
     std::array<Float128, reading_count> least;
     std::array<Float128, reading_count> most;
     std::vector<Float128> breaks;
-    std::vector<Float128> sizes;              ///< that were looked at
-    std::array<bool, reading_count> steady{}; ///< at_all_sizes
+    std::vector<Float128> sizes;              ///< the sizes tried
+    std::array<bool, reading_count> steady{}; ///< see at_all_sizes
 };
 
-/// Between neighbours the figure varies by less than it is away from what rounds to the quoted one.
+/// True if between neighbours the figure varies by less than its distance from the interval of
+/// numbers that round to the quoted one.
 bool is_steady(const std::vector<Float128>& values, const Quoted& q) {
     for (std::size_t i = 0; i + 1 < values.size(); ++i) {
         const Float128 away = std::min(
@@ -155,7 +156,7 @@ Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula
 
 constexpr unsigned enclosed_digits = 15;
 
-/// Where an approximation is within its tolerance, proved, at each size; made once a run.
+/// Computes the proved extents of an approximation at each size, once in a run.
 std::shared_ptr<const std::vector<EnclosedReach>>
 reaches(const ExtentOf& of, const formula::Exact& tolerance, const SceneSpec& scene,
         const std::vector<Float128>& sizes, const AuditContext& context) {
@@ -174,13 +175,13 @@ reaches(const ExtentOf& of, const formula::Exact& tolerance, const SceneSpec& sc
     });
 }
 
-/// What is quoted, at every size that was looked at.
+/// The proved extents at every size tried.
 struct QuotedReaches {
     std::shared_ptr<const std::vector<EnclosedReach>> of;
-    std::shared_ptr<const std::vector<EnclosedReach>> over; ///< null: no divisor
+    std::shared_ptr<const std::vector<EnclosedReach>> over; ///< null if there is no divisor
 };
 
-/// Whether the figure holds at one size under a reading, by enclosures.
+/// Decides by enclosures if the figure holds at one size under a reading.
 Decision holds_at(const Quoted& q, const QuotedReaches& reached, std::size_t i,
                   const SceneSpec& scene, ExtentReading reading) {
     const auto fraction = [&](const ExtentOf& of, const EnclosedReach& found) {
@@ -210,9 +211,8 @@ Decision holds_at(const Quoted& q, const QuotedReaches& reached, std::size_t i,
                     Confirmation::within(*value, lower, upper));
 }
 
-/// Whether a figure holds at every size that was looked at, or fails at every one: a finite list of
-/// sizes shows no more, and the note says so. `steady`: between neighbouring sizes the figure
-/// varies by less than it is away from what rounds to the quoted one.
+/// Decides if a figure holds at every size tried, or fails at every one. A finite list of sizes
+/// does not prove more, as the note states. `steady`: see is_steady.
 Judgement at_all_sizes(const Quoted& q, const SceneSpec& scene, const std::vector<Float128>& sizes,
                        ExtentReading reading, bool steady, const AuditContext& context) {
     const QuotedReaches reached{reaches(q.of, q.tolerance, scene, sizes, context),
@@ -261,7 +261,7 @@ std::vector<Group> largest_groups(const std::vector<Quoted>& figures,
     }
     std::vector<Group> largest;
     for (const auto& found : at) {
-        const std::vector<std::size_t>& group = found.first; // a lambda cannot name a binding
+        const std::vector<std::size_t>& group = found.first; // a lambda cannot capture a binding
         const bool within_another = std::any_of(at.begin(), at.end(), [&](const auto& other) {
             return other.first.size() > group.size() &&
                    std::includes(other.first.begin(), other.first.end(), group.begin(),
@@ -333,8 +333,8 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const bool of_side = claim.text("base") == "side";
     std::size_t looked = 0;
     std::size_t some = 0;
-    std::vector<Judgement> everywhere; // of the readings under which it holds at all sizes
-    std::vector<Judgement> nowhere;    // of those under which it holds at none
+    std::vector<Judgement> everywhere; // for the readings under which it holds at all sizes
+    std::vector<Judgement> nowhere;    // for the readings under which it holds at no size
     bool jointly = false;
     std::string fitting;
     for (std::size_t r = 0; r < reading_count; ++r) {
@@ -381,7 +381,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         outcome.note = "the size is not given, and for every size it rounds to this (at " +
                        std::to_string(found->sizes.size()) + " sizes)";
     } else if (!everywhere.empty()) {
-        // It holds under some readings, and for some sizes only under the others.
+        // It holds under some readings; under the others it holds for some sizes only.
         everywhere.emplace_back(Undecided::underspecified);
         outcome.verdict = Judgement::of_readings(everywhere);
         outcome.note = "the size is not given; it would hold for " + fitting;

@@ -9,12 +9,12 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr unsigned split_digits = 18; // an order is measured: more would show nothing more
+constexpr unsigned split_digits = 18; // sufficient to measure an order
 
-/// An expansion of the integrand, term by term up to the cut, less the finite part of the whole
-/// integral: the terms of the first part that name the cut.
+/// The expansion of the integrand up to the cut, term by term, minus the finite part of the whole
+/// integral: the terms of the first part that contain the cut.
 struct CutTerms {
-    std::vector<ExpansionTerm> integrand; ///< in the variable of integration
+    std::vector<ExpansionTerm> integrand; ///< as functions of the variable of integration
     std::vector<ExpansionTerm> whole;     ///< their finite parts from 0 to 1
 };
 
@@ -26,8 +26,8 @@ CutTerms cut_terms(const formula::Expr& integrand, const std::string& variable,
     return {expand(integrand, in, under), expand(whole, in, under)};
 }
 
-/// The order in the small variable of what is left when the second part, from the cut to 1, and
-/// the terms of the first that name the cut are put together, in balls.
+/// The order, in the small variable, of the sum of the second part (from the cut to 1) and the
+/// terms of the first part that contain the cut, in balls.
 struct Left {
     std::vector<Ball> orders; ///< at each sample
     std::size_t worst = 0;    ///< the sample with the least order
@@ -104,10 +104,10 @@ private:
     formula::Expr of_;
     std::vector<std::string> texts_;
     std::vector<EnclosedSample> samples_; ///< two for each text: the small variable, and a tenth
-    std::vector<Ball> second_;            ///< the integral from the cut to 1
+    std::vector<Ball> second_;            ///< the integrals from the cut to 1
 };
 
-/// That the terms of a cut cancel between the two parts of an integral.
+/// Checks that the terms with the cut cancel between the two parts of an integral.
 Outcome check_split(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
     const contact::Edge edge = claim.edge();

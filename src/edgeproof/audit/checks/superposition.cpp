@@ -8,7 +8,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// What two loads contribute to a quantity in one scene.
+/// The contributions of two loads to a quantity in one scene.
 struct Parts {
     Ball first;
     Ball second;
@@ -25,8 +25,8 @@ Parts parts_in(EnclosedLoads& loads, const Claim& claim) {
     return parts;
 }
 
-/// The contributions of two loads to a quantity: of one sign they add, else they subtract. With
-/// `when_zero` the second load is the one at which that formula vanishes.
+/// Checks the contributions of two loads to a quantity: with equal signs they add, otherwise they
+/// subtract. With `when_zero` the second load is the one for which that formula vanishes.
 Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     const auto& loads = claim.list("loads");
     if (loads.size() != 2) {
@@ -41,7 +41,7 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     Evidence shares;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     for (const SceneSpec& scene : scenes) {
-        // That the quantity is the sum of its parts is checked in Real.
+        // This checks in Real that the quantity is the sum of its parts.
         static_cast<void>(
             LinearLoads(scene, context.digits(), loads[0], loads[1]).parts(claim.formula("of")));
         Decision found;

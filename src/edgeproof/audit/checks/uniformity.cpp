@@ -16,7 +16,7 @@ using Course = FollowedRest::Course;
 constexpr unsigned decades_to_the_breakdown = 20; // decades towards the place of the breakdown
 constexpr unsigned rest_digits_shown = 12;
 
-/// One sample and what it shows.
+/// One sample and its remainder.
 struct FollowedSample {
     Sample sample;
     FollowedRest rest;
@@ -51,7 +51,7 @@ std::string name_of(Course course) {
     return "not known";
 }
 
-/// What the printed term has at the distance 1e-20, and what is left there.
+/// Returns the printed term and the exact remainder at the distance 1e-20.
 ComparedNumbers at_the_last_place(const ExpansionToFollow& expansion, const Sample& sample,
                                   const formula::Expr& term, unsigned digits) {
     const Sample at = at_distance(sample, expansion, decades_to_the_breakdown, true);
@@ -59,10 +59,10 @@ ComparedNumbers at_the_last_place(const ExpansionToFollow& expansion, const Samp
             at.text()};
 }
 
-/// The last step of what is left, which is far smaller than the largest rest where it is bounded.
+/// Returns the remainder's last step, much smaller than the largest remainder if it is bounded.
 Ball last_step(const FollowedSample& one) { return abs(one.rest.last() - one.rest.before_last()); }
 
-/// Enclosures of what shows that the rest is bounded, or that it grows.
+/// Returns the enclosures that show that the remainder is bounded, or that it grows.
 ComparedNumbers ends_of(const FollowedSample& one) {
     const std::string at = one.sample.text() + ", down to the distance " + one.rest.last_distance();
     if (one.rest.course() == Course::bounded) {
@@ -92,7 +92,7 @@ ExpansionToFollow expansion_of(const Claim& claim) {
             claim.text("variable"), formula::Exact::parse(claim.text("towards"))};
 }
 
-/// No rest is left at any sample: whether the expansion is exact is decided by symbols.
+/// For a remainder that is zero at every sample: symbols decide if the expansion is exact.
 void judge_nothing_left(const Claim& claim, const AuditContext& context, bool says_breaks,
                         const FollowedSample& one, Outcome& outcome) {
     outcome.note = "nothing is left that enclosures distinguish from zero";
@@ -103,7 +103,7 @@ void judge_nothing_left(const Claim& claim, const AuditContext& context, bool sa
     } catch (const InputError&) {
         throw;
     } catch (const Error&) {
-        // Functions without symbols: not proved.
+        // functions without a symbolic form: not proved
     }
     if (!exact) {
         return;
@@ -121,7 +121,7 @@ void judge_nothing_left(const Claim& claim, const AuditContext& context, bool sa
     }
 }
 
-/// The verdict by the samples that decide, and its note.
+/// Sets the verdict and its note from the samples that decide.
 void judge_rests(const std::vector<FollowedSample>& all, const ExpansionToFollow& expansion,
                  bool says_breaks, unsigned digits, Outcome& outcome) {
     const std::string over =
@@ -170,8 +170,8 @@ void judge_rests(const std::vector<FollowedSample>& all, const ExpansionToFollow
     add_pair(ends_of(*one), digits, outcome.evidence);
 }
 
-/// That an expansion breaks down where another variable comes to a limit: what it leaves, over the
-/// power that is to come next, must grow there.
+/// Checks if an expansion breaks down as another variable tends to a limit: then the remainder
+/// divided by the next power must grow.
 Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     const ExpansionToFollow expansion = expansion_of(claim);
     const bool says_breaks = claim.text("says") == "breaks down";
@@ -198,7 +198,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     judge_rests(all, expansion, says_breaks, context.digits(), outcome);
-    // The first sample at which the printed term breaks down, and what is left does not.
+    // The first sample at which the printed term breaks down and the remainder does not.
     const FollowedSample* one = first_of(all, Course::bounded);
     if (one != nullptr && claim.has("term") && outcome.verdict != Verdict::undecided &&
         certainly_grows(claim.formula("term"), one->sample, expansion, context.digits())) {

@@ -5,7 +5,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// `digits` of context, or fewer.
+/// Compares with the `digits` of the context, or fewer.
 Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
     const formula::Expr printed = claim.formula("says");
     const formula::Expr exact = claim.formula("of");
@@ -52,7 +52,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     return outcome;
 }
 
-/// Whether a confirmed claim holds to all digits, at samples spread evenly over the others.
+/// True if a confirmed claim holds to all digits, at samples spread evenly over the others.
 bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
     const auto samples_at =
         EvaluatedSamples::of(claim, context, context.digits(), ManyDigits::samples);

@@ -16,13 +16,13 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Where a coefficient vanishes: the printed ratio of the loads against the one that makes it so,
+/// The zero of a coefficient: the comparison of the printed ratio of the loads with the exact one,
 /// over all scenes.
 struct Zero {
     bool agrees = true;
-    double digits = 1e6; ///< to which they agree, at worst
+    double digits = 1e6; ///< the fewest digits of agreement
     std::vector<RatioSample> quotients;
-    std::string value; ///< of the ratio, in the first scene
+    std::string value; ///< of the ratio in the first scene
 };
 
 Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variables>& parameters,
@@ -44,7 +44,7 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
             zero.value = value_text(at_zero, 20);
         }
     }
-    // A quotient that is the same in all scenes owes nothing to their parameters.
+    // A quotient that is the same in all scenes does not depend on their parameters.
     const PrecisionScope scope(30);
     const Real& first = zero.quotients.front().ratio;
     if (std::all_of(zero.quotients.begin(), zero.quotients.end(), [&](const RatioSample& q) {
@@ -57,11 +57,11 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
     return zero;
 }
 
-/// The ratio of the loads at which the coefficient vanishes in a scene, and the printed one, in
-/// balls: the coefficient is linear in the loads, c = c_1 first + c_2 second.
+/// The ratio of the loads at which the coefficient vanishes in a scene, in balls: the coefficient
+/// is linear in the loads, c = c_1 first + c_2 second.
 struct EnclosedZero {
     std::shared_ptr<EnclosedLoads> loads;
-    Ball second; ///< the second load there
+    Ball second; ///< the second load at the zero
     Ball at_zero;
 
     EnclosedZero(const SceneSpec& scene, const Claim& claim, long bits)
@@ -71,7 +71,7 @@ struct EnclosedZero {
           at_zero(loads->with_second(claim.formula("ratio"), second)) {}
 };
 
-/// The printed ratio in every scene, by enclosures.
+/// Judges the printed ratio in every scene by enclosures.
 Judgement judge_ratio(const std::vector<SceneSpec>& scenes, const Claim& claim, unsigned digits,
                       Outcome& outcome) {
     const PrintedFormula printed = printed_formula(claim);
@@ -120,9 +120,9 @@ Judgement judge_ratio(const std::vector<SceneSpec>& scenes, const Claim& claim, 
         comparisons, digits, outcome);
 }
 
-/// At which ratio of tension to shear force one term stays within a tolerance for the longest
-/// distance from the right edge, beside the printed one: both by ratio sigma_0 (a + b)/(2 Q), which
-/// is all that the relative error depends on.
+/// Adds the ratio of tension to shear force for which one term stays within a tolerance for the
+/// longest distance from the right edge, and the printed one, both as sigma_0 (a + b)/(2 Q): the
+/// relative error depends only on this ratio.
 void add_best_ratio(const Claim& claim, Outcome& outcome) {
     const auto name = std::string("ratio");
     const auto errors = contact::full_stick_errors(

@@ -9,7 +9,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// How many candidates that look right are checked in full.
+/// The greatest number of candidates that pass the screening and are checked completely.
 constexpr std::size_t most_full_checks = 4;
 
 bool numbered(const std::string& name, char letter) {
@@ -20,7 +20,7 @@ bool safe(const std::function<bool(const formula::Expr&)>& test, const formula::
     try {
         return test(e);
     } catch (const InputError&) {
-        return false; // an edit can make a formula that no one may write
+        return false; // an edit can produce a formula that is not allowed
     } catch (const Error&) {
         return false;
     }
@@ -54,7 +54,7 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
     for (const Edit& edit : single_edits(refuted.printed, refuted.alphabet)) {
         ++tried;
         if (edit.formula == refuted.exact) {
-            continue; // says nothing: a thing equals itself
+            continue; // not a useful correction: the exact formula always equals itself
         }
         if (!safe(refuted.passes_screening, edit.formula)) {
             continue;
@@ -99,7 +99,7 @@ EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
         return std::any_of(names.begin(), names.end(),
                            [&](const std::string& n) { return numbered(n, letter); });
     };
-    // The coefficients are made of the derivatives of the law.
+    // The coefficients depend on the derivatives of the contact law.
     const bool coefficient = std::any_of(names.begin(), names.end(), [](const std::string& n) {
         return n.starts_with("right_c") || n.starts_with("left_c");
     });
@@ -116,7 +116,7 @@ EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
             names.insert(name);
         }
     }
-    // What stands in the formula already, or in its scene, before what could also stand there.
+    // The names in the formula, or in its scene, come before the other names.
     std::vector<std::string> in_order(names.begin(), names.end());
     std::stable_partition(in_order.begin(), in_order.end(), [&](const std::string& name) {
         return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));

@@ -8,27 +8,26 @@
 
 namespace edgeproof::audit {
 
-/// What is wrong with a refuted formula, and what would be right.
+/// A refuted formula and the exact one, with the tests for candidate corrections.
 struct RefutedFormula {
-    formula::Expr printed; ///< as written, definitions not put in
-    formula::Expr exact;   ///< what it should equal, as written
+    formula::Expr printed; ///< as written, without definitions put in
+    formula::Expr exact;   ///< the formula that it should equal, as written
     EditAlphabet alphabet;
-    /// Whether a formula agrees with the exact one at a few points, to a few digits: cheap.
+    /// A cheap test: true if a formula agrees with the exact one at a few points, to a few digits.
     std::function<bool(const formula::Expr&)> passes_screening;
-    /// proved or confirmed, if that is what it comes out as: the whole check.
+    /// The complete check; returns the verdict if it is proved or confirmed.
     std::function<std::optional<Verdict>(const formula::Expr&)> verdict_of;
-    std::optional<formula::Expr> ratio; ///< printed/exact, where it was recognised
-    std::optional<formula::Expr>
-        derived; ///< the exact formula, where there is a symbolic derivation
+    std::optional<formula::Expr> ratio;   ///< printed/exact, if a closed form was recognised
+    std::optional<formula::Expr> derived; ///< the exact formula, if there is a symbolic derivation
 };
 
-/// Adds the diagnosis to the outcome: the smallest single edit that makes the formula come out
-/// confirmed or proved; failing that the printed formula divided by the ratio, or the derived one.
-/// `correct` is set only to a formula that itself came out so.
+/// Adds the diagnosis to the outcome: the smallest single edit that makes the formula confirmed or
+/// proved; failing that, the printed formula divided by the ratio; failing that, the derived
+/// formula. `correct` is set only to a formula that is itself confirmed or proved.
 void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 
-/// The names that may stand for one another in a claim, and the factors that may have been lost:
-/// powers of those names, and of a scene's parameters.
+/// Returns the names that may be exchanged for each other in a claim, and the factors that may have
+/// been lost: powers of those names and of a scene's parameters.
 [[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
                                         const formula::Expr& exact,
                                         const SceneSpec* scene = nullptr);

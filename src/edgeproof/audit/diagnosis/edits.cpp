@@ -39,7 +39,7 @@ public:
 
 private:
     void put(const formula::Expr& value, const char* what, int cost) {
-        // Shown with what stands around it, as a bare 3 -> 4 says too little.
+        // The change is shown with its surroundings, as a bare 3 -> 4 does not show the place.
         formula::Path around = path_;
         formula::Expr before = node_;
         while (!around.empty() && before.height() < 2) {
@@ -60,7 +60,8 @@ private:
     [[nodiscard]] bool is_exponent() const {
         return parent_kind() == Kind::pow && path_.back() == 1;
     }
-    /// A term of a sum, or the whole formula, or what a function or an integral is of.
+    /// True for a term of a sum, for the whole formula, and for the argument of a function or
+    /// integral.
     [[nodiscard]] bool is_term() const {
         const Kind k = parent_kind();
         return path_.empty() || k == Kind::add || k == Kind::sub || k == Kind::neg ||
@@ -130,7 +131,7 @@ private:
             }
         }
         if (denominator(n) != 1) {
-            // One unit in the last place of a decimal.
+            // Change a decimal by one unit in its last place.
             Rational unit(1);
             while (denominator(Rational(n / unit)) != 1) {
                 unit /= 10;
@@ -164,7 +165,7 @@ private:
     void symbol() {
         for (const std::string& name : alphabet_.symbols) {
             if (name != node_.name()) {
-                // A prime more or fewer before another letter.
+                // Adding or removing a prime (P1 for P) is cheaper than exchanging names.
                 const bool prime = name.front() == node_.name().front() && name.size() <= 2 &&
                                    node_.name().size() <= 2;
                 put(formula::Expr::symbol(name), prime ? "prime" : "symbol", prime ? 1 : 2);
@@ -173,7 +174,7 @@ private:
     }
 
     void bracket() {
-        // -(x + y) for -x + y: the sign of the first term alone, or of both.
+        // -(x + y) for -x + y: the sign applies to the first term only, or to both.
         const formula::Expr& x = node_.arg(0);
         const formula::Expr& y = node_.arg(1);
         put(node_.kind() == Kind::add ? -x + y : -x - y, "sign", 1);
@@ -211,7 +212,7 @@ private:
     void powers() {
         const bool is_power = node_.kind() == Kind::pow;
         if (parent_kind() == Kind::pow || is_power) {
-            return; // its exponent is edited where it stands
+            return; // the exponent is edited at its own node
         }
         const bool product = node_.kind() == Kind::mul && parent_kind() != Kind::mul;
         if (node_.kind() == Kind::pi || product) {

@@ -14,18 +14,18 @@ struct Edit {
     std::string what;   ///< "sign", "coefficient", "exponent", "symbol", "factor", "bracket", ...
     std::string before; ///< the smallest part that shows the change
     std::string after;
-    int cost = 1; ///< 1: one stroke of the pen; 2: something put in or taken out; 3: rarer
+    int cost = 1; ///< 1: one character; 2: an insertion or a removal; 3: rarer
 };
 
-/// What an edit may put in.
+/// The names and factors that an edit may insert.
 struct EditAlphabet {
-    std::vector<std::string> symbols;   ///< names that may stand for one another
+    std::vector<std::string> symbols;   ///< names that may be exchanged for each other
     std::vector<formula::Expr> factors; ///< factors that may have been lost
 };
 
-/// Every single edit of the formula, cheapest first and then in the order of the text: signs,
-/// coefficients, exponents, roots, symbols and primes, factors lost, added or inverted, the sign of
-/// a bracket, a term too many. None is equal to the formula as it stands.
+/// Returns every single edit of the formula, sorted by cost and then by position in the text:
+/// signs, coefficients, exponents, roots, symbols and primes, factors lost, added or inverted, the
+/// sign of a bracket, an extra term. No edit is equal to the formula itself.
 [[nodiscard]] std::vector<Edit> single_edits(const formula::Expr& formula,
                                              const EditAlphabet& alphabet);
 

@@ -11,7 +11,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The simplest fraction within a relative 10^-digits of x > 0, of moderate size.
+/// Returns the simplest fraction of moderate size within a relative distance 10^-digits of x > 0.
 std::optional<Rational> simple_fraction(const Real& x, unsigned digits) {
     const Real tolerance = pow(Real(10), -static_cast<int>(digits));
     Integer p0(0);
@@ -49,7 +49,7 @@ formula::Expr power_of(const formula::Expr& base, const Rational& k) {
                                  : pow(base, formula::quotient_of(k));
 }
 
-/// rational * pi^j, or the square root of a rational times that.
+/// Returns x as rational * pi^j, or as the square root of a rational times pi^j.
 std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
     const Real pi_value = pi<Real>();
     for (const bool root : {false, true}) {
@@ -73,8 +73,8 @@ std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
     return std::nullopt;
 }
 
-/// Least squares by Gaussian elimination of the normal equations with full pivoting; columns that
-/// the samples do not tell apart get 0.
+/// Solves the least-squares problem by Gaussian elimination of the normal equations with full
+/// pivoting. Columns that the samples cannot distinguish get 0.
 std::vector<double> solve_exponents(const std::vector<std::vector<double>>& rows,
                                     const std::vector<double>& right) {
     const std::size_t n = rows.front().size();
@@ -141,7 +141,7 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
     std::vector<double> right;
     for (const RatioSample& s : samples) {
         if (!(s.ratio * sign > 0)) {
-            return std::nullopt; // zero somewhere, or of either sign
+            return std::nullopt; // zero at some sample, or of both signs
         }
         std::vector<double> row{1.0};
         for (const std::string& name : names) {

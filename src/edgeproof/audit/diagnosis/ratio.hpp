@@ -8,15 +8,15 @@
 
 namespace edgeproof::audit {
 
-/// A ratio printed/exact where the parameters have these values.
+/// The ratio printed/exact for given values of the parameters.
 struct RatioSample {
     Variables parameters;
     Real ratio;
 };
 
-/// The ratio as a closed form: a sign, a rational, a power of pi, and whole, half or quarter powers
-/// of the parameters, that gives every sample to `digits` digits. Nothing where there is none
-/// (of moderate size), or too few samples to tell.
+/// Returns the ratio as a closed form that agrees with every sample to `digits` digits: a sign, a
+/// rational, a power of pi, and whole, half or quarter powers of the parameters. Returns nothing if
+/// there is no such form of moderate size, or too few samples to decide.
 [[nodiscard]] std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& samples,
                                                            unsigned digits);
 

@@ -19,7 +19,7 @@ const formula::Expr edge_a =
     formula::Expr::symbol("a"); // NOLINT: Expr is immutable and needs no other source
 const formula::Expr edge_b = formula::Expr::symbol("b"); // NOLINT
 
-constexpr long most_whole = 200; // exponent of a power law that is written out
+constexpr long most_whole = 200; // greatest exponent of a power law that is written as a formula
 
 std::string indexed(const char* name, std::size_t i) {
     return std::string(name) + " " + std::to_string(i);
@@ -106,7 +106,7 @@ std::optional<formula::Expr> ContactFormulas::force_rate(const formula::Expr& s,
         if (!beyond(near, t)) {
             return integer(0);
         }
-        // pi/2 - asin(t/s), in a form that keeps its digits and its root at s = t.
+        // This is pi/2 - asin(t/s) in a form that keeps its digits and its root at s = t.
         return formula::Expr::symbol("modulus of the contact") * s / parameter("R") * integer(2) *
                call_of("atan", {root_of((s - t) / (s + t))});
     }
@@ -114,7 +114,7 @@ std::optional<formula::Expr> ContactFormulas::force_rate(const formula::Expr& s,
         if (beyond(near, parameter("alpha") * parameter("R"))) {
             return std::nullopt;
         }
-        // All of the contact on the right arc.
+        // The whole contact is on the right arc.
         return formula::Expr::symbol("modulus of the contact") * formula::Expr::pi() * s /
                (integer(2) * parameter("R"));
     }
@@ -206,7 +206,7 @@ std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr
         const auto at_knot = [&](const char* name) {
             return formula::Expr::symbol(indexed(name, i));
         };
-        // G, with |v - x| as the real part of a logarithm has it.
+        // The function G, with |v - x| as the real part of a logarithm.
         const formula::Expr green =
             integer(2) * call_of("log", {at_knot("inset") * left + at_knot("outset") * right}) -
             call_of("log", {edge_a + (symmetric() ? edge_a : edge_b)}) -
@@ -221,7 +221,7 @@ formula::Expr ContactFormulas::root_of_y(const formula::Expr& x) const {
     return root_of((edge_a - x) * (x + edge_a)) / edge_a;
 }
 
-/// With y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
+/// For y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
 /// (Abramowitz and Stegun 15.3.6)
 ///     I_m = (w/m) 2F1((1 - m)/2, 1; 1 - m/2; z^2) + (sqrt(pi)/2) Gamma(-m/2)/Gamma((1 - m)/2) z^m.
 formula::Expr ContactFormulas::power_law_pressure(const formula::Expr& x, const Ball& near) const {

@@ -10,7 +10,7 @@ std::optional<Confirmation> equal(const Relation& r, const Ball& lhs, const Ball
         const Ball scale = scale_of_terms(r.lhs, sample) + scale_of_terms(r.rhs, sample);
         return Confirmation::agreement(lhs, rhs, scale, digits);
     } catch (const Error&) {
-        return std::nullopt; // a part without an enclosure
+        return std::nullopt; // a part has no enclosure
     }
 }
 

@@ -44,12 +44,12 @@ private:
     static Ball real_part(const Box& sum) {
         Ball value = sum.real();
         if (!sum.may_be_real()) {
-            arb_indeterminate(value.data()); // a root of what is negative somewhere
+            arb_indeterminate(value.data()); // a root of a value that is negative somewhere
         }
         return value;
     }
 
-    /// max and min of what the balls tell apart.
+    /// Resolves max and min if the balls decide them.
     [[nodiscard]] formula::Expr resolved(const formula::Expr& e) {
         const bool greater = e.builtin() == formula::Builtin::max;
         if ((!greater && e.builtin() != formula::Builtin::min) || e.args().size() != 2) {
@@ -110,7 +110,7 @@ private:
         return sum;
     }
 
-    /// A linear function of the variable, at a place.
+    /// Evaluates a linear function of the variable at a place.
     [[nodiscard]] Ball linear_at(const formula::Expr& argument, const Ball& place) {
         const auto line = contact::as_linear(argument, variable_);
         if (!line) {
@@ -119,7 +119,7 @@ private:
         return number(line->at_origin) + number(line->rate) * place;
     }
 
-    /// The same for a contact's right edge, which has to lie right of the origin from one end of
+    /// Evaluates a contact's right edge, which must lie to the right of the origin from one end of
     /// the integral to the other.
     [[nodiscard]] Ball right_edge_at(const formula::Expr& argument, const Ball& place) {
         for (const Ball* end : {&lowest_.at, &highest_.at}) {
@@ -131,7 +131,7 @@ private:
         return linear_at(argument, place);
     }
 
-    /// Inside, ascending.
+    /// Returns the cuts inside the interval, in ascending order.
     [[nodiscard]] std::vector<PieceEnd> cuts() {
         std::vector<PieceEnd> inside;
         if (around_.contact == nullptr) {
@@ -164,7 +164,7 @@ private:
         return inside;
     }
 
-    /// Functions of the contact as they are about `place`.
+    /// Returns the functions of the contact near `place`.
     [[nodiscard]] IntegrandMeaning meaning(const Ball& place, bool above) {
         IntegrandMeaning m;
         m.constant = [this](const formula::Expr& e) { return number(e); };
@@ -232,7 +232,7 @@ private:
         return pieces.over_pole(f, {*pole_, pole}, from, to);
     }
 
-    /// `first`: where the path's angle is least.
+    /// `first`: the end with the least angle on the path.
     [[nodiscard]] Ball angle_of(const PieceEnd& end, const formula::Expr& argument,
                                 const TiltedPath& path, bool first) {
         if (end.of_contacts) {
@@ -242,8 +242,8 @@ private:
         return path.angle_of(number(s), number(formula::Expr::call("bof", {s})));
     }
 
-    /// Above the contact, from its left end to its right one. Nothing where the integrand has no
-    /// such form.
+    /// Integrates above the contact, from its left end to its right end. Returns nothing if the
+    /// integrand does not have this form.
     [[nodiscard]] std::optional<Box> over_the_contact() {
         formula::Expr over = f_;
         if (pole_) {

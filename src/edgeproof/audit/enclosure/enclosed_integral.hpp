@@ -9,28 +9,31 @@
 
 namespace edgeproof::audit {
 
-/// What stands around an integral.
+/// The context of an integral.
 struct IntegralSurroundings {
-    /// A formula without the variable of the integral, and without names of ContactFormulas.
+    /// Returns the value of a formula without the variable of the integral and without names of
+    /// ContactFormulas.
     std::function<Ball(const formula::Expr&)> value;
-    /// The same, if it is a rational number.
+    /// Returns that value if it is a rational number.
     std::function<std::optional<Rational>(const formula::Expr&)> rational;
-    const ContactFormulas* contact = nullptr; ///< functions of the contact have no meaning without
+    const ContactFormulas* contact = nullptr; ///< needed for functions of the contact
     bool symmetric = false;                   ///< b(s) = s
     long bits = 0;
 };
 
-/// The value of an integral(f, s, lo, hi) or pv(f, s, lo, hi, x), by Arb's rigorous integration (F.
-/// Johansson, "Numerical integration in arbitrary-precision ball arithmetic", 2018): split where
-/// functions of the contact change their formulas, and on each piece in a variable in which a root
-/// at an end is none (integrand.hpp). A principal value goes over the pole in the upper half-plane,
-/// where the integrand without the pole is shown to be holomorphic, and has half the residue added.
-/// The pressure of a piecewise linear slope is integrated above the contact, where it is analytic.
+/// Returns the value of an integral(f, s, lo, hi) or pv(f, s, lo, hi, x) by Arb's rigorous
+/// integration (F. Johansson, "Numerical integration in arbitrary-precision ball arithmetic",
+/// 2018). The interval is split where functions of the contact change their formulas; on each
+/// piece, the variable is chosen so that a root at an end is not singular (integrand.hpp). For a
+/// principal value, the path passes the pole in the upper half-plane, where the integrand without
+/// the pole is shown to be holomorphic, and half the residue is added. The pressure of a piecewise
+/// linear slope is integrated above the contact, where it is analytic.
 ///
-/// `digits`: the relative accuracy aimed at, not promised: the ball is as wide as it comes out
-/// after a counted number of evaluations. Not finite where the integrand has no bound, or is
-/// singular at an end that is not proved to be the zero of what is under the root. Throws Error for
-/// a function that has no enclosure there, BudgetError where the bits do not tell places apart.
+/// `digits`: the relative accuracy aimed at, which is not guaranteed: the width of the ball is the
+/// result of a limited number of evaluations. The ball is not finite if the integrand has no bound,
+/// or is singular at an end that is not proved to be a zero of the expression under the root.
+/// Throws Error for a function without an enclosure, BudgetError if the bits do not separate
+/// places.
 [[nodiscard]] Ball enclosed_integral(const formula::Expr& node, const IntegralSurroundings& around,
                                      unsigned digits);
 

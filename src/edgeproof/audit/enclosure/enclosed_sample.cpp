@@ -23,11 +23,11 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr std::size_t most_terms = 10; // of the names P9, right_c9, ...
+constexpr std::size_t most_terms = 10; // for the names P9, right_c9, ...
 
 constexpr long most_exponent = 330'000; // of two: about 1e100000
 
-/// k of "P3" for the stem "P".
+/// Returns k of "P3" for the stem "P".
 std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
     std::size_t k = 0;
     if (!name.starts_with(stem) || name.size() == stem.size()) {
@@ -38,7 +38,7 @@ std::optional<std::size_t> order_behind(std::string_view name, std::string_view 
     return error == std::errc() && stop == end && k < most_terms ? std::optional(k) : std::nullopt;
 }
 
-/// In which ContactFormulas are written.
+/// The names that ContactFormulas use.
 constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
 
 bool holds_function(const formula::Expr& e) {
@@ -81,7 +81,7 @@ struct EnclosedSample::State {
     [[nodiscard]] const contact::ProvedPressure& contact() const {
         return closed ? static_cast<const contact::ProvedPressure&>(*closed) : *curved;
     }
-    /// Throws Error for a curved slope, of which `what` has no enclosure.
+    /// Throws Error for a curved slope, for which `what` has no enclosure.
     [[nodiscard]] const contact::BallContact& closed_form(std::string_view what) const {
         if (!closed) {
             throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
@@ -101,7 +101,7 @@ struct EnclosedSample::State {
         return {Q->second, tension->second};
     }
 
-    /// Of a scene with friction.
+    /// For a scene with friction.
     [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
         if (!slip) {
             slip = std::make_unique<contact::ProvedSlip>(
@@ -114,7 +114,7 @@ struct EnclosedSample::State {
         }
         return *slip;
     }
-    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< as it is needed
+    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< computed on first use
     [[nodiscard]] Ball traction(const formula::Expr& written, const Ball& at) const {
         if (!sample.scene.slips()) {
             const contact::Edge edge = u ? sample.edge : contact::Edge::right;
@@ -142,7 +142,7 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball integral(const formula::Expr& node,
                                 const std::function<Ball(std::string_view)>& symbol_of) const;
 
-    /// A constant of the scene as it stands in a formula, if that is what e is.
+    /// Returns the exact value of e if it is a constant of the scene.
     [[nodiscard]] std::optional<formula::Exact> constant(const formula::Expr& e) const {
         const std::set<std::string> names_in_e = free_symbols(e);
         return std::any_of(overridden.begin(), overridden.end(),
@@ -150,7 +150,7 @@ struct EnclosedSample::State {
                    ? std::nullopt
                    : exact_value(e, sample);
     }
-    /// The distance from an edge of the place that an argument names.
+    /// Returns the distance from an edge of the place given by an argument.
     [[nodiscard]] Ball distance(contact::Edge edge, const formula::Expr& written,
                                 const Ball& at) const {
         if (u && edge == sample.edge && written == formula::Expr::symbol("x")) {
@@ -166,7 +166,7 @@ struct EnclosedSample::State {
             certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
         return contact().pressure(edge, distance(edge, written, at));
     }
-    /// g'(x): where the ball of x meets a knot, the values of the pieces on both of its sides.
+    /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
     [[nodiscard]] Ball slope(const Ball& at) const {
         struct AtX {
             const State* state;
@@ -193,7 +193,7 @@ struct EnclosedSample::State {
         }
         return g;
     }
-    /// Of the family of contacts that share the profile.
+    /// Returns a contact of the family with the same profile.
     [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
                                                        const formula::Expr& written,
                                                        const Ball& at) const {
@@ -229,7 +229,7 @@ struct EnclosedSample::State {
     std::optional<contact::IntegratedContact> curved;
     std::optional<Ball> u;
     std::map<std::string, Ball, std::less<>> names;
-    std::set<std::string> overridden; ///< names whose exact value in the sample no longer holds
+    std::set<std::string> overridden; ///< names whose exact value in the sample is no longer valid
 };
 
 Ball EnclosedSample::State::symbol(std::string_view name) const {
@@ -321,7 +321,7 @@ Ball EnclosedSample::State::call(const formula::Expr& node, std::span<const Ball
 
 namespace {
 
-/// A State with other names, of no type that grows with every integral inside another.
+/// A State with other names. Its type does not grow with nested integrals.
 template <class State> struct Renamed {
     const State& state;
     const std::function<Ball(std::string_view)>& symbol_of;
@@ -445,7 +445,7 @@ Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits)
 }
 
 std::string ball_text(const Ball& ball, unsigned digits) {
-    // Exponents that no number in a text may have.
+    // These exponents are not allowed for numbers in a text.
     const long exponent = arf_abs_bound_lt_2exp_si(arb_midref(ball.data()));
     if (exponent > most_exponent || (exponent < -most_exponent && !contains_zero(ball))) {
         return exponent > 0 ? "beyond 1e100000" : "within 1e-100000 of 0";
@@ -453,13 +453,13 @@ std::string ball_text(const Ball& ball, unsigned digits) {
     if (!ball.is_exact() && contains_zero(ball)) {
         return "0 +- " + bound_text(abs(ball).upper());
     }
-    // The first digit that the radius leaves in doubt, and the next; more would only look exact.
+    // Only two digits that the radius makes uncertain are shown.
     const long known =
         std::min(ball.relative_accuracy_bits(), formula::bits_for(digits)) * 301 / 1000 + 2;
     const Rounded middle =
         round_ball(Ball(ball.midpoint(), ball.bits()),
                    static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
-    // What rounding the middle for the text moves it by counts, too.
+    // The rounding of the middle for the text is part of the error.
     const Ball off = abs(ball - Ball(middle.lower.value(), ball.bits()));
     return middle.text + " +- " + bound_text(off.upper());
 }

@@ -10,25 +10,26 @@
 
 namespace edgeproof::audit {
 
-/// A sample of a claim in ball arithmetic: what a EvaluatedScene gives in Real, here proved
-/// (BallContact, enclosed_integral.hpp). Symbols and functions are those of EvaluatedScene.
+/// A sample of a claim in ball arithmetic: the quantities of an EvaluatedScene with proved
+/// enclosures (BallContact, enclosed_integral.hpp). Symbols and functions are those of
+/// EvaluatedScene.
 class EnclosedSample {
 public:
-    /// Throws BudgetError or DomainError where so many bits do not enclose the contact.
-    /// `integral_digits`: what integrals aim at; all that the bits can hold would cost more
-    /// than it is worth.
+    /// Throws BudgetError or DomainError if this number of bits does not enclose the contact.
+    /// `integral_digits`: the accuracy that integrals aim at; the full accuracy of the bits would
+    /// cost too much.
     EnclosedSample(const Sample& sample, long bits, unsigned integral_digits = 20);
     ~EnclosedSample();
     EnclosedSample(EnclosedSample&&) noexcept;
 
-    /// Not finite where the balls do not exclude a point at which the formula is undefined. Throws
-    /// Error for what has no enclosure.
+    /// The ball is not finite if a point at which the formula is undefined is not excluded. Throws
+    /// Error for parts without an enclosure.
     [[nodiscard]] Ball evaluate(const formula::Expr& e) const;
-    /// Another value for a name, in place of its own.
+    /// Replaces the value of a name.
     void set(const std::string& name, const Ball& value);
-    /// Another place: at the distance u from an edge.
+    /// Moves the place to the distance u from an edge.
     void set_place(contact::Edge edge, const Ball& u);
-    /// a + b.
+    /// Returns a + b.
     [[nodiscard]] Ball length() const;
     [[nodiscard]] long bits() const;
 
@@ -37,19 +38,19 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// A formula's enclosure at a sample, good for `digits` digits if the bits suffice; nothing if
-/// there is none, and `problem` says why.
+/// The enclosure of a formula at a sample, right to `digits` digits if the bits are sufficient. If
+/// `ball` is empty, `problem` gives the reason.
 struct Enclosed {
     std::optional<Ball> ball;
     std::string problem;
 };
 [[nodiscard]] Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits);
 
-/// The value of a formula that names parameters of the scene and variables of the sample only, as
-/// an exact number; nothing for others.
+/// Returns the value of a formula as an exact number, if it contains only parameters of the scene
+/// and variables of the sample; nothing for others.
 [[nodiscard]] std::optional<formula::Exact> exact_value(formula::Expr e, const Sample& sample);
 
-/// "0.123456 +- 1.2e-52".
+/// Returns a text such as "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);
 
 } // namespace edgeproof::audit

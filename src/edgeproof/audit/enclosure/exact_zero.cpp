@@ -20,13 +20,13 @@ bool is_zero_by_symbols(const formula::Expr& e) {
         const GiNaC::ex x = ginac::from_expr(e);
         return x.is_zero() || x.expand().is_zero() || x.normal().is_zero();
     } catch (const Error&) {
-        return false; // no way over
+        return false; // no conversion
     } catch (const std::exception&) {
-        return false; // GiNaC's own, as for a division by zero
+        return false; // from GiNaC, for instance for a division by zero
     }
 }
 
-/// The y of an f(y) in e that e is equal to, all of it.
+/// Returns y if the whole of e is equal to f(y) for an f(y) in e.
 std::optional<formula::Expr> argument_if_all(const formula::Expr& e, const std::string& f,
                                              const formula::Expr& whole) {
     if (e.kind() == formula::Expr::Kind::call && e.name() == f &&
@@ -41,8 +41,8 @@ std::optional<formula::Expr> argument_if_all(const formula::Expr& e, const std::
     return std::nullopt;
 }
 
-/// e with what is known of b and its inverse put in; nothing where a root, a binder or a built-in
-/// function stands: rules that hold for some signs only shall not come in.
+/// Returns e with the known properties of b and its inverse put in; nothing if e contains a root, a
+/// binder or a built-in function, because some of their rules hold only for one sign.
 std::optional<formula::Expr> as_rational_function(const formula::Expr& e, bool symmetric) {
     if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
         return formula::Expr::symbol("a");

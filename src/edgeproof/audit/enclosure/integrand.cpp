@@ -122,7 +122,7 @@ void Integrand::Program::place(const Box& at) {
     edge_now_.w = here.b;
     force_rate_ = here.rate;
     if (wants_slopes_) {
-        // A derivative over the convex box that holds the segment encloses the quotient.
+        // A derivative over the convex box that contains the segment encloses the quotient.
         const TiltedPath::Point end = meaning_.path->at(start_);
         const TiltedPath::Point over = meaning_.path->at(Box::hull(start_, at));
         variable_now_.end = in_variable(end.s);
@@ -176,7 +176,7 @@ void Integrand::Program::find_zeros() {
 void Integrand::Program::choose_power(Centre kind) {
     std::vector<Rational> order(all().size(), Rational(0));
     Integer common = 1;
-    bool roots = false; // of what vanishes at the centre
+    bool roots = false; // of parts that vanish at the centre
     for (std::size_t i = 0; i < all().size(); ++i) {
         const IntegrandStep& step = all()[i];
         const auto part = [&](std::size_t k) -> const Rational& { return order[step.args[k]]; };

@@ -13,53 +13,54 @@
 
 namespace edgeproof::audit {
 
-/// What an integrand's parts mean on one piece of its interval.
+/// The meaning of an integrand's parts on one piece of its interval.
 struct IntegrandMeaning {
-    /// Of a part without the variable.
+    /// Returns the value of a part without the variable.
     std::function<Ball(const formula::Expr&)> constant;
-    /// The same, if it is a rational number: exponents.
+    /// Returns that value if it is a rational number, for exponents.
     std::function<std::optional<Rational>(const formula::Expr&)> rational;
-    /// A function of the contact, or |g'|, written out; throws Error for what has no enclosure.
+    /// A function of the contact, or |g'|, as a formula; throws Error without an enclosure.
     std::function<formula::Expr(const formula::Expr& call)> written_out;
-    /// That e, in which the variable does not stand, is zero.
+    /// True if e, which does not contain the variable, is zero.
     std::function<bool(const formula::Expr& e)> surely_zero;
-    /// Where contacts are known by an angle: `path_argument`, which is linear in the variable, is
-    /// their right edge.
+    /// For contacts that are given by an angle: `path_argument`, which is linear in the variable,
+    /// is their right edge.
     const TiltedPath* path = nullptr;
     std::optional<formula::Expr> path_argument;
 };
 
-/// A formula in one variable on boxes of the complex plane, counted from a point e, its centre, by
-/// v with variable = e +- v^n: parts that are proved to vanish at e are v^n times their divided
-/// difference, roots of these are powers of v times what is regular, and so a root that is singular
-/// at e is no singularity in v. A part's divided difference follows by the rules of differentiation
-/// in their finite form, and of b(s) by its derivative over the segment from e, as that is convex.
+/// A formula in one variable on boxes of the complex plane. The variable is e +- v^n with a centre
+/// e and the new variable v. A part that is proved to vanish at e is v^n times its divided
+/// difference, and a root of it is a power of v times a regular function: so a root that is
+/// singular at e has no singularity in v. The divided difference of a part follows from the finite
+/// form of the rules of differentiation; that of b(s) from its derivative over the segment from e,
+/// as b is convex.
 ///
-/// Beside the functions of formulas it knows log_above(z), the logarithm continued from the upper
-/// half-plane (that of z > 0 is real), and gauss(a, b, c, z), Gauss's 2F1.
+/// In addition to the functions of formulas, it has log_above(z), the logarithm continued from the
+/// upper half-plane (real for z > 0), and gauss(a, b, c, z), Gauss's 2F1.
 class Integrand {
 public:
     Integrand(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
     ~Integrand();
     Integrand(Integrand&&) noexcept;
 
-    /// It is 0 as it stands.
+    /// True if the formula reduces to the constant 0.
     [[nodiscard]] bool vanishes() const;
     enum class Centre {
-        rooted, ///< n as large as roots of what vanishes there need it
-        pole,   ///< n = 1, v of either sign: nothing is told apart if there are such roots
-        regular ///< n = 1, nothing is told apart
+        rooted, ///< n is as large as needed for roots of parts that vanish at the centre
+        pole,   ///< n = 1, v of either sign; zeros at the centre are ignored if one is under a root
+        regular ///< n = 1; zeros at the centre are ignored
     };
-    /// Counts from e = `at`, where the variable is `written`, towards greater values (direction 1)
-    /// or smaller ones (-1). `angle`: of e on the path, if there is one.
+    /// Sets the centre e = `at`, where the variable is `written`, with v towards greater values
+    /// (direction 1) or smaller ones (-1). `angle`: the angle of e on the path, if there is one.
     void centre(const formula::Expr& written, const Ball& at, int direction, const Ball& angle,
                 Centre kind);
-    /// n: 1 where nothing is singular.
+    /// Returns n; it is 1 if nothing is singular.
     [[nodiscard]] long power() const;
-    /// f d(variable)/dv, without the sign of the direction. `analytic`: not finite where it may not
-    /// be holomorphic on the whole box.
+    /// Returns f d(variable)/dv, without the sign of the direction. `analytic`: the result is not
+    /// finite if the function may not be holomorphic on the whole box.
     void at(acb_ptr out, const Box& v, bool analytic);
-    /// The factor of the lowest power of v in f, and that power (v^n = +-(variable - e)).
+    /// The lowest power of v in f and its factor (v^n = +-(variable - e)).
     struct Leading {
         long power;
         Box factor;

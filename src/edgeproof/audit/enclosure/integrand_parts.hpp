@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-/// What an integrand is made of, as it is written.
+/// Properties of an integrand as it is written.
 namespace edgeproof::audit {
 
 [[nodiscard]] bool holds_symbol(const formula::Expr& e, const std::string& name);
 
-/// |g1(x)|, whose formula depends on the piece as that of g1 does.
+/// True for |g1(x)|, whose formula depends on the piece as that of g1 does.
 [[nodiscard]] bool is_size_of_slope(const formula::Expr& e);
 
-/// Whether p of something with the variable in it occurs.
+/// True if p occurs with an argument that contains the variable.
 [[nodiscard]] bool holds_pressure(const formula::Expr& e, const std::string& variable);
 
 /// The degree of e in p(variable) if all other factors are entire functions of the variable: sums,
@@ -23,16 +23,16 @@ namespace edgeproof::audit {
 [[nodiscard]] std::optional<int> degree_in_pressure(const formula::Expr& e,
                                                     const std::string& variable);
 
-/// The argument of the first P1of or bof with the variable in it.
+/// Returns the argument of the first P1of or bof that contains the variable.
 [[nodiscard]] std::optional<formula::Expr> contact_argument(const formula::Expr& e,
                                                             const std::string& variable);
 
 /// A value of the variable at which a function of the contact changes its formula.
 struct IntegrandCut {
     formula::Expr at;
-    bool of_contacts; ///< of P1of and bof, whose argument is a contact's right edge
+    bool of_contacts; ///< for P1of and bof, whose argument is a contact's right edge
 };
-/// In no order, inside the interval or not.
+/// Returns the cuts, unordered, inside the interval or not.
 [[nodiscard]] std::vector<IntegrandCut>
 integrand_cuts(const formula::Expr& f, const std::string& variable, const ContactFormulas& contact);
 

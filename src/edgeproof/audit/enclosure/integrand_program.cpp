@@ -75,7 +75,7 @@ std::size_t IntegrandSteps::add(const formula::Expr& e) {
     const auto binary = [&](Step::Op op) {
         const std::size_t x = add(e.arg(0));
         const std::size_t y = add(e.arg(1));
-        // A flat's slope takes what it is a factor of away, its singularities and all.
+        // The zero slope of a flat removes the other factor, including its singularities.
         const bool times = op == Step::Op::mul;
         if (is_zero(x) && (times || (op == Step::Op::div && !is_zero(y)))) {
             return x;

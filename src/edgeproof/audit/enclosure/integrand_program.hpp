@@ -4,7 +4,7 @@
 
 namespace edgeproof::audit {
 
-/// One operation of an integrand made ready for many boxes; operands stand before it.
+/// One operation of an integrand that is evaluated on many boxes; its operands come before it.
 struct IntegrandStep {
     enum class Op {
         constant,
@@ -31,10 +31,10 @@ struct IntegrandStep {
     Op op;
     formula::Expr written;
     std::vector<std::size_t> args;
-    std::optional<Rational> exponent; ///< of a power, where it is rational
+    std::optional<Rational> exponent; ///< of a power, if it is rational
 };
 
-/// The steps of a formula; its value is that of last(). Equal parts are one step.
+/// The steps of a formula, whose value is that of last(). Equal parts are one step.
 class IntegrandSteps {
 public:
     IntegrandSteps(const formula::Expr& f, const std::string& variable,

@@ -6,7 +6,7 @@
 
 namespace edgeproof::audit {
 
-/// v^k w, and, where it is asked for, w = end + v^n slope of what has k = 0.
+/// A value v^k w. If needed, for k = 0, w is also given as end + v^n slope.
 struct ValuedBox {
     explicit ValuedBox(long bits) : w(bits), end(bits), slope(bits) {}
     long k = 0;
@@ -15,7 +15,7 @@ struct ValuedBox {
     Box slope;
 };
 
-/// The steps of an integrand with their values at one v after another.
+/// The steps of an integrand, and their values for one v at a time.
 class Integrand::Program {
 public:
     Program(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
@@ -30,22 +30,22 @@ private:
     [[nodiscard]] const std::vector<IntegrandStep>& all() const { return steps_.all(); }
     void run(const Box& v, bool analytic);
     void multiply_by_power(Box& y, long k) const;
-    /// w with v^k put in.
+    /// Returns v^k w.
     [[nodiscard]] Box plain(const ValuedBox& x) const {
         Box y = x.w;
         multiply_by_power(y, x.k);
         return y;
     }
-    /// The variable, and the contact of the path, at a point of it.
+    /// Computes the variable, and the contact of the path, at one of its points.
     void place(const Box& at);
-    /// From values at the point and at the centre, and from what the derivative is between them:
-    /// the one is narrow where the box is, the other where it is near the centre.
+    /// Computes the slope from the values at the point and at the centre, and from the derivative
+    /// between them. The former is narrow if the box is narrow, the latter near the centre.
     void find_slope(ValuedBox& x, const Box& derivative) const;
-    /// With v = 0, step by step: what contains zero there, and is zero.
+    /// Finds the steps that are proved to be zero at v = 0.
     void find_zeros();
-    /// The least n that makes all powers of v whole.
+    /// Finds the least n for which all powers of v are integers.
     void choose_power(Centre kind);
-    /// Marks what the divided differences of zeros are made of.
+    /// Marks the parts that are needed for the divided differences of zeros.
     void mark_slopes();
 
     void take(std::size_t i);
@@ -62,11 +62,11 @@ private:
     IntegrandSteps steps_;
     std::vector<ValuedBox> valued_;
     std::vector<bool> zero_;   ///< proved to vanish at the centre
-    std::vector<bool> sloped_; ///< whose divided differences are wanted
+    std::vector<bool> sloped_; ///< the divided difference is needed
     bool wants_slopes_ = false;
     formula::Expr written_;
     Box start_;
-    int direction_ = 1; ///< of the angle, where there is a path
+    int direction_ = 1; ///< of the angle, if there is a path
     long power_ = 1;
     Ball offset_;
     Ball rate_;

@@ -8,15 +8,15 @@ namespace {
 
 using Op = IntegrandStep::Op;
 
-/// Certainly off the cuts of asin and acos, which begin at -1 and 1 and run outwards; turned by a
-/// right angle, of those of atan.
+/// True if a value is certainly off the cuts of asin and acos, which extend outwards from -1 and 1;
+/// with the axes exchanged, off those of atan.
 bool off_cuts_from_one(const Ball& along, const Ball& across) {
     return !contains_zero(across) || certainly_less(abs(along), Ball(1, along.bits()));
 }
 
 void indeterminate(Box& z) { acb_indeterminate(z.get()); }
 
-/// log z with its cut along the negative imaginary axis, real for z > 0.
+/// Computes log z with its cut along the negative imaginary axis, real for z > 0.
 void log_above(Box& r, const Box& z, bool analytic, long bits) {
     acb_div_onei(r.get(), z.get());
     acb_log_analytic(r.get(), r.get(), analytic ? 1 : 0, bits);
@@ -163,7 +163,7 @@ void Integrand::Program::take_power(std::size_t i) {
     acb_pow_analytic(r.w.get(), base.get(), valued_[step.args[1]].w.get(), analytic_ ? 1 : 0,
                      bits_);
     if (sloped_[i]) {
-        r.end = r.w; // of no use without a slope
+        r.end = r.w; // not used without a slope
     }
 }
 

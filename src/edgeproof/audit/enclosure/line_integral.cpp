@@ -15,7 +15,7 @@ struct IntegrandCall {
 
 int integrand_on(acb_ptr out, const acb_t at, void* parameter, slong order, slong bits) {
     auto& work = *static_cast<IntegrandCall*>(parameter);
-    // No exception may pass through Arb, which goes on asking after the first.
+    // Exceptions must not pass through Arb, which calls the function again after the first one.
     if (work.thrown) {
         acb_indeterminate(out);
         return 0;
@@ -40,7 +40,7 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     acb_calc_integrate_opt_init(options);
     options->eval_limit = most_evaluations;
     options->depth_limit = 4 * bits;
-    // What is small beside the length times the value in the middle is small enough.
+    // The tolerance is relative to the length times the value in the middle.
     MagValue tolerance;
     Box sample(bits);
     f.at(sample.get(), (from + to) * Box(Ball(Rational(1, 2), bits)), false);
@@ -56,7 +56,8 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     if (work.thrown) {
         std::rethrow_exception(work.thrown);
     }
-    // From a middle to another point of its box: at most the largest value over the box.
+    // The integral from the middle of a box to another of its points is at most the largest value
+    // times the distance.
     for (const Box* end : {&v, &w}) {
         if (acb_is_exact(end->get()) == 0) {
             Box value(bits);

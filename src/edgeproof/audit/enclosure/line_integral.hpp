@@ -4,8 +4,8 @@
 
 namespace edgeproof::audit {
 
-/// The integral of f, as it is counted from its centre, along the straight line from v to w; these
-/// may be boxes, and then it holds the integral between any two points of theirs.
+/// Returns the integral of f, in the variable of its centre, along the straight line from v to w.
+/// For boxes v and w, the result contains the integral between any two of their points.
 [[nodiscard]] Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits);
 
 } // namespace edgeproof::audit

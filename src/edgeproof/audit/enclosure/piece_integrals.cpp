@@ -13,12 +13,12 @@ const Ball& position(const PieceEnd& end, bool by_angle) { return by_angle ? end
 
 } // namespace
 
-/// From where it is counted to v; half the piece, or all of it.
+/// Integrates from the centre to v; half the piece, or all of it.
 Box PieceIntegrals::from_centre(Integrand& f, const Ball& near, const Ball& far) const {
     const auto root_of_distance = [&](const Ball& x) {
         Ball v(0, bits_);
         if (arb_is_zero(x.data()) != 0) {
-            return Box(v); // of which Arb takes no root
+            return Box(v); // Arb does not take the root of zero
         }
         arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), bits_);
         return Box(v);
@@ -26,8 +26,8 @@ Box PieceIntegrals::from_centre(Integrand& f, const Ball& near, const Ball& far)
     return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
 }
 
-/// The end to count from: of the piece, or of the whole integral where that is near enough for
-/// what is singular there to matter.
+/// Returns the end at which to centre: that of the piece, or that of the whole integral if it is
+/// near enough for its singularity to matter.
 std::optional<PieceEnd> PieceIntegrals::singular_end(Integrand& f, const PieceEnd& end,
                                                      const PieceEnd& outermost, int direction,
                                                      const Ball& length, bool by_angle) const {
@@ -69,7 +69,7 @@ Box PieceIntegrals::by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& 
     return sum;
 }
 
-/// Zero from a place to itself, however wide the ball.
+/// Returns zero for the distance of a place from itself, even if the ball is wide.
 Ball PieceIntegrals::distance(const Ball& x, const Ball& y) const {
     return arb_equal(x.data(), y.data()) != 0 ? Ball(0, bits_) : abs(y - x);
 }
@@ -89,7 +89,8 @@ Box PieceIntegrals::over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd
         const Box top(zero, r);
         Box sum = line_integral(f, Box(-r), top, digits_) + line_integral(f, top, Box(r), digits_) +
                   f.leading(Box(bits_)).factor * Box(zero, Ball::pi(bits_));
-        const formula::Expr unnamed = formula::Expr::symbol("a place inside"); // as no text has it
+        const formula::Expr unnamed =
+            formula::Expr::symbol("a place inside"); // not a name in any text
         const PieceEnd before{unnamed, pole.at - r};
         const PieceEnd behind{unnamed, pole.at + r};
         sum = sum + by_ends(f, from, before, false);

@@ -10,28 +10,27 @@
 
 namespace edgeproof::audit {
 
-/// One end of a piece.
 struct PieceEnd {
     formula::Expr written;
     Ball at;
-    bool of_contacts = false; ///< where P1of and bof change their formula
+    bool of_contacts = false; ///< P1of and bof change their formula there
     Ball angle = {};          ///< on a path
 };
 
-/// Integrals over pieces of an interval, on each of which the integrand is one formula: from the
-/// end, or the ends, at which it is singular, in a variable in which it is not; or over a pole.
-/// Not finite where the integrand has no bound.
+/// Integrals over pieces of an interval; on each piece, the integrand is a single formula. It is
+/// integrated from the end, or the ends, at which it is singular, in a variable in which it is
+/// regular; or over a pole. The result is not finite if the integrand has no bound.
 class PieceIntegrals {
 public:
-    /// `lowest`, `highest`: the ends of the whole interval. `digits`: aimed at.
+    /// `lowest`, `highest`: the ends of the whole interval. `digits`: the accuracy aimed at.
     PieceIntegrals(PieceEnd lowest, PieceEnd highest, long bits, unsigned digits)
         : lowest_(std::move(lowest)), highest_(std::move(highest)), bits_(bits), digits_(digits) {}
 
-    /// `by_angle`: the integrand is one of a path's angle.
+    /// `by_angle`: the integrand is a function of a path's angle.
     [[nodiscard]] Box by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to,
                               bool by_angle) const;
-    /// The principal value, the pole being inside: over it in the upper half-plane, half the
-    /// residue added. Throws Error where it is not shown to be a simple one.
+    /// Returns the principal value for a pole inside: the path passes it in the upper half-plane,
+    /// and half the residue is added. Throws Error if the pole is not shown to be a simple one.
     [[nodiscard]] Box over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd& from,
                                 const PieceEnd& to) const;
 

@@ -8,7 +8,7 @@ namespace {
 
 formula::Expr named(const char* name) { return formula::Expr::symbol(name); }
 
-/// A quantity of the same dimension as a name, which does not vanish where the name's value does.
+/// A quantity of the same dimension as a name that does not vanish where the name does.
 formula::Expr scale_of_name(const formula::Expr& e) {
     const std::string& name = e.name();
     if (name == "M") {
@@ -24,7 +24,8 @@ formula::Expr scale_of_name(const formula::Expr& e) {
     return e;
 }
 
-/// The sum of the sizes of two parts of an integral, cut where no symmetry makes a part vanish.
+/// Returns the sum of the sizes of two parts of an integral; the cut is at a place where no
+/// symmetry makes a part vanish.
 Ball scale_of_integral(const formula::Expr& e, const EnclosedSample& sample) {
     const formula::Expr cut =
         e.arg(2) + formula::Expr::number(Rational(3, 7)) * (e.arg(3) - e.arg(2));

@@ -11,7 +11,7 @@
 
 namespace edgeproof::audit {
 
-/// A sample in ball arithmetic at more and more bits, until a question about it is decided.
+/// A sample in balls with increasing numbers of bits, until a question about it is decided.
 class SampleInBalls {
 public:
     /// Begins with twice the bits of `digits`.
@@ -19,8 +19,9 @@ public:
         : sample_(std::move(sample)), digits_(digits),
           integral_digits_(integral_digits != 0 ? integral_digits : digits + 2) {}
 
-    /// Calls look(EnclosedSample&), at twice the bits each time, until it returns true. False where
-    /// it does not at the most bits, and for what has no enclosure: `problem` names the reason.
+    /// Calls look(EnclosedSample&), with twice the bits each time, until it returns true. Returns
+    /// false if it does not do so at the maximum of bits, or if there is no enclosure; `problem`
+    /// gives the reason.
     template <class Look> [[nodiscard]] bool until(const Look& look) {
         const long first = 2 * formula::bits_for(digits_);
         const long last = std::max(4 * first, least_last_bits);
@@ -43,7 +44,7 @@ public:
         }
         return false;
     }
-    /// Why the last question was not decided.
+    /// The reason why the last question was not decided.
     [[nodiscard]] const std::string& problem() const { return problem_; }
     [[nodiscard]] const Sample& sample() const { return sample_; }
 
@@ -63,8 +64,9 @@ private:
     std::map<long, EnclosedSample> levels_;
 };
 
-/// The scale of the errors of a formula at a sample: the sum of the sizes of its terms, an integral
-/// being the sum of two parts, M having the scale P*L, and the coefficient c_k that of c_0/L^k.
+/// Returns the scale of the errors of a formula at a sample: the sum of the sizes of its terms. An
+/// integral counts as the sum of two parts, M has the scale P*L, and the coefficient c_k that of
+/// c_0/L^k.
 [[nodiscard]] Ball scale_of_terms(const formula::Expr& e, const EnclosedSample& sample);
 
 } // namespace edgeproof::audit

@@ -20,7 +20,7 @@ Box nowhere(long bits) {
     return z;
 }
 
-/// The root in (kappa, pi) by halving, in binary64: a start that proves nothing.
+/// Finds the root in (kappa, pi) by bisection in binary64, as a starting point that proves nothing.
 double rough_eta(double kappa, double mu) {
     const double pi = std::acos(-1.0);
     const double fixed = -std::sin(kappa) + kappa * std::cos(kappa) - mu * std::cos(kappa);
@@ -41,9 +41,9 @@ TiltedPath::TiltedPath(LeftEdge left_edge, const Ball& r, const Ball& t, const B
     : left_edge_(left_edge), r_(r), t_(t), mu_(Ball::pi(r.bits()) * r / (t * 2)),
       rate_(modulus / (R * 2)), pi_(Ball::pi(r.bits())) {}
 
-/// The interval form of Newton's method for each kappa of the box. The box of eta is symmetric
-/// about the real axis, so that for a real kappa the only root in it is real, and that one is
-/// known: the equation is monotone in eta between 0 and pi.
+/// Applies the interval form of Newton's method for each kappa of the box. The box of eta is
+/// symmetric about the real axis, so that for a real kappa the only root in it is real. This root
+/// is the right one, as the equation is monotone in eta between 0 and pi.
 Box TiltedPath::eta_at(const Box& kappa) const {
     const long bits = kappa.bits();
     if (!kappa.is_finite() || !kappa.may_be_real()) {
@@ -102,7 +102,7 @@ TiltedPath::Point TiltedPath::at(const Box& angle) const {
     const Box d = flat ? Box(pi_ * r_) / balance : Box(t_ * 2) / spread;
     const Box arcs = beyond + kappa;
     const Box sines = e.sin - k.sin;
-    // By differentiation of both conditions.
+    // This follows by differentiation of both conditions.
     const Box common = flat ? d * e.sin / balance : d * k.sin / ((beyond + mu_) * spread);
     return {d * (e.cos + 1) - r_, d * (-(e.cos) + 1) + r_, d * (arcs + sines) * rate_,
             common * (arcs - sines), common * (arcs + sines)};

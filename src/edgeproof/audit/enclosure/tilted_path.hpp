@@ -4,13 +4,14 @@
 
 namespace edgeproof::audit {
 
-/// The contacts of a tilted flat and rounded punch whose left edge is beyond the right arc, each
-/// known by an angle in which everything is analytic, where in the right edge s it is not: with c
-/// the middle, d the half-length and v = c + d cos h for a point, the right end of the flat is at
-/// h = pi - eta and its left end, if the contact reaches it, at h = pi - kappa. With R alpha =: r,
+/// The contacts of a tilted flat and rounded punch whose left edge is beyond the right arc. Each is
+/// given by an angle in which all quantities are analytic, although they are not analytic in the
+/// right edge s. With the middle c, the half-length d, and v = c + d cos h for a point, the right
+/// end of the flat is at h = pi - eta, and its left end, if the contact reaches it, is at
+/// h = pi - kappa. With r := R alpha,
 ///     s = d (1 + cos eta) - r,   b(s) = d (1 - cos eta) + r,
 ///     P'(s) = (E* d/2R)(sin eta + pi - eta + kappa - sin kappa),
-/// and moore-hills.tex eqn:Consistency comes to
+/// and moore-hills.tex eqn:Consistency becomes
 ///     on the flat (kappa = 0):   d (sin eta + (pi - eta) cos eta) = pi r,
 ///     on the left arc:           d (cos kappa - cos eta) = 2 t, and
 ///         sin eta + (pi - eta) cos eta - sin kappa + kappa cos kappa = mu (cos kappa - cos eta),
@@ -19,8 +20,8 @@ class TiltedPath {
 public:
     enum class LeftEdge { on_flat, on_left_arc };
 
-    /// The angle is eta on the flat and kappa on the left arc; both grow with s from 0, but that
-    /// the left arc begins where eta is end_of_flat().
+    /// The angle is eta on the flat and kappa on the left arc. Both increase with s from 0; the
+    /// left arc begins where eta is end_of_flat().
     TiltedPath(LeftEdge left_edge, const Ball& r, const Ball& t, const Ball& R,
                const Ball& modulus);
 
@@ -31,11 +32,10 @@ public:
         Box ds;   ///< by the angle
         Box db;
     };
-    /// For every angle in the box, which must meet the real axis; not finite where that is not
-    /// enclosed.
+    /// For every angle in the box, which must meet the real axis; not finite without an enclosure.
     [[nodiscard]] Point at(const Box& angle) const;
     [[nodiscard]] Ball end_of_flat() const;
-    /// The angle of the contact with these edges, in this part of the path.
+    /// Returns the angle of the contact with these edges, in this part of the path.
     [[nodiscard]] Ball angle_of(const Ball& a, const Ball& b) const;
 
 private:

@@ -11,31 +11,29 @@
 
 namespace edgeproof::audit {
 
-/// Theorems about a claim that Coq checks: the file that states them, seen from the ledger's
-/// folder.
+/// A file of theorems about a claim that Coq checks.
 struct TheoremFile {
-    std::string path;           ///< as it is shown: "certificates/EQ18.v"
-    bool whole_verdict = false; ///< they say all that the verdict does, not part of it
-    std::string file;           ///< where it is
+    std::string path;           ///< as shown, in the ledger's folder: "certificates/EQ18.v"
+    bool whole_verdict = false; ///< the theorems prove all of the verdict
+    std::string file;           ///< the path of the file
 };
 
-/// What was found of one claim: the outcome under each reading, and what follows from all.
+/// The result for one claim: the outcome under each reading, and the combined outcome.
 struct ClaimResult {
     Claim claim;
     Outcome outcome;
     std::vector<std::pair<std::string, Outcome>> readings;
-    std::optional<TheoremFile>
-        certificate;               ///< none unless certificate::attach_certificates found it
-    std::optional<double> seconds; ///< of processor time, where that was asked for
+    std::optional<TheoremFile> certificate; ///< set by certificate::attach_certificates
+    std::optional<double> seconds;          ///< processor time, if it was measured
 };
 
-/// An audit's results, in the order of the ledger.
+/// The results of an audit, in the order of the ledger.
 struct AuditResult {
     std::string ledger;
     std::string source;
     unsigned digits = 0;
     std::vector<ClaimResult> claims;
-    std::vector<ClaimError> errors; ///< of claims chosen that have no result, in the ledger's order
+    std::vector<ClaimError> errors; ///< of selected claims without a result, in order
 };
 
 } // namespace edgeproof::audit

@@ -16,7 +16,7 @@ namespace {
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// "right.c1" is the name right_c1 (a dot between names can be nothing else; columns stay).
+/// Replaces the dot in a name ("right.c1") by an underscore; columns stay the same.
 std::string undotted(std::string_view text) {
     std::string plain(text);
     bool in_name = false;
@@ -25,7 +25,7 @@ std::string undotted(std::string_view text) {
             plain[i] = '_';
         }
         in_name = in_name ? is_name(plain[i]) : is_name_start(plain[i]);
-        // A number such as 2e5 is no name: skip it whole.
+        // Skip a number such as 2e5 as a whole, as it is not a name.
         if (!in_name && std::isdigit(static_cast<unsigned char>(plain[i])) != 0) {
             while (i + 1 < plain.size() && (is_name(plain[i + 1]) || plain[i + 1] == '.')) {
                 ++i;
@@ -35,7 +35,7 @@ std::string undotted(std::string_view text) {
     return plain;
 }
 
-/// What a name stands for; nullptr where it stands for itself.
+/// Returns the definition of a name or function; nullptr if it has none.
 const Vocabulary::Definition* definition_of(const formula::Expr& e, const Vocabulary& vocabulary) {
     const bool call = e.kind() == formula::Expr::Kind::call;
     if (!call && e.kind() != formula::Expr::Kind::symbol) {
@@ -47,7 +47,7 @@ const Vocabulary::Definition* definition_of(const formula::Expr& e, const Vocabu
     return it == vocabulary.definitions.end() ? nullptr : &*it;
 }
 
-/// Every defined name replaced by its body, and so those in the body. `replacing`: those around.
+/// Replaces every defined name by its body, recursively. `replacing`: the names being replaced.
 formula::Expr expanded(const formula::Expr& e, const Vocabulary& vocabulary,
                        std::vector<std::string>& replacing) {
     std::vector<formula::Expr> parts;
@@ -246,7 +246,7 @@ void Claim::replace_formula(std::string_view key, std::string text) {
 const Claim::Parsed& Claim::parsed(std::string_view key) const {
     const auto it = parsed_.find(key);
     if (it == parsed_.end()) {
-        static_cast<void>(text(key)); // says what is missing
+        static_cast<void>(text(key)); // throws if the field is missing
         throw Error(std::string(key) + " of claim " + id + " is no formula");
     }
     return it->second;

@@ -15,8 +15,8 @@
 
 namespace edgeproof::audit {
 
-/// A field of a ledger: text, a list of texts, or a table of lists; and the line it stands on.
-/// Integers are their text; floats of more than 15 significant digits must be quoted.
+/// A field of a ledger: text, a list of texts, or a table of lists, and its line in the file.
+/// Integers are stored as text; floats of more than 15 significant digits must be quoted.
 struct Field {
     using List = std::vector<std::string>;
     using Table = std::vector<std::pair<std::string, List>>;
@@ -25,17 +25,17 @@ struct Field {
 };
 using Fields = std::map<std::string, Field, std::less<>>;
 
-/// What a formula of a claim may name, and what stands for the names that the ledger defines.
+/// The names that a formula of a claim may use, and the definitions of names by the ledger.
 struct Vocabulary {
     formula::Symbols symbols;
-    /// Bodies for names defined by the ledger or the claim: `name` or `name(argument)`.
+    /// The body of a name that the ledger or the claim defines: `name` or `name(argument)`.
     struct Definition {
         std::string name;
         std::optional<std::string> argument;
         formula::Expr body;
     };
     std::vector<Definition> definitions;
-    /// Names that have no meaning in the family of the claim: what is wrong, and what to write.
+    /// A name without a meaning in the family: the problem, and what to write instead.
     struct Refusal {
         std::string problem;
         std::string instead;
@@ -50,7 +50,7 @@ struct Relation {
     Op op = Op::less;
     formula::Expr rhs;
 };
-/// Whether the relation holds between two values.
+/// True if the relation holds between two values.
 template <class Number>
 [[nodiscard]] bool compare(Relation::Op op, const Number& lhs, const Number& rhs) {
     switch (op) {
@@ -68,59 +68,57 @@ template <class Number>
     return lhs == rhs;
 }
 
-/// All of them must hold: "0 < x and x < a". "0 < x < a" is two.
+/// A conjunction of relations: "0 < x and x < a". "0 < x < a" is read as two relations.
 using Condition = std::vector<Relation>;
 
-/// One printed claim: a row's part, as the ledger has it. Its formulas are parsed once, when the
+/// One printed claim, as a row of the ledger gives it. Its formulas are parsed once, when the
 /// ledger is read.
 struct Claim {
     std::string id;
     std::string kind;
-    std::string printed;                       ///< TeX, letter for letter
-    std::pair<std::size_t, std::size_t> lines; ///< of the source
-    std::string file;                          ///< the ledger
+    std::string printed;                       ///< TeX, exactly as printed
+    std::pair<std::size_t, std::size_t> lines; ///< in the source
+    std::string file;                          ///< the file of the ledger
     std::size_t line = 0;                      ///< in the ledger
-    Fields fields;                             ///< all keys but id, lines, printed, kind
-    /// The claim under each other way to take its words: what a reading gives in place of the
-    /// claim's own fields, and the rest of them.
+    Fields fields;                             ///< all keys except id, lines, printed, kind
+    /// The claim under each possible reading of its words: the fields given by the reading replace
+    /// the claim's own fields.
     std::vector<Claim> readings;
     /// Names in `says` that the source does not define.
     std::vector<std::string> undefined;
-    std::string reading; ///< of a reading: its text
+    std::string reading; ///< the text of the reading, if this is one
     Vocabulary vocabulary;
 
     [[nodiscard]] bool has(std::string_view key) const { return fields.contains(key); }
-    /// nullptr if there is none.
+    /// Returns nullptr if the field is missing.
     [[nodiscard]] const Field* find(std::string_view key) const;
-    /// The readers below throw InputError naming the line, if the field is missing or not of the
-    /// kind asked for.
+    /// These throw InputError with the line if the field is missing or has another type.
     [[nodiscard]] const std::string& text(std::string_view key) const;
     [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
-    /// The edge that it speaks of: the right one, unless `edge` says otherwise.
+    /// The edge that the claim is about: the right one, unless the field `edge` is given.
     [[nodiscard]] contact::Edge edge() const;
     [[nodiscard]] long integer(std::string_view key) const;
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;
-    /// The fields that are formulas, as read below: with all definitions put in, so that only names
-    /// that an EvaluatedScene knows are left ...
+    /// Fields with all definitions put in, so that only names of an EvaluatedScene are left.
     [[nodiscard]] const formula::Expr& formula(std::string_view key) const;
     [[nodiscard]] const Condition& condition(std::string_view key) const;
     [[nodiscard]] const std::vector<formula::Expr>& formulas(std::string_view key) const;
-    /// ... and as written. The second: nullptr for a field that is no formula, or none at all.
+    /// Fields as written. find_written returns nullptr if there is no such formula.
     [[nodiscard]] const formula::Expr& written(std::string_view key) const;
     [[nodiscard]] const formula::Expr* find_written(std::string_view key) const;
 
-    /// Parse a field in the vocabulary: a formula, a condition, a list of formulas, a table of them
-    /// (whose formulas stand in the table's order). Throw InputError at the field's line.
+    /// Parse a field in the vocabulary: a formula, a condition, a list of formulas, or a table of
+    /// formulas (stored in the table's order). Throw InputError at the field's line.
     void read_formula(std::string_view key);
     void read_condition(std::string_view key);
     void read_formulas(std::string_view key);
     void read_formula_table(std::string_view key);
-    /// Another text for a formula, which is read.
+    /// Sets another text for a formula and parses it.
     void replace_formula(std::string_view key, std::string text);
 
-    /// `problem; instead` at the line of a field (or of the claim, if it has no such field).
+    /// Throws `problem; instead` at the line of a field (of the claim, if it has no such field).
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
                              const std::string& instead) const;
 
@@ -135,12 +133,12 @@ private:
     std::map<std::string, Parsed, std::less<>> parsed_;
 };
 
-/// Parses text in a vocabulary, dotted names ("right.c1") being one name with an underscore.
-/// Throws FormulaError.
+/// Parse a text in a vocabulary. A dotted name ("right.c1") is one name, with an underscore instead
+/// of the dot. Throw FormulaError.
 [[nodiscard]] formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
 [[nodiscard]] Condition parse_condition(std::string_view text, const Vocabulary& vocabulary);
-/// The expression with all definitions put in. Throws InputError for definitions in a circle and
-/// for names that the vocabulary refuses.
+/// Returns the expression with all definitions put in. Throws InputError for circular definitions
+/// and for names that the vocabulary refuses.
 [[nodiscard]] formula::Expr expand_definitions(const formula::Expr& e,
                                                const Vocabulary& vocabulary);
 

@@ -10,13 +10,13 @@ class AuditContext;
 struct Claim;
 struct Outcome;
 
-/// A key that claims of a kind have beside the common ones.
+/// A key of the claims of one kind, in addition to the common keys.
 struct KeySpec {
     enum class Type {
         text,      ///< any text
-        formula,   ///< parsed and its names checked when the ledger is read; or one of `choices`
-        condition, ///< "x > 0 and x < a", checked likewise
-        number,    ///< an exact constant: "1 %" is not one, "1/100" is
+        formula,   ///< parsed, with its names checked, when the ledger is read; or one of `choices`
+        condition, ///< "x > 0 and x < a", parsed in the same way
+        number,    ///< an exact constant: "1/100", not "1 %"
         integer,
         list,          ///< of texts
         formulas,      ///< a list of formulas
@@ -30,28 +30,26 @@ struct KeySpec {
     std::vector<std::string_view> choices = {};
 };
 
-/// A key that holds a formula, and that every claim of the kind must have.
 [[nodiscard]] inline KeySpec required_formula(std::string_view name) {
     return {.name = name, .type = KeySpec::Type::formula, .required = true};
 }
 
-/// The same, which a claim may leave out.
 [[nodiscard]] inline KeySpec optional_formula(std::string_view name) {
     return {.name = name, .type = KeySpec::Type::formula};
 }
 
-/// A kind of claim: one file in checks/.
+/// A kind of claim, defined in one file of checks/.
 struct CheckKind {
     std::string_view name;
     std::vector<KeySpec> keys;
     std::function<Outcome(const Claim&, const AuditContext&)> check;
 };
 
-/// All kinds, in the order of checks/kinds.cpp.
+/// Returns all kinds, in the order of checks/kinds.cpp.
 [[nodiscard]] const std::vector<CheckKind>& check_kinds();
-/// nullptr if there is none of that name.
+/// Returns nullptr if there is no kind of that name.
 [[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
-/// Keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
+/// The keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
 /// points, remark, decimals.
 [[nodiscard]] const std::vector<KeySpec>& common_keys();
 

@@ -12,24 +12,24 @@ namespace edgeproof::audit {
 
 class EvidenceItem;
 
-/// What a verdict rests on: keys with values, in the order in which they were added, and so they
-/// go to JSON and the tables. Numbers computed are text, rounded by whoever adds them.
+/// The reasons for a verdict: keys with values, in the order in which they were added. JSON and the
+/// tables keep this order. Computed numbers are stored as text, already rounded.
 class Evidence {
 public:
     using Entry = std::pair<std::string, EvidenceItem>;
 
-    /// Adds `key`, or replaces its value where it stands.
+    /// Adds `key`, or replaces its value without changing the order.
     Evidence& add(std::string_view key, EvidenceItem value);
     [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
     [[nodiscard]] bool empty() const noexcept;
-    /// nullptr if there is none.
+    /// Returns nullptr if the key is missing.
     [[nodiscard]] const EvidenceItem* find(std::string_view key) const;
 
 private:
     std::vector<Entry> entries_;
 };
 
-/// A text, a count, a yes or no, a list, or evidence nested.
+/// A text, an integer, a Boolean, a list, or nested evidence.
 class EvidenceItem {
 public:
     using Value = std::variant<std::string, long, bool, std::vector<EvidenceItem>, Evidence>;
@@ -47,7 +47,7 @@ public:
         : value_(std::vector<EvidenceItem>(texts.begin(), texts.end())) {}
 
     [[nodiscard]] const Value& value() const noexcept { return value_; }
-    /// On one line, for tables.
+    /// Returns the value on one line, for tables.
     [[nodiscard]] std::string text() const;
 
 private:

@@ -15,7 +15,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The parameters chosen, put into each other.
+/// Returns the chosen parameters with references to other parameters replaced.
 formula::Definitions resolved(const Family& family, const formula::Definitions& chosen) {
     try {
         return put_into_each_other(chosen);
@@ -27,7 +27,7 @@ formula::Definitions resolved(const Family& family, const formula::Definitions& 
 
 using contact::Profile;
 
-/// How a scene's profile is made, and from which parameters.
+/// The constructor of a profile and the parameters that it needs.
 struct ProfileMaker {
     std::string_view name;
     std::vector<std::string_view> keys;
@@ -81,7 +81,7 @@ constexpr int shown_slip_digits = 8;
 
 std::string shown(const Real& x) { return x.str(shown_slip_digits); }
 
-/// Throws InputError where the slip is proved not to be partial.
+/// Throws InputError if the slip is proved not to be partial.
 void refuse_slip(const SceneSpec& scene, const contact::ProvedSlip& found) {
     const contact::BallSlip& slip = found.slip();
     if (slip.sliding()) {
@@ -131,7 +131,7 @@ void require_partial_slip(const SceneSpec& scene) {
                 return;
             }
         } catch (const BudgetError&) {
-            continue; // with more bits
+            continue; // try again with more bits
         } catch (const DomainError&) {
             continue;
         }

@@ -17,38 +17,38 @@ class ProvedSlip;
 
 namespace edgeproof::audit {
 
-/// One scene of a family: exact.
+/// One scene of a family; all its numbers are exact.
 struct SceneSpec {
-    std::string family;  ///< the family that it was drawn from (not the union of families)
+    std::string family;  ///< the family from which it was drawn (not the union of families)
     std::string profile; ///< "power-law", ...
-    /// Every parameter of the family: those of the profile, `a` (or `P`), `Es` (E*), and its own.
+    /// All parameters of the family: those of the profile, `a` (or `P`), `Es` (E*), and its own.
     std::map<std::string, formula::Exact, std::less<>> parameters;
-    /// For profile "piecewise": slopes in x between ascending knots.
+    /// For the profile "piecewise": slopes as functions of x between ascending knots.
     std::vector<formula::Exact> knots;
     std::vector<formula::Expr> slopes;
 
     [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
     [[nodiscard]] contact::Profile make_profile() const;
-    /// There is friction, so that the contact slips at its edges and q(x) is the traction of that.
+    /// True if there is friction: then q(x) is the traction in partial slip.
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
-    /// That partial slip, enclosed. Throws as ProvedSlip does.
+    /// Returns the enclosed partial slip. Throws as ProvedSlip does.
     [[nodiscard]] contact::ProvedSlip partial_slip(long bits) const;
-    /// "a = 3/7, m = 5/8": the parameters in the order of their names.
+    /// Returns the parameters in the order of their names: "a = 3/7, m = 5/8".
     [[nodiscard]] std::string text() const;
 };
 
-/// A family of scenes, as data: lists of exact texts for each parameter, in which other parameters
-/// of the family may stand ("a*2/5"). Unions hold the members of other families.
+/// A family of scenes: lists of exact texts for each parameter, in which other parameters of the
+/// family may be used ("a*2/5"). A union has the scenes of other families.
 struct Family {
     std::string name;
     std::string profile;
     std::vector<std::pair<std::string, std::vector<formula::Expr>>> parameters;
     std::vector<formula::Expr> knots;
     std::vector<formula::Expr> slopes;
-    /// Fractions of the contact's length, from the edge that a claim names, at which it is asked.
+    /// The sampled places: fractions of the contact's length, from the edge of the claim.
     std::vector<formula::Exact> u;
-    std::size_t count = 0;  ///< scenes drawn from it
-    std::size_t points = 1; ///< places in each scene
+    std::size_t count = 0;  ///< the number of scenes drawn
+    std::size_t points = 1; ///< the number of places in each scene
     std::vector<std::string> union_of;
     std::size_t line = 0;
     std::map<std::string, std::size_t, std::less<>> lines; ///< of the parameters
@@ -56,22 +56,23 @@ struct Family {
     [[nodiscard]] bool has(std::string_view parameter) const { return lines.contains(parameter); }
 };
 
-/// The parameters that a profile needs. Throws InputError for a profile that does not exist.
+/// The parameters that a profile needs. Throws InputError for an unknown profile.
 [[nodiscard]] const std::vector<std::string_view>& profile_keys(const std::string& profile);
-/// Its slope is given piece by piece, by `knots` and `slopes`.
+/// True if the slope is given piece by piece, by `knots` and `slopes`.
 [[nodiscard]] bool is_piecewise(std::string_view profile);
 
-/// Throws InputError where the scene has no partial slip as docs/partial-slip.md defines it: the
-/// contact slides, or the bulk tension draws the stick zone to an edge.
+/// Throws InputError if the scene has no partial slip as docs/partial-slip.md defines it: the
+/// contact slides, or the bulk tension moves the stick zone to an edge.
 void require_partial_slip(const SceneSpec& scene);
 
-/// A deterministic walk through a list of `size` values for sample i: every value comes up before
-/// any comes again, in an order that the name decides (SplitMix64; the same on every machine).
+/// Returns the index for sample i in a list of `size` values: every value is used once before any
+/// value is used again, in a pseudo-random order given by the name (SplitMix64; the same on every
+/// machine).
 [[nodiscard]] std::size_t stratified_index(std::string_view name, std::size_t size, std::size_t i);
 
-/// `family.count` scenes (for a union: those of all members). Throws InputError for parameters
-/// that refer to each other in a circle or that no profile admits. A scene with friction and
-/// without sig0 has sig0 = 0.
+/// Returns `family.count` scenes (for a union: those of all members). Throws InputError for
+/// parameters that refer to each other in a circle or that no profile admits. A scene with friction
+/// and without sig0 has sig0 = 0.
 [[nodiscard]] std::vector<SceneSpec> draw_scenes(const Family& family,
                                                  const std::vector<Family>& all);
 

@@ -10,28 +10,28 @@
 
 namespace edgeproof::audit {
 
-/// A proof that a claim fails, at one sample or for a part of it. It is made of enclosures only:
-/// no value in `Real`, no exception and no limit of ours can be turned into one.
+/// A proof that a claim fails, at one sample or in one part. It can be made only from enclosures,
+/// never from a value in `Real`, an exception or a limit of the program.
 class Refutation {
 public:
-    /// The balls are finite and have no number in common.
+    /// Made if the balls are finite and disjoint.
     [[nodiscard]] static std::optional<Refutation> disjoint(const Ball& claimed, const Ball& found);
-    /// `x < y` is proved.
+    /// Made if `x < y` is proved.
     [[nodiscard]] static std::optional<Refutation> less(const Ball& x, const Ball& y);
 
 private:
     Refutation() = default;
 };
 
-/// A proof that a claim holds, at one sample or for a part of it. It is made of enclosures only.
+/// A proof that a claim holds, at one sample or in one part. It can be made only from enclosures.
 class Confirmation {
 public:
-    /// |claimed - found| <= 10^-digits * scale is proved, scale > 0; or both are exactly equal.
+    /// Made if |claimed - found| <= 10^-digits * scale, scale > 0, or exact equality is proved.
     [[nodiscard]] static std::optional<Confirmation>
     agreement(const Ball& claimed, const Ball& found, const Ball& scale, double digits);
-    /// `x < y` is proved.
+    /// Made if `x < y` is proved.
     [[nodiscard]] static std::optional<Confirmation> less(const Ball& x, const Ball& y);
-    /// `lower <= x < upper` is proved.
+    /// Made if `lower <= x < upper` is proved.
     [[nodiscard]] static std::optional<Confirmation> within(const Ball& x, const Rational& lower,
                                                             const Rational& upper);
 
@@ -39,8 +39,8 @@ private:
     Confirmation() = default;
 };
 
-/// What enclosures decide at one sample, or for one part of a claim: nothing, that it holds, or
-/// that it fails.
+/// The decision by enclosures at one sample, or for one part of a claim: undecided, proved to hold,
+/// or proved to fail.
 using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 
 [[nodiscard]] inline bool confirms(const Decision& d) {
@@ -49,15 +49,15 @@ using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 [[nodiscard]] inline bool refutes(const Decision& d) {
     return std::holds_alternative<Refutation>(d);
 }
-/// The refutation, if there is one; else the confirmation, if there is one; else nothing.
+/// Returns the refutation if there is one, else the confirmation if there is one, else nothing.
 [[nodiscard]] Decision decision(const std::optional<Refutation>& fails,
                                 const std::optional<Confirmation>& holds);
 
-/// A verdict that rests on symbols, or that decides nothing.
+/// The two verdicts that need no enclosure.
 enum class Undecided { undecided, underspecified };
 
-/// A verdict as a check finds it. `refuted` is made of a Refutation only, `confirmed` and
-/// `imprecise` of a Confirmation only.
+/// The verdict of a check. `refuted` can be made only from a Refutation; `confirmed` and
+/// `imprecise` only from a Confirmation.
 class Judgement {
 public:
     Judgement() = default;
@@ -68,17 +68,17 @@ public:
     explicit Judgement(const Confirmation&) : verdict_(Verdict::confirmed) {}
     explicit Judgement(const Decision& decision);
 
-    /// Nothing in the claim has a value to check.
+    /// For a claim without a value to check.
     [[nodiscard]] static Judgement definition() { return Judgement(Verdict::definition); }
-    /// Equal by symbols.
+    /// For formulas that are equal by symbols.
     [[nodiscard]] static Judgement proved_by_symbols() { return Judgement(Verdict::proved); }
-    /// True of less than is printed: off by one unit of the last quoted place, for instance.
+    /// For a claim that is nearly right, such as a figure off by one unit of the last place.
     [[nodiscard]] static Judgement imprecise(const Confirmation&) {
         return Judgement(Verdict::imprecise);
     }
-    /// All parts must hold; one that fails refutes. Undecided where there are none.
+    /// All parts must hold; one part that fails refutes the claim. Undecided for an empty list.
     [[nodiscard]] static Judgement of_all(const std::vector<Decision>& parts);
-    /// What follows for a claim from its verdicts under several readings.
+    /// Combines the verdicts under several readings.
     [[nodiscard]] static Judgement of_readings(const std::vector<Judgement>& readings);
 
     operator Verdict() const noexcept { return verdict_; } // NOLINT: converts on purpose
@@ -89,13 +89,13 @@ private:
     Verdict verdict_ = Verdict::undecided;
 };
 
-/// Why a printed formula has no value at a sample: a fact about the formula.
+/// The reason why a printed formula has no value at a sample: a fact about the formula.
 struct NoValue {
     std::string why;
-    bool proved = false; ///< by symbols or balls; else by an estimate
+    bool proved = false; ///< true if proved by symbols or balls, false if estimated
 };
 
-/// Why Edgeproof found no value at a sample: it says nothing about the formula.
+/// The reason why Edgeproof found no value at a sample: a limit of the program, not of the formula.
 struct OurLimit {
     std::string what;
 };

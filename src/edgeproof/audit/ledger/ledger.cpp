@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// The claim that a key names; nullptr where that one could not be read.
+    /// Returns the claim that a key names; nullptr if that claim could not be read.
     const Claim* named_claim(const io::TomlSection& table, std::string_view key) const {
         const std::string id = table.written(key);
         for (const Claim& claim : ledger_.claims) {
@@ -214,7 +214,7 @@ private:
             }
             claim.readings.push_back(std::move(reading));
         }
-        // With readings, the claim itself need not be complete.
+        // A claim with readings need not be complete itself.
         read_fields(claim, *kind, readings.empty());
         for (Claim& reading : claim.readings) {
             reading.vocabulary = vocabulary_of(ledger_, reading);

@@ -12,22 +12,23 @@
 
 namespace edgeproof::audit {
 
-/// A claim that cannot be read or judged as it is written; the others are.
+/// An error in a claim that cannot be read or judged as it is written; it does not affect other
+/// claims.
 struct ClaimError {
-    std::string id; ///< empty where the claim has none
+    std::string id; ///< empty if the claim has no id
     InputError error;
 };
 
 /// A later result of the source, computed with an earlier line as it is printed there.
 struct LaterResult {
-    std::string from;   ///< the claim whose printed line is put in
-    std::string claim;  ///< the later one
-    std::string words;  ///< what it is: "the two-term error at the distance quoted"
-    formula::Expr says; ///< what the later one then comes to; all definitions are put in
+    std::string from;   ///< the claim whose printed line is used
+    std::string claim;  ///< the later claim
+    std::string words;  ///< a description: "the two-term error at the distance quoted"
+    formula::Expr says; ///< the resulting later formula, with all definitions put in
     std::size_t line = 0;
 };
 
-/// A file of printed claims and the families of scenes that they are held against.
+/// A file of printed claims and of the families of scenes at which they are checked.
 struct Ledger {
     std::string name;
     std::string source;
@@ -37,21 +38,22 @@ struct Ledger {
     std::vector<Claim> claims;
     std::vector<LaterResult> later;
     PrintedSource print;
-    std::vector<ClaimError> errors; ///< of claims that are left out, in the order of the file
+    std::vector<ClaimError> errors; ///< of the claims left out, in the order of the file
 
-    /// Throws Error if there is none.
+    /// Throws Error if there is no such family.
     [[nodiscard]] const Family& family(std::string_view wanted) const;
 };
 
-/// What becomes of an error in one claim: thrown, or kept in `errors` and the claim left out.
+/// The treatment of an error in one claim: it is thrown, or it is stored in `errors` and the claim
+/// is left out.
 enum class ClaimErrors { thrown, kept };
 
-/// Reads a ledger and checks all of it: keys, kinds, names, formulas, families. Throws InputError
-/// with the file and the line for anything that is not as it should be; with ClaimErrors::kept
-/// only for what is no part of a claim.
+/// Reads a ledger and checks it completely: keys, kinds, names, formulas, families. Throws
+/// InputError with the file and the line for every fault; with ClaimErrors::kept only for faults
+/// outside the claims.
 [[nodiscard]] Ledger read_ledger(const std::filesystem::path& file,
                                  ClaimErrors errors = ClaimErrors::thrown);
-/// The same from text; `file` is what errors name.
+/// Reads a ledger from text; `file` is the name used in errors.
 [[nodiscard]] Ledger parse_ledger(std::string_view text, const std::string& file,
                                   ClaimErrors errors = ClaimErrors::thrown);
 

@@ -59,7 +59,7 @@ private:
 
     void read_own() {
         family_.profile = table_.written("profile");
-        static_cast<void>(profile_keys(family_.profile)); // refuses an unknown profile
+        static_cast<void>(profile_keys(family_.profile)); // throws for an unknown profile
         const std::size_t longest = read_parameters();
         read_shear();
         formula::Symbols with_x = names_;
@@ -115,7 +115,7 @@ private:
         return longest;
     }
 
-    /// A parameter of such a name would hide the value that the scene computes.
+    /// Refuses a parameter that would hide a value computed by the scene.
     static void refuse_computed(const io::TomlSection& parameters, const std::string& name) {
         const bool given = name == "a" || name == "Es";
         const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
@@ -203,7 +203,7 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
         io::rethrow_at(file, family.line);
     }
     if (!family.has("friction")) {
-        return; // the members of a union were tried by themselves
+        return; // the members of a union are tried as families of their own
     }
     std::set<std::string> tried;
     for (const SceneSpec& scene : scenes) {
@@ -215,7 +215,7 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
 
 namespace {
 
-/// The families whose scenes the claims over `name` take, members of unions included.
+/// Collects the family `name` and, for a union, its members.
 void collect_families(const Ledger& ledger, const std::string& name, std::set<std::string>& into) {
     const auto it = std::ranges::find(ledger.families, name, &Family::name);
     if (it != ledger.families.end() && into.insert(name).second) {
@@ -225,7 +225,6 @@ void collect_families(const Ledger& ledger, const std::string& name, std::set<st
     }
 }
 
-/// All identifiers of a text.
 void collect_words(std::string_view text, std::set<std::string>& into) {
     const auto of_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     for (auto it = text.begin(); it != text.end();) {
@@ -235,8 +234,8 @@ void collect_words(std::string_view text, std::set<std::string>& into) {
     }
 }
 
-/// The names that a claim uses, those in the bodies of its definitions included. A name that
-/// occurs in a field that is no formula counts as used.
+/// Returns the names that a claim uses, including those in the bodies of its definitions. A name in
+/// a field that is not a formula counts as used.
 std::set<std::string> names_used(const Claim& claim) {
     std::set<std::string> names;
     for (const auto& [key, field] : claim.fields) {
@@ -264,7 +263,7 @@ std::set<std::string> names_used(const Claim& claim) {
     return names;
 }
 
-/// Names by which other programs, or scenes, call a parameter of a family.
+/// Names that other programs, or scenes, use for a parameter of a family.
 constexpr std::pair<std::string_view, std::string_view> other_names[] = {{"mu", "friction"},
                                                                          {"f", "friction"},
                                                                          {"bulk_tension", "sig0"},
@@ -284,7 +283,7 @@ std::string instead_of_unused(const Family& family, const std::string& name) {
     return "leave it out";
 }
 
-/// `names`: used by the claims over the family.
+/// `names`: the names used by the claims over the family.
 void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
     names.insert({"a", "Es"});
     for (const std::string_view key : profile_keys(family.profile)) {

@@ -12,7 +12,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Parameter names of a family; for a union those that all its members have.
+/// Returns the parameter names of a family; for a union, those common to all members.
 std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) {
     std::set<std::string> names;
     if (family.union_of.empty()) {
@@ -44,7 +44,7 @@ formula::Symbols scene_names() {
     return symbols;
 }
 
-/// Whether a scene of the family has friction, and whether every one has.
+/// True if some scene of the family has friction, and if all scenes have it.
 struct Friction {
     bool some = false;
     bool all = true;
@@ -62,7 +62,7 @@ Friction friction_of(const Ledger& ledger, const Family& family) {
     return friction;
 }
 
-/// "right.s0": as ledgers write it.
+/// Returns the name as it is written in ledgers: "right.s0".
 std::string dotted(std::string name) {
     if (name.starts_with("right_") || name.starts_with("left_")) {
         name[name.find('_')] = '.';
@@ -70,8 +70,8 @@ std::string dotted(std::string name) {
     return name;
 }
 
-/// Names of full stick in a family with friction, and of slip in one without, unless the ledger
-/// gives them a meaning of its own.
+/// Refuses the names of full stick in a family with friction, and the names of slip in one without,
+/// unless the ledger defines them itself.
 void refuse_names(Vocabulary& v, const Friction& friction, const std::string& family) {
     if (friction.some) {
         for (const std::string& name : scene_symbols()) {
@@ -94,7 +94,7 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
     }
 }
 
-/// "F(s)" is a function of one argument, "gam" a name.
+/// Splits "F(s)" into a function name and its argument; "gam" has no argument.
 std::pair<std::string, std::optional<std::string>> signature(const std::string& key) {
     const std::size_t open = key.find('(');
     if (open == std::string::npos || key.back() != ')') {
@@ -126,7 +126,7 @@ Vocabulary::Definition definition(const std::string& key, const std::string& tex
     }
 }
 
-/// A claim's own definition comes before the ledger's of the same name.
+/// Places the claim's own definitions before the ledger's definitions of the same names.
 void put_own_first(Vocabulary& v, const Ledger& ledger, const Claim& claim) {
     std::vector<Vocabulary::Definition> own;
     for (const auto& [key, values] : claim.table("with")) {

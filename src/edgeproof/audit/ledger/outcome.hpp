@@ -10,27 +10,27 @@
 
 namespace edgeproof::audit {
 
-/// What a verdict by samples owes to how many they are, in the order in which they are drawn.
+/// Shows how a verdict by samples depends on their number, in the order in which they are drawn.
 struct SampleUse {
     std::size_t samples = 0;
-    std::size_t refuting = 0;       ///< at which the values differ by more than both may be off by
-    std::size_t first_refuting = 0; ///< which of them is the first, from 1; 0: none
-    std::size_t worst = 0;          ///< at which they agree to the fewest digits, from 1
-    double digits = 0;              ///< to which they agree there; below 0: no value there
-    double first_half_digits = 0;   ///< the fewest among the first half
+    std::size_t refuting = 0;       ///< samples with a difference beyond both error bounds
+    std::size_t first_refuting = 0; ///< the first of them, counted from 1; 0: none
+    std::size_t worst = 0;          ///< the sample of least agreement, counted from 1
+    double digits = 0;              ///< the digits of agreement there; negative: no value there
+    double first_half_digits = 0;   ///< the fewest digits of agreement in the first half
 };
 
-/// What a check found.
+/// The result of a check.
 struct Outcome {
     Judgement verdict;
-    std::string note;                    ///< one line for a reader of the table
+    std::string note;                    ///< one line for the table
     std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
-    std::optional<std::string> computed; ///< the figure or formula that was computed
+    std::optional<std::string> computed; ///< the computed figure or formula
     Evidence evidence;
-    std::optional<SampleUse> sample_use; ///< of a verdict by agreement at samples
+    std::optional<SampleUse> sample_use; ///< for a verdict by agreement at samples
 };
 
-/// Confirmed as a rounded formula: right to the printed digits of its decimals, not beyond.
+/// Confirmed as a rounded formula: right to the printed digits of its decimals.
 [[nodiscard]] inline bool is_rounded(const Outcome& outcome) {
     return outcome.verdict == Verdict::confirmed && outcome.evidence.find("rounded") != nullptr;
 }

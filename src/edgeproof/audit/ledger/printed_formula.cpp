@@ -41,7 +41,7 @@ std::vector<PrintedDecimal> printed_decimals(std::string_view formula) {
     std::vector<PrintedDecimal> all;
     for (std::size_t i = 0; i < formula.size();) {
         std::size_t end = i;
-        if (begins_name(formula[i])) { // dots within names: "right.c0"
+        if (begins_name(formula[i])) { // a name may contain dots: "right.c0"
             while (end < formula.size() &&
                    (begins_name(formula[end]) || is_digit(formula[end]) || formula[end] == '.')) {
                 ++end;
@@ -101,7 +101,7 @@ std::string DecimalFormula::text_with(const std::vector<Real>& numbers) const {
 
 namespace {
 
-/// The text with a name for each decimal, which the vocabulary then has.
+/// Replaces each decimal by a name and adds that name to the vocabulary.
 std::string with_names(std::string text, const std::vector<PrintedDecimal>& decimals,
                        Vocabulary& vocabulary) {
     for (std::size_t k = decimals.size(); k-- > 0;) {

@@ -12,35 +12,35 @@
 
 namespace edgeproof::audit {
 
-/// Units of the last place: a number rounds to a printed one if it is at most so many away ...
+/// The greatest distance, in units of the last place, of a number that rounds to the printed one.
 [[nodiscard]] inline Rational rounding_units() { return {1, 2}; }
-/// ... and to a neighbour of the printed one if it is at most so many away.
+/// The same for a number that rounds to the printed one or to its neighbour.
 [[nodiscard]] inline Rational neighbour_units() { return {3, 2}; }
 
-/// A decimal as it is printed in a formula: "0.418". It stands for every number that is rounded to
-/// it: value - unit/2 ... value + unit/2.
+/// A decimal printed in a formula: "0.418". It represents every number that rounds to it:
+/// value - unit/2 ... value + unit/2.
 struct PrintedDecimal {
     std::string text;
     std::size_t offset = 0; ///< in the formula's text
     Rational value;
-    Rational unit; ///< of its last place
+    Rational unit; ///< one unit of its last place
 
-    /// All numbers that are at most so many units of the last place away.
+    /// Returns the interval value +- `units` units of the last place.
     [[nodiscard]] Ball interval(const Rational& units, long bits) const;
     /// The number of digits of the printed number, without its leading zeros.
     [[nodiscard]] std::size_t significant_digits() const;
-    /// Another number in the same notation, rounded to the printed place.
+    /// Returns another number in the same notation, rounded to the printed place.
     [[nodiscard]] std::string in_its_place(const Real& number) const;
 };
 
-/// The numbers with a decimal point, in the order in which they stand: "0.418*sqrt(2*x)" has one.
+/// Returns the numbers with a decimal point, in the order of the text: "0.418*sqrt(2*x)" has one.
 [[nodiscard]] std::vector<PrintedDecimal> printed_decimals(std::string_view formula);
 
-/// A printed formula every number of which stands for itself.
+/// A printed formula in which every number is exact.
 class ExactFormula {
 public:
     [[nodiscard]] const formula::Expr& expr() const { return expr_; }
-    /// A formula that the program made, such as a correction, with definitions put in.
+    /// Makes one from a formula of the program, such as a correction, with definitions put in.
     [[nodiscard]] static ExactFormula made(formula::Expr e) { return ExactFormula(std::move(e)); }
 
 private:
@@ -49,21 +49,21 @@ private:
     formula::Expr expr_;
 };
 
-/// A printed formula with decimals, as a function of them. There is no way from here to an
-/// ExactFormula: a comparison with the decimals taken exactly may find where to look, and may
-/// confirm the formula, but it cannot refute it.
+/// A printed formula with decimals, as a function of them. It cannot be converted to an
+/// ExactFormula: a comparison with the decimals taken as exact may find where to look and may
+/// confirm the formula, but cannot refute it.
 class DecimalFormula {
 public:
-    /// The formula with definitions put in, and with a name for each decimal.
+    /// Returns the formula with definitions put in and with a name for each decimal.
     [[nodiscard]] const formula::Expr& expr() const { return expr_; }
-    /// The same with the printed decimals.
+    /// Returns the same formula with the printed decimals.
     [[nodiscard]] const formula::Expr& as_printed() const { return as_printed_; }
     [[nodiscard]] const std::vector<PrintedDecimal>& decimals() const { return decimals_; }
     [[nodiscard]] static std::string name_of_decimal(std::size_t k);
-    /// The printed text, with other numbers for the decimals, rounded to the printed places.
+    /// Returns the printed text with other numbers for the decimals, rounded to the printed places.
     [[nodiscard]] std::string text_with(const std::vector<Real>& numbers) const;
 
-    /// Of a text of a claim, in the claim's vocabulary.
+    /// Reads a text of a claim in the claim's vocabulary.
     [[nodiscard]] static std::variant<ExactFormula, DecimalFormula> read(const Claim& claim,
                                                                          const std::string& text);
 
@@ -77,10 +77,10 @@ private:
 
 using PrintedFormula = std::variant<ExactFormula, DecimalFormula>;
 
-/// What a field of a claim prints. All numbers are exact in a claim with `decimals = "exact"`.
+/// Returns the printed formula of a field. With `decimals = "exact"` all numbers are exact.
 [[nodiscard]] PrintedFormula printed_formula(const Claim& claim, std::string_view key = "says");
 
-/// A printed condition, with the decimals in it, which stand for intervals.
+/// A printed condition and its decimals, which represent intervals.
 struct PrintedCondition {
     Condition as_printed;
     Condition named; ///< with a name for each decimal (DecimalFormula::name_of_decimal)

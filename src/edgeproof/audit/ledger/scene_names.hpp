@@ -7,12 +7,13 @@
 
 namespace edgeproof::audit {
 
-/// The names that every scene knows in a formula, in addition to the parameters of its scene.
+/// The names that formulas may use in every scene, in addition to the parameters.
 [[nodiscard]] const std::vector<std::string>& scene_symbols();
-/// Those that only a scene with friction knows: the sizes of the slip zones and the edges of the
-/// stick zone -stick_b < x < stick_a.
+/// The names for scenes with friction only: the sizes of the slip zones and the edges of the stick
+/// zone -stick_b < x < stick_a.
 [[nodiscard]] const std::vector<std::string>& slip_symbols();
-/// A coefficient of q under full stick (right_s0, ...), which a scene with friction does not have.
+/// True for a coefficient of q under full stick (right_s0, ...), which a scene with friction does
+/// not have.
 [[nodiscard]] bool is_full_stick_symbol(std::string_view name);
 [[nodiscard]] const std::vector<std::pair<std::string, unsigned>>& scene_functions();
 

@@ -14,10 +14,10 @@ constexpr std::string_view sliding = "friction";
 
 struct Word {
     std::string_view name;
-    bool prefix; ///< whatever follows
+    bool prefix; ///< true: the name may continue with any characters
     std::string_view topic;
 };
-/// Small letters; the first that fits.
+/// In lower case; the first match is used.
 constexpr std::array words{Word{"sig0", false, ""},           Word{"sig", true, below},
                            Word{"tau", true, below},          Word{"sxx", false, below},
                            Word{"syy", false, below},         Word{"szz", false, below},

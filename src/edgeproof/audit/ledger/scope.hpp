@@ -8,13 +8,12 @@
 
 namespace edgeproof::audit {
 
-/// What a name that no formula may use here stands for in the literature, where that is mechanics
-/// which Edgeproof does not hold: "stress below the surface" for tau_max, "friction" for mu, a
-/// "point contact" for sphere. Nothing for any other name.
+/// For a name that is not available in formulas: its usual meaning in the literature, if that is a
+/// part of mechanics which Edgeproof does not cover: "stress below the surface" for tau_max,
+/// "friction" for mu, a "point contact" for sphere. Nothing for any other name.
 [[nodiscard]] std::optional<std::string_view> outside_of_scope(std::string_view name);
 
-/// The same error; where it is of an unknown name outside of the scope, it says so, and what is
-/// computed.
+/// Returns the same error; for an unknown name outside the scope, it adds what is computed.
 [[nodiscard]] InputError with_scope(const InputError& error);
 
 } // namespace edgeproof::audit

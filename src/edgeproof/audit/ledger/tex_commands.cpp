@@ -12,7 +12,7 @@ namespace {
 
 using CommandNames = std::set<std::string, std::less<>>;
 
-/// Of the manuals of LaTeX and amsmath: what is set in a formula or in a line of text. None of them
+/// Commands of LaTeX and amsmath (from their manuals) for a formula or a line of text. None of them
 /// reads or writes a file, defines anything, or changes how TeX reads.
 constexpr const char* command_names =
     // Greek and Hebrew letters

@@ -4,9 +4,9 @@
 
 namespace edgeproof::audit {
 
-/// Whether `\name` is a command of LaTeX or amsmath for a formula or a line of text.
+/// True if `\name` is a command of LaTeX or amsmath for a formula or a line of text.
 [[nodiscard]] bool is_math_command(std::string_view name);
-/// The same of `\begin{name}`, and of a backslash with a character that is no letter.
+/// The same for `\begin{name}`, and for a backslash followed by a sign.
 [[nodiscard]] bool is_math_environment(std::string_view name);
 [[nodiscard]] bool is_math_sign(char sign);
 

@@ -22,7 +22,8 @@ bool is_tex_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 
 
 std::string shown_tex(std::string_view text) { return printable(shortened(text, most_shown)); }
 
-/// The letters of the command whose backslash stands at `at`; empty for a backslash with a sign.
+/// Returns the letters of the command whose backslash is at `at`; empty if a sign follows the
+/// backslash.
 std::string_view command_at(std::string_view tex, std::size_t at) {
     std::size_t end = at + 1;
     while (end < tex.size() && is_tex_letter(tex[end])) {
@@ -50,7 +51,7 @@ public:
         if (in_math_) {
             return unbalanced("$");
         }
-        return {}; // a sentence may end where an environment goes on
+        return {}; // a sentence may end inside an environment
     }
 
 private:
@@ -127,7 +128,7 @@ private:
     std::vector<std::string> open_;
 };
 
-/// Whether a macro is used by `tex`, or by a macro in it.
+/// True if `tex` uses a macro, directly or through other macros.
 bool uses_macro(std::string_view tex, const std::string& name, const TexMacros& macros,
                 std::set<std::string_view>& seen) {
     for (std::size_t at = 0; (at = tex.find('\\', at)) != std::string_view::npos;) {
@@ -142,7 +143,7 @@ bool uses_macro(std::string_view tex, const std::string& name, const TexMacros& 
     return false;
 }
 
-/// A text with its macros put in, as far as the limits allow.
+/// A text with its macros replaced by their bodies, within the limits of size and number.
 class Expansion {
 public:
     Expansion(std::string_view tex, const TexMacros& macros) : macros_(macros) { add(tex); }
@@ -170,7 +171,7 @@ private:
     }
     void put_in(const std::string& body) {
         cut_ = cut_ || ++count_ > most_expansions;
-        // A letter of the body must not become one of the command before it.
+        // A letter of the body must not be read as part of the command before it.
         const std::size_t backslash = text.find_last_of('\\');
         if (backslash != std::string::npos && !body.empty() && is_tex_letter(body.front()) &&
             std::all_of(text.begin() + static_cast<std::ptrdiff_t>(backslash) + 1, text.end(),

@@ -8,28 +8,29 @@
 
 namespace edgeproof::audit {
 
-/// Macros of a source without arguments: by the name, without the backslash.
+/// The bodies of a source's macros without arguments, by name without the backslash.
 using TexMacros = std::map<std::string, std::string, std::less<>>;
 
-/// What is wrong with a text, and what to write instead.
+/// A fault in a text, and what to write instead.
 struct TexFault {
     std::string problem;
     std::string instead;
 };
 
-/// A text of a ledger reaches a file that the user compiles with LaTeX. It may therefore hold the
-/// commands of mathematics and of plain text only (LaTeX's and amsmath's, and `macros`),
-/// environments of formulas, and characters that LaTeX reads as they stand: no command that reads
-/// or writes files or changes how TeX reads, no `%`, `#` or `^^`, no control characters; braces
-/// and `$` are balanced, and an \end has its \begin (a sentence may stop within an environment).
-/// Nothing if the text is such a text.
+/// Checks a text of a ledger, which is written to a file that the user compiles with LaTeX. It may
+/// therefore contain only the commands of mathematics and of plain text (LaTeX's, amsmath's, and
+/// `macros`), environments of formulas, and characters that LaTeX prints as they are. Commands that
+/// read or write files or change how TeX reads, `%`, `#`, `^^` and control characters are faults.
+/// Braces and `$` must be balanced, and an \end needs its \begin (a sentence may stop within an
+/// environment). Returns nothing for a text without a fault.
 [[nodiscard]] std::optional<TexFault> tex_fault(std::string_view tex, const TexMacros& macros);
 
-/// The same of a macro: its name is letters, its body a text as above that does not use the macro
-/// itself, nor does any macro in it.
+/// Checks a macro: its name must consist of letters, and its body must have no fault and must not
+/// use the macro itself, directly or through other macros.
 [[nodiscard]] std::optional<TexFault> macro_fault(const std::string& name, const TexMacros& macros);
 
-/// The text with its macros replaced by their bodies, as TeX would do. Of macros without a fault.
+/// Returns the text with its macros replaced by their bodies, as TeX does. The macros must have no
+/// fault.
 [[nodiscard]] std::string without_macros(std::string_view tex, const TexMacros& macros);
 
 } // namespace edgeproof::audit

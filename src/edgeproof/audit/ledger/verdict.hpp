@@ -6,12 +6,12 @@
 
 namespace edgeproof::audit {
 
-/// What the evidence says of a claim; computed, never written into a ledger.
+/// The verdict on a claim; always computed, never written in a ledger.
 enum class Verdict {
-    proved,         ///< symbolic identity: printed minus derived is zero
+    proved,         ///< by a symbolic identity: printed minus derived is zero
     confirmed,      ///< agrees to the digits needed at every sample, or rounds to what is quoted
     imprecise,      ///< off by one unit in the last quoted place, or true under one reading only
-    refuted,        ///< different: by disjoint enclosures, or the evidence says why not
+    refuted,        ///< proved wrong by enclosures
     underspecified, ///< cannot be evaluated as printed
     undecided,      ///< the evidence at the budget given does not decide
     definition,     ///< nothing to check
@@ -24,7 +24,7 @@ inline constexpr std::array all_verdicts{
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 [[nodiscard]] std::optional<Verdict> find_verdict(std::string_view name);
 
-/// The claim is right as it stands.
+/// True if the claim is right as it stands.
 [[nodiscard]] constexpr bool holds(Verdict verdict) {
     return verdict == Verdict::proved || verdict == Verdict::confirmed ||
            verdict == Verdict::definition;

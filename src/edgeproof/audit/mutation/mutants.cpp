@@ -76,7 +76,7 @@ private:
             put("exponent", formula::Expr::number(Rational(n - Rational(1, 2))));
             return;
         }
-        // One unit in the last digit that it is written with.
+        // Change the number by one unit in its last written digit.
         Rational unit(1);
         while (denominator(Rational(n / unit)) != 1) {
             unit /= 10;
@@ -91,7 +91,7 @@ private:
         if (name == "a" || name == "b") {
             put("a for b", formula::Expr::symbol(name == "a" ? "b" : "a"));
         }
-        // P, P1, P2, ... and b1, b2, ... are the derivatives.
+        // P1, P2, ... and b1, b2, ... denote derivatives.
         if (name == "P") {
             put("prime", formula::Expr::symbol("P1"));
         }

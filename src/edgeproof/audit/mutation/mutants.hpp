@@ -11,22 +11,22 @@
 
 namespace edgeproof::audit {
 
-/// A right formula broken in one place, as a misprint breaks it.
+/// A correct formula with one error of the kind that a misprint makes.
 struct Mutant {
     std::string kind; ///< "sign", "coefficient", "exponent", "a for b", "prime", "factor", ...
     formula::Expr formula;
 };
 
-/// The kinds of mutation, in the order in which they are told of: a sign, a coefficient by 1 in its
-/// last digit, an exponent by 1/2, a for b, a prime too many, a lost factor, left for right, a lost
+/// The kinds of mutation, in the order of the report: a sign, a coefficient changed by 1 in its
+/// last digit, an exponent by 1/2, a for b, an extra prime, a lost factor, left for right, a lost
 /// root.
 [[nodiscard]] const std::vector<std::string>& mutation_kinds();
 
-/// Every mutant of a formula, none the same tree as the formula or another mutant. Shares no code
-/// with the edits that a diagnosis tries (edits.hpp).
+/// Returns every mutant of a formula; no expression tree occurs twice or equals the formula's.
+/// Shares no code with the edits tried by a diagnosis (edits.hpp).
 [[nodiscard]] std::vector<Mutant> mutants_of(const formula::Expr& formula);
 
-/// What became of a mutant of a claim.
+/// The result of the check of one mutant.
 struct MutantFate {
     std::string claim;
     std::string kind;
@@ -34,10 +34,10 @@ struct MutantFate {
     std::string mutated;
     Verdict verdict = Verdict::undecided;
     bool equivalent = false; ///< proved equal to the original by symbols
-    bool named = false;      ///< the diagnosis gives back the original
-    std::string note;        ///< of the outcome
+    bool named = false;      ///< the diagnosis found the original
+    std::string note;        ///< the note of the outcome
 
-    /// Refuted, or found to have no value as it stands: it does not pass for a formula that holds.
+    /// True if the mutant is refuted, or found to have no value as it stands.
     [[nodiscard]] bool caught() const {
         return verdict == Verdict::refuted || verdict == Verdict::underspecified;
     }
@@ -45,26 +45,27 @@ struct MutantFate {
 
 struct MutationRun {
     std::uint64_t seed = 1;
-    std::size_t claims = 0;   ///< value and identity claims that stood the check
-    std::size_t possible = 0; ///< mutants that there are
-    AuditResult originals;    ///< of the claims as they stand
+    std::size_t claims = 0;   ///< value and identity claims that hold
+    std::size_t possible = 0; ///< the number of mutants that exist
+    AuditResult originals;    ///< the results for the unchanged claims
     std::vector<MutantFate> fates;
 };
 
 struct MutationOptions {
     AuditOptions audit;
-    std::size_t mutants = 1000; ///< how many, fewer if there are no more
+    std::size_t mutants = 1000; ///< the number to check; fewer if fewer exist
     std::uint64_t seed = 1;
-    /// Fates found by an earlier run over the same formulas: those mutants are not checked again.
+    /// Fates from an earlier run over the same formulas: those mutants are not checked again.
     std::vector<MutantFate> known = {};
-    /// Told now and then, and at a stop, of every fate found so far; one call at a time.
+    /// Called from time to time, and at an interruption, with all fates found so far; never
+    /// concurrently.
     std::function<void(const std::vector<MutantFate>&)> checkpoint = {};
 };
 
-/// Breaks the `value` and `identity` claims of a ledger that are confirmed or proved, and has each
-/// mutant checked as the claim was. Mutants are drawn from all that there are, claim by claim in
-/// turn, in an order that the seed decides; the result does not depend on the threads. Claims with
-/// several readings are left out. Throws Interrupted.
+/// Breaks the `value` and `identity` claims of a ledger that are confirmed or proved, and checks
+/// each mutant in the same way as the claim. Mutants are drawn from all that exist, one from each
+/// claim in turn, in an order given by the seed; the result does not depend on the number of
+/// threads. Claims with several readings are left out. Throws Interrupted.
 [[nodiscard]] MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options);
 
 } // namespace edgeproof::audit

@@ -27,15 +27,15 @@ bool is_formula_claim(const Claim& claim) {
            claim.undefined.empty();
 }
 
-/// Each claim's mutants in an order that the seed and the claim's id decide.
+/// Shuffles the mutants of a claim in an order given by the seed and the claim's id.
 void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string& id) {
     std::uint64_t mixed = seed;
     for (const char c : id) {
         mixed = mixed * 1099511628211U + static_cast<unsigned char>(c);
     }
-    // Not SplitMix64: a seed that is recorded somewhere draws the same mutants as ever.
+    // Do not replace this by SplitMix64: recorded seeds must keep drawing the same mutants.
     std::mt19937_64 random(mixed);
-    // Not std::shuffle: what it does is not the same in every library.
+    // std::shuffle is not used, because its result depends on the standard library.
     for (std::size_t k = mutants.size(); k > 1; --k) {
         std::swap(mutants[k - 1], mutants[random() % k]);
     }
@@ -44,7 +44,7 @@ void shuffle(std::vector<Mutant>& mutants, std::uint64_t seed, const std::string
 Claim broken(const Claim& claim, const formula::Expr& formula) {
     Claim mutant = claim;
     mutant.replace_formula("says", to_text(formula));
-    // Its fractions are written as decimals here, and are none in print.
+    // Its fractions are written as decimals here, but they are exact.
     mutant.fields.insert_or_assign("decimals", Field{std::string("exact"), mutant.line});
     return mutant;
 }
@@ -77,13 +77,13 @@ MutantFate fate_of(const Claim& claim, const Mutant& mutant, const AuditContext&
         fate.equivalent = same_as_original(mutant.formula);
     } else if (outcome.verdict == Verdict::refuted && outcome.correct &&
                !outcome.evidence.find("derived_instead")) {
-        // Named: by an edit, or a factor, that gives back what stood there.
+        // The diagnosis named the error if its correction is the original formula.
         fate.named = same_as_original(parse_formula(*outcome.correct, claim.vocabulary));
     }
     return fate;
 }
 
-/// The fates as they are found, saved every few seconds.
+/// The fates found so far, saved every few seconds.
 class Fates {
 public:
     Fates(const MutationOptions& options, std::size_t size)
@@ -93,7 +93,7 @@ public:
         }
     }
 
-    /// The fate of number i by an earlier run, if it had it.
+    /// Takes the fate of mutant i from an earlier run; returns false if there is none.
     [[nodiscard]] bool take_known(std::size_t i, const Claim& claim, const Mutant& mutant) {
         const auto it = known_.find(key(claim.id, to_text(mutant.formula)));
         if (it == known_.end()) {
@@ -168,7 +168,7 @@ MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
         }
     }
     run.claims = targets.size();
-    // In turn, so that long formulas do not crowd out short ones.
+    // One mutant of each claim in turn, so that long formulas do not displace short ones.
     std::vector<std::pair<const Claim*, const Mutant*>> chosen;
     for (std::size_t k = 0; chosen.size() < std::min(options.mutants, run.possible); ++k) {
         for (const Target& target : targets) {

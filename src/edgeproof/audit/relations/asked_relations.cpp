@@ -29,7 +29,7 @@ Vocabulary names_of(const RelationQuestion& question) {
     return vocabulary;
 }
 
-/// Names that follow from P1, b1, ...: a + b and the multipliers.
+/// True for names computed from P1, b1, ...: a + b and the multipliers.
 bool is_derived(std::string_view name) {
     return name == "L" || name.starts_with("right_") || name.starts_with("left_");
 }

@@ -8,11 +8,11 @@ bool is_one_name(const std::string& name) {
     return name.find_first_of("+-*/^ ") == std::string::npos;
 }
 
-/// The factors of a term but its number.
+/// Returns the factors of a term without its numerical coefficient.
 std::string factors(const std::vector<unsigned>& exponents,
                     const std::vector<RelatedQuantity>& quantities) {
     std::string text;
-    // The last named, which the others depend on, first: 6*L*b1^2*left.c1.
+    // In reverse order of the quantities: 6*L*b1^2*left.c1.
     for (std::size_t i = exponents.size(); i-- > 0;) {
         if (exponents[i] == 0) {
             continue;

@@ -24,7 +24,7 @@ using Row = std::vector<Residue>;
 
 unsigned degree_of(const Exponents& e) { return std::accumulate(e.begin(), e.end(), 0U); }
 
-/// By total degree; of one degree by the powers of the first quantity, the second, ...
+/// Orders by total degree, then by the powers of the first quantity, the second, ...
 bool precedes(const Exponents& x, const Exponents& y) {
     const unsigned dx = degree_of(x);
     const unsigned dy = degree_of(y);
@@ -52,7 +52,7 @@ void all_monomials(Exponents& at, std::size_t from, unsigned left, std::vector<E
     at[from] = 0;
 }
 
-/// s_k of full stick (contact/law/shear.hpp), which GiNaC is told as a formula: with beta_k the
+/// Returns the formula of s_k under full stick (contact/law/shear.hpp) for GiNaC; beta_k are the
 /// coefficients of (1 - z)^(-1/2).
 formula::Expr full_stick_formula(bool right, unsigned k) {
     using formula::Expr;
@@ -130,15 +130,15 @@ private:
     std::vector<Row> values_;
 };
 
-/// A vector that a matrix maps to zero: 1 at a column without a pivot, and what the columns before
-/// it have.
+/// A vector of the null space of a matrix: 1 at a column without a pivot, and entries at columns
+/// before it.
 struct NullVector {
     std::size_t leading;
     std::vector<std::pair<std::size_t, Residue>> others;
 };
 
-/// By the reduced echelon form, column by column: one vector for each column that depends on those
-/// before it.
+/// Computes the reduced echelon form, column by column: one vector for each column that depends on
+/// the columns before it.
 std::vector<NullVector> null_space(std::vector<Row> m) {
     const std::size_t columns = m.front().size();
     std::vector<std::size_t> pivots;
@@ -239,7 +239,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
     Exponents none(quantities.size(), 0);
     all_monomials(none, 0, degree, all);
     std::sort(all.begin(), all.end(), precedes);
-    // What scales differently cannot cancel: a relation falls apart into its grades.
+    // Terms that scale differently cannot cancel, so that a relation splits into its grades.
     std::map<ScalingWeights, std::vector<Exponents>> grades;
     for (const Exponents& e : all) {
         ScalingWeights sum{};
@@ -296,7 +296,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
                 return divides(r.terms.front().exponents, candidate.leading());
             });
         if (follows) {
-            continue; // less a multiple of that one, it is of a lower leading term
+            continue; // minus a multiple of that one, it has a lower leading term
         }
         auto relation = over_integers(candidate.vector, *candidate.monomials);
         if (relation && proved(*relation, formulas, under)) {

@@ -8,9 +8,9 @@
 
 namespace edgeproof::audit {
 
-/// A number modulo the prime p = 2^61 - 1, for which the templates over any field (edge expansions,
-/// formulas) run exactly. What does not vanish modulo p at some values of its symbols does not
-/// vanish identically over the rationals.
+/// A number modulo the prime p = 2^61 - 1, with which the templates over any field (edge
+/// expansions, formulas) run exactly. An expression that does not vanish modulo p for some values
+/// of its symbols does not vanish identically over the rationals.
 class Residue {
 public:
     static constexpr std::uint64_t prime = (std::uint64_t{1} << 61U) - 1;
@@ -24,7 +24,7 @@ public:
         r.value_ = n % prime;
         return r;
     }
-    /// Throws DomainError where p divides the denominator.
+    /// Throws DomainError if p divides the denominator.
     [[nodiscard]] static Residue of(const Rational& q) {
         const Integer p(prime);
         const auto reduced = [&](Integer n) {
@@ -76,12 +76,12 @@ public:
         }
         return y;
     }
-    /// A root of x, where it has one. p = 3 modulo 4.
+    /// Returns a square root of x, if it has one; p = 3 modulo 4.
     [[nodiscard]] static constexpr std::optional<Residue> root(Residue x) {
         const Residue y = power(x, (prime + 1) / 4);
         return y * y == x ? std::optional(y) : std::nullopt;
     }
-    /// The fraction n/d with |n|, d < 2^30 that is x modulo p: there is one at most.
+    /// Returns the fraction n/d with |n|, d < 2^30 that equals x modulo p; there is at most one.
     [[nodiscard]] std::optional<Rational> fraction() const {
         constexpr std::int64_t most = std::int64_t{1} << 30U;
         std::int64_t r0 = static_cast<std::int64_t>(prime);

@@ -59,7 +59,7 @@ Residue ResidueSample::meaning(std::string_view name) const {
 }
 
 Residue ResidueSample::pressure_multiplier(bool right, std::size_t k) const {
-    // The left edge's derivation loses one order.
+    // The formula of the left edge loses one order.
     const std::size_t n = right ? k + 1 : k + 2;
     std::vector<Residue> rate;
     std::vector<Residue> b;

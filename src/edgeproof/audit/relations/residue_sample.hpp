@@ -12,14 +12,14 @@
 namespace edgeproof::audit {
 
 /// Numbers modulo a prime for the free symbols of a contact (a, b, P1, P2, ..., b1, ..., Q, sig0
-/// and any other), drawn when they are asked for, and what follows from them: the multipliers of
-/// both edges by the templates of contact/law, and the names that the case gives formulas for. Pi
-/// is drawn like a symbol (it is transcendental); the one root that comes in, of a + b, is a root
-/// modulo the prime. An environment of formula::evaluate<Residue>; formulas have no other root.
+/// and any others), drawn on first use, and the values computed from them: the multipliers of both
+/// edges by the templates of contact/law, and the names for which the case gives formulas. Pi is
+/// drawn like a symbol (it is transcendental); the only root, that of a + b, is a root modulo the
+/// prime. An environment of formula::evaluate<Residue>; formulas have no other root.
 class ResidueSample {
 public:
-    /// Throws DomainError where a + b is no square modulo the prime, or something is divided by
-    /// zero: then another seed will do.
+    /// Throws DomainError if a + b is not a square modulo the prime, or for a division by zero;
+    /// then use another seed.
     ResidueSample(const SymbolicCase& under, std::uint64_t seed);
 
     [[nodiscard]] Residue number(const Rational& q) const { return Residue::of(q); }

@@ -79,7 +79,7 @@ std::optional<ScalingWeights> scaling_weights(const formula::Expr& e) {
         return plus(*first, *second, 1);
     case Kind::div:
         return plus(*first, *second, -1);
-    default: // a sum; its parts are not told apart from zero, and need not be
+    default: // a sum; it is not necessary to know if a part is zero
         return *first == *second ? first : std::nullopt;
     }
 }

@@ -7,11 +7,11 @@
 
 namespace edgeproof::audit {
 
-/// How a formula scales when forces, lengths and shear forces do, each by a factor of its own.
+/// The exponents of a formula's scaling with the units of force, of length and of shear force.
 using ScalingWeights = std::array<Rational, 3>;
 
-/// Read off the tree: the terms of every sum must scale alike. Nothing where they do not, or where
-/// a function other than sqrt is called.
+/// Finds the weights from the expression tree. Returns nothing if the terms of a sum have different
+/// weights, or if a function other than sqrt is called.
 [[nodiscard]] std::optional<ScalingWeights> scaling_weights(const formula::Expr& e);
 
 } // namespace edgeproof::audit

@@ -18,7 +18,7 @@
 
 namespace edgeproof::audit {
 
-/// A scene, a place in it, and values for the names of `vary`: one sample of a claim.
+/// One sample of a claim: a scene, a place in it, and values for the names of `vary`.
 struct Sample {
     SceneSpec scene;
     std::optional<formula::Exact> fraction; ///< u as a fraction of the contact's length
@@ -27,36 +27,37 @@ struct Sample {
     [[nodiscard]] std::string text() const;
 };
 
-/// What takes quadratures at every sample is held to 100 digits at all of them, and to more, where
-/// they are asked for, at some that are spread evenly over the others.
+/// Quantities that need quadratures at every sample are checked to 100 digits at all samples; if
+/// more digits are requested, they are checked to these digits at some evenly spread samples.
 struct ManyDigits {
     static constexpr unsigned everywhere = 100;
     static constexpr std::size_t samples = 6;
 };
 
-/// 0, 1, ..., n - 1, but before all others `first` of them (all, if there are no more) that are
-/// spread evenly, the two ends among them.
+/// Returns 0, 1, ..., n - 1 with `first` evenly spread indices, including both ends, before all
+/// others (all of them if there are no more).
 [[nodiscard]] std::vector<std::size_t> spread_first(std::size_t n, std::size_t first);
 
-/// What a check may ask for beside the claim.
+/// The data, in addition to the claim, that a check uses.
 class AuditContext {
 public:
     AuditContext(const Ledger& ledger, unsigned digits) : ledger_(ledger), digits_(digits) {}
 
     [[nodiscard]] const Ledger& ledger() const noexcept { return ledger_; }
-    /// D: the digits that were asked for.
+    /// D: the requested digits.
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
-    /// Digits that a claim must agree to to be confirmed: D - 5.
+    /// The digits of agreement required to confirm a claim: D - 5.
     [[nodiscard]] unsigned digits_needed() const noexcept { return digits_needed(digits_); }
-    /// The same of digits that a check is content with.
+    /// The same for another number of digits.
     [[nodiscard]] static unsigned digits_needed(unsigned of) noexcept { return of - 5; }
-    /// The scenes of the family that the claim's `over` names.
+    /// Returns the scenes of the family in the claim's `over`.
     [[nodiscard]] std::vector<SceneSpec> scenes(const Claim& claim) const;
-    /// Scenes, places (from the claim's `edge`; in `points` per scene) and values of `vary`.
+    /// Combines scenes, places (from the claim's `edge`; `points` in each scene) and values of
+    /// `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
-    /// What several claims need and is expensive: made once a run, by whoever asks first; the
-    /// others wait. The key says all that the result depends on.
+    /// Returns an expensive result that several claims need. The first caller in a run computes it,
+    /// while the others wait. The key must contain everything on which the result depends.
     template <class T>
     [[nodiscard]] std::shared_ptr<const T> once(const std::string& key,
                                                 const std::function<T()>& make) const {
@@ -68,8 +69,9 @@ public:
         return std::static_pointer_cast<const T>(slot.value);
     }
 
-    /// What belongs to one thread at a time and is expensive to make: one that was given back, or a
-    /// new one. It goes back when the last pointer to it does; the context must outlive it.
+    /// Returns an object that is expensive to make and that only one thread may use at a time: a
+    /// kept one, or a new one. The context keeps it when the last pointer to it is destroyed, and
+    /// must outlive it.
     template <class T>
     [[nodiscard]] std::shared_ptr<T> borrow(const std::string& key,
                                             const std::function<std::unique_ptr<T>()>& make) const {

@@ -12,15 +12,15 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The contact is computed to more digits than formulas are compared at.
+/// The contact is computed with more digits than needed to compare formulas.
 constexpr unsigned contact_guard = 15;
 constexpr unsigned quadrature_guard = 20;
 constexpr unsigned screening_guard = 6;
 constexpr int screening_level = 6;
 constexpr long most_local_terms = 1000;
-constexpr std::size_t most_pressures = 4096; ///< that a scene keeps, for an edge
+constexpr std::size_t most_pressures = 4096; ///< stored for each edge
 
-/// The number behind a name such as P2 or right_c1.
+/// Returns the number at the end of a name such as P2 or right_c1.
 std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix) || name.size() != prefix.size() + 1 || name.back() < '0' ||
         name.back() > '9') {
@@ -47,7 +47,7 @@ const contact::Extent<Real>& EvaluatedSceneLevel::extent_at(const Real& s) {
 }
 
 Real EvaluatedSceneLevel::force_rate_at(const Real& s) {
-    // Formulas ask for it in several places of an integrand, and some at every node for the same s.
+    // Formulas use it in several places of an integrand, some at every node for the same s.
     if (!last_force_rate || last_force_rate->first != s) {
         last_force_rate.emplace(s, law.force_rate(extent_at(s)));
     }
@@ -58,7 +58,7 @@ Real EvaluatedSceneLevel::right_edge_of(const Real& y) {
     if (y == extent.b) {
         return extent.a;
     }
-    // Formulas ask for the same one at every node of an integral.
+    // Formulas use the same value at every node of an integral.
     if (!last_right_edge || last_right_edge->first != y) {
         last_right_edge.emplace(y, law.right_edge(y));
     }
@@ -178,7 +178,7 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
         return place != nullptr && at_working_precision(place->x) == x;
     };
     if (name == "g1") {
-        // On a knot the mean of both sides: a point that no integral sees.
+        // At a knot, return the mean of both sides; a single point does not affect an integral.
         const auto& slope = law.slope();
         const std::size_t piece = slope.piece_at(s);
         if (piece > 0 && slope.knots()[piece - 1] == s) {

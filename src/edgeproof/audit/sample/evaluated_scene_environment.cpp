@@ -52,7 +52,7 @@ void EvaluatedSceneEnvironment::add_preimage(const std::function<Real(const Real
     if (at_lo == at_hi) {
         return;
     }
-    // Linear arguments (all that the formulas of a contact have, as a rule): exactly.
+    // Linear arguments (the usual case in formulas of a contact) are solved exactly.
     const Real slope = (at_hi - at_lo) / (length / 6);
     const Real third = argument(Real(lo + length * 2 / 3)) - critical;
     const Real predicted = at_hi + slope * (length / 6);
@@ -61,7 +61,7 @@ void EvaluatedSceneEnvironment::add_preimage(const std::function<Real(const Real
         cuts.push_back(Real(lo + length / 3 - at_lo / slope));
         return;
     }
-    // Any other: where it changes sign between the ends, by halving.
+    // For other arguments, find a sign change between the ends by bisection.
     Real x = lo + length * pow(Real(10), -20);
     Real y = hi - length * pow(Real(10), -20);
     const bool rising = argument(y) > critical;
@@ -79,7 +79,7 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
                                              const Real& lo, const Real& hi, const At& at,
                                              std::vector<Real>& cuts) const {
     if (f.is_binder()) {
-        return; // the variable of an inner integral hides or rules what is inside
+        return; // the variable of an inner integral is different inside
     }
     for (const formula::Expr& part : f.args()) {
         collect_cuts(part, variable, lo, hi, at, cuts);
@@ -94,7 +94,7 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
                              cuts);
             }
         } catch (const DomainError&) {
-            // Undefined between the ends: the integrand itself will say so.
+            // Undefined between the ends: the evaluation of the integrand will throw.
             return;
         }
     };

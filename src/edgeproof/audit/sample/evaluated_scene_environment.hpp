@@ -10,7 +10,7 @@
 
 namespace edgeproof::audit {
 
-/// The formula environment of a EvaluatedScene: names, functions along the family of contacts, and
+/// The formula environment of an EvaluatedScene: names, functions along the family of contacts, and
 /// integrals evaluated as printed.
 class EvaluatedSceneEnvironment {
 public:
@@ -50,7 +50,7 @@ public:
             [&](const formula::Expr& e, const Real& s) { return along(e)(s); }, cuts);
         NaivePrecision precision = state_.precision;
         precision.roots =
-            !called_functions(node.arg(0)).contains("p"); // which has logarithms at the knots
+            !called_functions(node.arg(0)).contains("p"); // p has logarithms at the knots
         const NaiveIntegral result =
             node.kind() == formula::Expr::Kind::pv
                 ? principal_value_naively(along(node.arg(0)), lo, hi,
@@ -76,10 +76,10 @@ private:
     }
 
     using At = std::function<Real(const formula::Expr&, const Real&)>;
-    /// Places where printed integrands have their branch points; those inside an interval are no
-    /// cuts, those outside tell an end what lies near.
+    /// Returns places where printed integrands have their branch points. Those inside an interval
+    /// are not cuts; those outside show that a branch point is near an end.
     [[nodiscard]] std::vector<Real> places(const Real& lo, const Real& hi) const;
-    /// Values of the bound variable at which a function in f is not analytic.
+    /// Collects the values of the bound variable at which a function in f is not analytic.
     void collect_cuts(const formula::Expr& f, const std::string& variable, const Real& lo,
                       const Real& hi, const At& at, std::vector<Real>& cuts) const;
     static void add_preimage(const std::function<Real(const Real&)>& argument, const Real& critical,

@@ -11,8 +11,7 @@
 
 namespace edgeproof::audit {
 
-/// The family of contacts that the one of a EvaluatedScene belongs to, and the parameters, at one
-/// precision.
+/// The family of contacts of an EvaluatedScene, and its parameters, at one precision.
 struct EvaluatedSceneLevel {
     EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile);
 
@@ -23,56 +22,56 @@ struct EvaluatedSceneLevel {
     std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
     std::optional<std::pair<Real, Real>> last_force_rate; ///< s and P'(s)
 
-    /// The contact of the family whose right edge is at s.
+    /// Returns the contact of the family whose right edge is at s.
     const contact::Extent<Real>& extent_at(const Real& s);
-    /// P'(s).
+    /// Returns P'(s).
     Real force_rate_at(const Real& s);
-    /// b^{-1}(y).
+    /// Returns b^{-1}(y).
     Real right_edge_of(const Real& y);
 };
 
-/// What a EvaluatedScene holds: the exact contact, and the family of contacts that it belongs to.
+/// The data of an EvaluatedScene: the exact contact, and its family of contacts.
 struct EvaluatedSceneState {
     EvaluatedSceneState(SceneSpec scene, unsigned digits_wanted, Effort effort);
 
     SceneSpec spec;
     unsigned digits;
-    /// Enough for naive integrals; plain formulas get the same.
+    /// Enough for integrals evaluated as printed; plain formulas use the same precision.
     NaivePrecision precision;
     contact::Profile profile;
     contact::NormalContact contact;
-    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ... as they are asked for
+    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ..., computed on first use
     std::array<std::vector<Real>, 2> expansions;      ///< right, left
     std::map<unsigned, EvaluatedSceneLevel> levels;   ///< by digits
-    /// By the distance from the right edge and the left: integrals of p share their nodes.
+    /// p by the distance from the right edge and from the left edge; integrals of p share nodes.
     std::array<std::map<Real, Real>, 2> pressures;
 
-    /// Of a scene with friction, by bits; null where that number of bits does not enclose it.
+    /// For a scene with friction, by bits; null if this number of bits does not give an enclosure.
     std::map<long, std::unique_ptr<contact::ProvedSlip>> slips;
 
-    /// At the working precision: far from their ends integrands need few digits, and everything
-    /// that they are made of has to have as few, for that to be cheap.
+    /// Returns the level of the working precision. Far from their ends, integrands need few digits;
+    /// this saves time only if all their parts have as few.
     EvaluatedSceneLevel& here();
-    /// At the precision at which plain formulas are worked.
+    /// Returns the level with the precision of plain formulas.
     [[nodiscard]] const EvaluatedSceneLevel& top() const {
         return levels.at(precision.integrand());
     }
     const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
-    /// A name that is no parameter, place or variable; nullopt if unknown.
+    /// Returns the value of a name that is not a parameter, place or variable; nullopt if unknown.
     std::optional<Real> derived_symbol(std::string_view name);
-    /// p at another place than the sample's: at the nodes of integrals.
+    /// Returns p at a place other than the sample's: at the nodes of integrals.
     Real pressure_at_node(const Place& at);
     Real call(const std::string& name, std::span<const Real> args, const Place* place);
-    /// Values of the argument of a function at which it is not analytic.
+    /// Returns the values of the argument of a function at which it is not analytic.
     std::vector<Real> critical_arguments(const std::string& function);
     [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
     [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
-    /// The middle of an enclosure of a quantity of partial slip, to the digits of plain formulas.
+    /// Returns the middle of the enclosure of a quantity of partial slip.
     Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
-    /// right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
+    /// Returns right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
     std::optional<Real> slip_symbol(std::string_view name);
-    /// q(x), under partial slip where the scene has friction.
+    /// Returns q(x), under partial slip if the scene has friction.
     Real traction(const Place& at);
 };
 

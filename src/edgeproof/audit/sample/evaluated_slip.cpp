@@ -3,7 +3,7 @@
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 
-/// What an EvaluatedScene has of partial slip.
+/// The quantities of partial slip in an EvaluatedScene.
 namespace edgeproof::audit {
 
 Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity) {
@@ -30,7 +30,7 @@ Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::Proved
                 break;
             }
         } catch (const BudgetError&) {
-            continue; // with more bits
+            continue; // try again with more bits
         } catch (const DomainError&) {
             continue;
         }

@@ -8,14 +8,14 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Between 0 and 1, from the name and the draw.
+/// Returns a number between 0 and 1 that depends on the name and the draw.
 Rational random_fraction(const std::string& name, std::size_t draw) {
     constexpr std::size_t steps = 9973;
     return {static_cast<long>(stratified_index("formal/" + name, steps, draw) + 1),
             static_cast<long>(steps + 1)};
 }
 
-/// Lengths in an order that printed formulas take for granted: a largest, b next, the rest small.
+/// Lengths have the order that printed formulas assume: a is largest, then b; others are small.
 Rational drawn(const std::string& name, std::size_t draw) {
     const Rational r = random_fraction(name, draw);
     if (name == "a") {
@@ -30,7 +30,7 @@ Rational drawn(const std::string& name, std::size_t draw) {
     return Rational(1, 10) + r * Rational(2, 5);
 }
 
-/// The formula environment of names alone.
+/// A formula environment that has only names.
 struct Names {
     const Variables& values;
     [[nodiscard]] Real number(const Rational& q) const { return formula::number_of<Real>(q); }

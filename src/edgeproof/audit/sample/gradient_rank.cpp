@@ -16,7 +16,7 @@ using formula::Expr;
 
 constexpr std::size_t gradient_draws = 4;
 constexpr long gradient_bits = 800;
-constexpr std::size_t most_products = 200; ///< of a determinant by symbols
+constexpr std::size_t most_products = 200; ///< in a symbolic determinant
 
 bool is_zero_expr(const Expr& e) { return e.rational() != nullptr && *e.rational() == 0; }
 
@@ -34,7 +34,7 @@ Matrix minor_without(const Matrix& m, std::size_t row, std::size_t column) {
     return rest;
 }
 
-/// The determinant by its first row; nothing where it has too many products.
+/// Expands the determinant along its first row; returns nothing if it has too many products.
 std::optional<Expr> determinant(const Matrix& m, std::size_t& products) {
     if (m.empty()) {
         return Expr::number(1);
@@ -64,7 +64,7 @@ std::optional<Expr> determinant(const Matrix& m, std::size_t& products) {
     return sum.value_or(Expr::number(0));
 }
 
-/// The place of the entry that is certainly farthest from zero.
+/// Returns the position of the entry with the greatest certain distance from zero.
 std::optional<std::pair<std::size_t, std::size_t>>
 pivot_of(const std::vector<std::vector<Ball>>& rows, const std::vector<std::size_t>& used) {
     std::optional<std::pair<std::size_t, std::size_t>> best;
@@ -140,7 +140,7 @@ GradientRank::Row GradientRank::gradient(const Expr& e) const {
     return row;
 }
 
-/// Formulas in a + b alone have equal derivatives by a and by b.
+/// Formulas that depend only on a + b have equal derivatives with respect to a and b.
 void GradientRank::drop_equal_columns() {
     for (std::size_t j = columns_.size(); j-- > 1;) {
         const auto equals = [&](std::size_t i) {
@@ -239,7 +239,7 @@ bool GradientRank::others_add_nothing(const Eliminated& pivots) const {
     return true;
 }
 
-/// The quantity certainly changes with a name that no other formula holds.
+/// True if the quantity certainly changes with a name that no other formula contains.
 bool GradientRank::by_own_name(const Eliminated& pivots) {
     for (std::size_t j = 0; j < columns_.size(); ++j) {
         const bool own = std::all_of(others_.begin(), others_.end(),
@@ -258,7 +258,7 @@ void GradientRank::decide(const Eliminated& pivots) {
         return;
     }
     const std::size_t rank = pivots.rows.size();
-    // The others span all directions, whatever the quantity is.
+    // The others span all directions, so that any quantity is a function of them.
     if (rank == columns_.size()) {
         rank_ = rank;
         return;

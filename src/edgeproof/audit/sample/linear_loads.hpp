@@ -8,29 +8,30 @@
 
 namespace edgeproof::audit {
 
-/// A scene under two loads (parameters of it, such as Q and sig0) that a quantity is linear in:
-/// with one of them alone, and with the second chosen so that another quantity vanishes.
+/// A scene under two loads (parameters such as Q and sig0) in which a quantity is linear: with only
+/// one of them, and with the second chosen so that another quantity vanishes.
 class LinearLoads {
 public:
-    /// Throws InputError if the scene has no such parameters.
+    /// Throws InputError if the scene does not have these parameters.
     LinearLoads(const SceneSpec& scene, unsigned digits, const std::string& first,
                 const std::string& second);
     ~LinearLoads();
     LinearLoads(LinearLoads&&) noexcept;
 
-    /// What each load alone makes of it.
+    /// The contributions of each load to a quantity.
     struct Parts {
         Real first;
         Real second;
     };
-    /// Throws DomainError if it is not the sum of its parts, to all digits but a few.
+    /// Throws DomainError if the quantity is not the sum of its parts, to all digits except a few.
     [[nodiscard]] Parts parts(const formula::Expr& e) const;
-    /// The second load at which e vanishes, the first being as it is in the scene. Throws
-    /// DomainError if the second has no effect on it.
+    /// Returns the second load for which e vanishes, with the first load of the scene. Throws
+    /// DomainError if the second load has no effect on e.
     [[nodiscard]] Real second_for_zero(const formula::Expr& e) const;
-    /// A formula in the scene with that second load, where no function of the load stands in it.
+    /// Evaluates a formula in the scene with that second load; the formula must not contain
+    /// functions of the load.
     [[nodiscard]] Real evaluate(const formula::Expr& e, const Real& second) const;
-    /// The second load in the scene: what `parts` are of.
+    /// The second load in the scene, as used by `parts`.
     [[nodiscard]] const Real& second() const noexcept { return second_value_; }
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
 

@@ -11,17 +11,18 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Where an interval [lo, hi] is split, and how far beyond its ends f is not analytic.
+/// The marks that split an interval [lo, hi], and the distances from its ends to points beyond them
+/// where f is not analytic.
 struct Split {
     std::vector<Real> marks; ///< lo, cuts inside, hi
-    Real beyond_lo;          ///< 0: nothing known there
+    Real beyond_lo;          ///< 0: none is known
     Real beyond_hi;
 };
 
 Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
     std::sort(cuts.begin(), cuts.end());
     Split split{{lo}, Real(0), Real(0)};
-    // Cuts that the precision hardly tells apart are one.
+    // Cuts that differ by less than about the working precision are merged.
     const Real same = (hi - lo) * pow(Real(10), -static_cast<int>(working_digits() * 9 / 10));
     for (const Real& cut : cuts) {
         if (cut < lo - same) {
@@ -37,7 +38,7 @@ Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
     return split;
 }
 
-/// How many decades y is below x > 0.
+/// Returns the number of decades by which y is less than x > 0.
 long decades_below(const Real& x, const Real& y) {
     if (y == 0) {
         return 0;
@@ -46,9 +47,9 @@ long decades_below(const Real& x, const Real& y) {
     return bits * 30103L / 100000 + 1;
 }
 
-/// f at the working precision of the caller, evaluated at what its distance from an end takes.
-/// Nearer to an end, or a cut, than the precision of the nodes f may have no value (a logarithm at
-/// a corner): what is integrable adds nothing there that is kept.
+/// Returns f at the working precision of the caller, evaluated with the digits that its distance
+/// from an end needs. If f has no value very near to an end or a cut (a logarithm at a corner), the
+/// value is 0: for an integrable f, this has no effect on the digits kept.
 Real evaluated(const NaiveIntegrand& f, const NaivePrecision& precision, const Real& base,
                const Real& distance, bool upwards, const Real& length) {
     Real value;
@@ -65,8 +66,8 @@ Real evaluated(const NaiveIntegrand& f, const NaivePrecision& precision, const R
     return at_working_precision(value);
 }
 
-/// Whether |f| grows towards an end at least like one over the distance, which no integral bears:
-/// by its slope on the scale of logarithms, over two stretches of many decades. An estimate.
+/// True if |f| grows towards an end at least like one over the distance, so that the integral
+/// diverges. Estimated from its slope in logarithmic coordinates over two ranges of many decades.
 bool grows_beyond_bounds(const NaiveIntegrand& f, const NaivePrecision& precision, const Real& end,
                          bool upwards, const Real& length) {
     std::vector<double> logarithms;
@@ -95,8 +96,8 @@ void require_a_value(const NaiveIntegrand& f, const Split& split, const NaivePre
     }
 }
 
-/// Over one interval without a cut inside: by few nodes where its ends are roots, as those of most
-/// printed integrals are; else by tanh-sinh, which bears any.
+/// Integrates over an interval without a cut inside: with few nodes if the ends are roots, as in
+/// most printed integrals; otherwise by the tanh-sinh rule.
 quadrature::QuadratureResult<Real> between_cuts(const quadrature::IntegrandRef<Real, Real>& f,
                                                 const Real& length, const Real& beyond_lo,
                                                 const Real& beyond_hi,
@@ -169,7 +170,7 @@ NaiveIntegral principal_value_naively(const NaiveIntegrand& f, const Real& lo, c
     const Real near =
         Real(abs(lo) + abs(hi)) * pow(Real(10), -static_cast<int>(precision.integrand() / 2));
     if (lo == hi || pole < lo - near || pole > hi + near) {
-        // The pole is beyond: an integral like any other.
+        // The pole is outside: the integral is an ordinary one.
         return integrate_naively(f, lo, hi, std::move(cuts), precision);
     }
     if (!(lo < pole) || !(pole < hi)) {
@@ -200,7 +201,7 @@ NaiveIntegral principal_value_naively(const NaiveIntegrand& f, const Real& lo, c
     }
     cuts.push_back(pole);
     const auto add = [&](const Real& from, const Real& to) {
-        // Where h reached an end, nothing but roundoff is left beyond it.
+        // If h reached an end, only roundoff is left beyond it.
         if (!(to - from > h * pow(Real(10), -static_cast<int>(precision.integrand() / 2)))) {
             return;
         }

@@ -87,7 +87,7 @@ void collect_terms(const formula::Expr& e, bool plus, std::vector<std::string>& 
                     joined(std::move(product.under), "/"));
 }
 
-/// Binders of one kind, the same but for what they integrate.
+/// True for binders of one kind that differ only in the integrand.
 bool differ_inside(const formula::Expr& x, const formula::Expr& y, Kind kind) {
     if (x.kind() != kind || y.kind() != kind) {
         return false;
@@ -100,7 +100,7 @@ bool differ_inside(const formula::Expr& x, const formula::Expr& y, Kind kind) {
     return true;
 }
 
-/// Principal values over the contact whose integrands differ by a constant over w(s)(s - x).
+/// True for principal values whose integrands differ by a constant over w(s)(s - x).
 bool differ_by_a_zero_integral(const formula::Expr& x, const formula::Expr& y,
                                const SymbolicCase& under) {
     if (!differ_inside(x, y, Kind::pv)) {
@@ -118,7 +118,7 @@ bool differ_by_a_zero_integral(const formula::Expr& x, const formula::Expr& y,
         difference, substitute(difference, s.name(), formula::Expr::symbol("s_elsewhere")), under);
 }
 
-/// Integrals over one interval whose integrands differ by what is odd about its middle.
+/// True for integrals whose integrands differ by a function odd about the middle.
 bool differ_by_an_odd_part(const formula::Expr& x, const formula::Expr& y,
                            const SymbolicCase& under) {
     if (!differ_inside(x, y, Kind::integral)) {
@@ -151,7 +151,7 @@ bool surely_equal(const formula::Expr& x, const formula::Expr& y, const Symbolic
         return differ_by_a_zero_integral(one, other, under) ||
                differ_by_an_odd_part(one, other, under) || proved_equal(one, other, under);
     } catch (const Error&) {
-        return false; // not by symbols
+        return false; // not proved by symbols
     }
 }
 

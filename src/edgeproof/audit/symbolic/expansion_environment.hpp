@@ -13,8 +13,8 @@
 namespace edgeproof::audit {
 
 /// Evaluates a formula as a truncated expansion in one of its variables. The functions along the
-/// family of contacts are known by their Taylor series, whose coefficients the field T has as
-/// P1, P2, ..., b, b1, ... : nothing else about the contact comes in.
+/// family of contacts are given by their Taylor series, with the coefficients P1, P2, ..., b, b1,
+/// ... of the field T. No other data of the contact is used.
 ///
 /// Field:  T symbol(std::string_view) const;  T pi() const;
 ///         T integral(const T& f, std::string_view variable, const T& hi) const;  from 0 to hi
@@ -22,7 +22,7 @@ template <class T, class Field> class ExpansionEnvironment {
 public:
     using L = series::Laurent<T>;
 
-    /// Powers of w = variable^(1/2): `order` of them are carried along.
+    /// Keeps `order` powers of w = variable^(1/2).
     ExpansionEnvironment(const Field& field, std::string variable, contact::Edge edge,
                          std::size_t order)
         : field_(field), variable_(std::move(variable)), edge_(edge), order_(order) {}
@@ -88,7 +88,7 @@ public:
         return f.mapped([&](const T& c) { return field_.integral(c, name, hi.series()[0]); });
     }
 
-    /// c_k of p = sum c_k u^(k+1/2) at an edge.
+    /// Returns c_k of p = sum c_k u^(k+1/2) at an edge.
     [[nodiscard]] static std::vector<T> coefficients(const Field& field, contact::Edge edge,
                                                      std::size_t count) {
         const std::size_t n = edge == contact::Edge::right ? count : count + 1;
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// Taylor coefficients that names reach to: P1 ... P9.
+    /// The number of Taylor coefficients with names: P1 ... P9.
     static constexpr unsigned terms = 8;
 
     static T derivative_of(const Field& field, const char* letter, unsigned k, unsigned factorial) {
@@ -125,11 +125,11 @@ private:
         return k == 0 ? field_.symbol("b") : derivative("b", k, k);
     }
     [[nodiscard]] L constant(std::string_view name) const { return L(field_.symbol(name), order_); }
-    /// All that is known is up to w^(end - 1).
+    /// A term that marks all powers from w^end on as unknown.
     [[nodiscard]] static L unknown_from(long end) { return {end - 1, series::Series<T>(T(0), 1)}; }
 
     template <class Coefficient> [[nodiscard]] L taylor(const L& y, const Coefficient& c) const {
-        if (series::vanishes(y.series()[0])) { // y = 0 as far as known
+        if (series::vanishes(y.series()[0])) { // y = 0 to the known order
             return L(c(0), order_) + unknown_from(y.end());
         }
         if (y.lowest() < 1) {
@@ -142,7 +142,7 @@ private:
         }
         return sum + unknown_from(static_cast<long>(count) * y.lowest());
     }
-    /// How many terms in powers of y show in the powers of w that are carried along.
+    /// Returns the number of powers of y that contribute to the kept powers of w.
     [[nodiscard]] unsigned terms_in(const L& y) const {
         const auto lowest = static_cast<std::size_t>(std::max(y.lowest(), 1L));
         return static_cast<unsigned>(

@@ -15,7 +15,7 @@
 namespace edgeproof::audit::ginac {
 namespace {
 
-/// Names that may be negative or zero.
+/// True for names that may be negative or zero.
 bool has_either_sign(std::string_view name) {
     static constexpr std::string_view names[] = {"x", "s", "M", "alpha", "Q", "sig0", "y"};
     if (std::find(std::begin(names), std::end(names), name) != std::end(names)) {
@@ -27,7 +27,7 @@ bool has_either_sign(std::string_view name) {
 
 struct Tables {
     std::map<std::string, GiNaC::ex, std::less<>> symbols;
-    /// What the symbols of integrals and unknown functions stand for.
+    /// The expressions (integrals and unknown functions) that are replaced by symbols.
     std::map<std::string, formula::Expr, std::less<>> opaque;
 };
 
@@ -61,8 +61,8 @@ Rational rational(const GiNaC::numeric& n) {
 
 constexpr long most_worked_out = 1000;
 
-/// base^exponent. GiNaC multiplies powers of numbers and of sums out, however long that takes:
-/// throws Error for an exponent that no formula of mechanics has.
+/// Returns base^exponent. GiNaC expands powers of numbers and of sums, however long this takes;
+/// therefore throws Error for exponents too large for a formula of mechanics.
 GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
     if (GiNaC::is_a<GiNaC::numeric>(exponent) &&
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > most_worked_out) {
@@ -72,7 +72,7 @@ GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
     return GiNaC::power(base, exponent);
 }
 
-/// The same of gamma at a number: GiNaC multiplies factorials out.
+/// Returns gamma of x, with the same limit for a number, as GiNaC computes factorials.
 GiNaC::ex gamma(const GiNaC::ex& x) {
     if (GiNaC::is_a<GiNaC::numeric>(x) &&
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)) > most_worked_out) {
@@ -130,7 +130,7 @@ struct Signed {
     formula::Expr e;
 };
 
-/// Products as numerator/denominator, the number in front.
+/// Returns a product as numerator/denominator, with the number in front.
 Signed product_to_expr(const GiNaC::ex& e) {
     Rational coefficient(1);
     std::vector<formula::Expr> over;
@@ -276,7 +276,7 @@ formula::Expr to_expr(const GiNaC::ex& e) {
             std::string key = to_text(s.e);
             terms.emplace_back(std::move(key), std::move(s));
         }
-        // Positive terms first, so that no sum begins with a minus that it can do without.
+        // Positive terms come first, so that a sum begins with a minus only if necessary.
         std::sort(terms.begin(), terms.end(), [](const auto& p, const auto& q) {
             return p.second.minus != q.second.minus ? q.second.minus : p.first < q.first;
         });

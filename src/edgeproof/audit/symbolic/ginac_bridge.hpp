@@ -10,28 +10,30 @@ namespace GiNaC {
 class ex;
 } // namespace GiNaC
 
-/// Between our expressions and GiNaC's. GiNaC is not thread-safe, so whoever calls these holds
-/// `hold()`; its own order of terms changes from run to run, so what comes back is put in an order
-/// of ours.
+/// Conversion between expressions of Edgeproof and GiNaC. GiNaC is not thread-safe: callers must
+/// hold `hold()`. Its order of terms changes from run to run, so that results are sorted.
 namespace edgeproof::audit::ginac {
 
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold();
 
-/// A symbol by its name, always the same. All are real; lengths, moduli and the like positive.
+/// Returns the symbol with this name, always the same one. All symbols are real; lengths, moduli
+/// and similar quantities are positive.
 [[nodiscard]] GiNaC::ex symbol(std::string_view name);
-/// Functions that GiNaC does not have, and integrals, become symbols that know what they stand for.
+/// Converts an expression. Functions that GiNaC does not have, and integrals, become symbols, which
+/// are converted back by to_expr.
 [[nodiscard]] GiNaC::ex from_expr(const formula::Expr& e);
-/// Whether a name stands inside of what becomes a symbol there: no derivative by it is then right.
+/// True if the name is inside a part that becomes a symbol; derivatives by it are then wrong.
 [[nodiscard]] bool hides(const formula::Expr& e, std::string_view name);
 [[nodiscard]] formula::Expr to_expr(const GiNaC::ex& e);
 
-/// True if e vanishes identically, half-integer powers and powers to symbols taken into account
-/// (bases positive). False means only that this was not shown.
+/// True if e is shown to vanish identically, with half-integer powers and symbolic exponents taken
+/// into account (bases positive). False means only that this was not shown.
 [[nodiscard]] bool is_zero(const GiNaC::ex& e);
-/// q_0, q_1, ... with e = (q_0 + q_1 s + ...)/sqrt(hi - s). Throws DomainError if e is not so.
+/// Returns q_0, q_1, ... with e = (q_0 + q_1 s + ...)/sqrt(hi - s). Throws DomainError if e does
+/// not have this form.
 [[nodiscard]] std::vector<GiNaC::ex> polynomial_over_root(const GiNaC::ex& e, const GiNaC::ex& s,
                                                           const GiNaC::ex& hi);
-/// One fraction, its factors apart, sums collected by derivatives of P.
+/// Returns one fraction with separate factors, and with sums collected by derivatives of P.
 [[nodiscard]] formula::Expr tidy(const GiNaC::ex& e);
 
 } // namespace edgeproof::audit::ginac

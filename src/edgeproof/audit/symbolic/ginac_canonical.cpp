@@ -21,7 +21,7 @@ namespace {
 
 constexpr long screening_bits = 160;
 
-/// A number in (1/2, 3/2) for each name, the same one every time.
+/// Returns a pseudo-random number in (1/2, 3/2) for each name, always the same.
 Ball drawn(const std::string& name) {
     std::seed_seq seeds(name.begin(), name.end());
     std::array<std::uint32_t, 1> number{};
@@ -30,8 +30,9 @@ Ball drawn(const std::string& name) {
            Ball(Rational(1, 2), screening_bits);
 }
 
-/// The enclosure of e where every symbol has the number drawn for it; nullopt for what e holds
-/// beside sums, products, powers, integers that fit a long, and pi. Not finite where e is not.
+/// Returns the enclosure of e for the numbers drawn for the symbols; it may be infinite. Returns
+/// nullopt if e contains anything except sums, products, powers, rationals with terms that fit a
+/// long, and pi.
 std::optional<Ball> at_drawn(const ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e)) {
         const auto& n = GiNaC::ex_to<GiNaC::numeric>(e);
@@ -74,7 +75,7 @@ std::optional<Ball> at_drawn(const ex& e) {
     return all;
 }
 
-/// Whether e is proved not to vanish identically, by its enclosure at one point.
+/// True if e is proved not to vanish identically, by its enclosure at one point.
 bool is_not_zero_somewhere(const ex& e) {
     const auto value = at_drawn(e);
     return value && value->is_finite() && !contains_zero(*value);
@@ -87,7 +88,7 @@ bool is_zero(const ex& e) {
         return true;
     }
     if (is_not_zero_somewhere(e)) {
-        return false; // nearly always so, and the canonical form is expensive
+        return false; // this is the usual case, and it avoids the expensive canonical form
     }
     if (e.expand().is_zero()) {
         return true;

@@ -45,7 +45,7 @@ public:
 
     [[nodiscard]] ex reduced(ex polynomial) const {
         polynomial = polynomial.expand();
-        // Roots found later may hold earlier ones: from the last to the first.
+        // Later roots may contain earlier ones; therefore go from the last to the first.
         for (auto it = roots_.rbegin(); it != roots_.rend(); ++it) {
             const int top = polynomial.degree(it->symbol);
             ex lower = 0;
@@ -156,8 +156,8 @@ private:
         return product;
     }
 
-    /// base^q for a base taken to be positive: factors of definite sign are taken out, the others
-    /// stay together, as the sign of each alone is not known.
+    /// Returns base^q for a base assumed to be positive. Factors of definite sign are taken out;
+    /// the others stay together, as their separate signs are not known.
     ex fractional(const ex& base, const numeric& q) {
         const ex fraction = rational(base).normal();
         ex product = 1;
@@ -193,7 +193,7 @@ private:
         return rest.is_equal(1) ? product : product * one_root(rest, q);
     }
 
-    /// 1 or -1 for a polynomial all of whose terms have that sign, 0 for any other.
+    /// Returns 1 or -1 for a polynomial whose terms all have that sign, 0 for any other.
     static int definite_sign(const ex& polynomial) {
         const ex p = polynomial.expand();
         int sign = 0;
@@ -240,7 +240,7 @@ private:
         return one_root(prime, q);
     }
 
-    /// By primes, so that sqrt(8) is 2 sqrt(2).
+    /// Factors the number, so that sqrt(8) becomes 2 sqrt(2).
     ex number_power(numeric n, const numeric& q) {
         ex product = 1;
         for (int p = 2; p <= 1000 && !n.is_equal(1); ++p) {

@@ -8,9 +8,9 @@ class ex;
 
 namespace edgeproof::audit::ginac {
 
-/// GiNaC's `normal` knows nothing of roots: to it a^(1/2) and (2 a)^(1/2) have nothing in common.
-/// Here every root is taken of irreducible factors only, each with a symbol w of its own and the
-/// rule w^n = factor; what is left is a rational function, and `normal` decides.
+/// Replaces roots by symbols, because GiNaC's `normal` treats a^(1/2) and (2 a)^(1/2) as
+/// independent. Here roots are taken of irreducible factors only; each is a symbol w with the rule
+/// w^n = factor. The result is a rational function, for which `normal` decides.
 class Roots {
 public:
     Roots();
@@ -18,17 +18,17 @@ public:
     Roots(const Roots&) = delete;
     Roots& operator=(const Roots&) = delete;
 
-    /// e as a rational function of symbols, roots and other transcendental parts being symbols.
+    /// Returns e as a rational function, with symbols for roots and other transcendental parts.
     GiNaC::ex rational(const GiNaC::ex& e);
-    /// `rational`, as one fraction in lowest terms with every power of a root put down.
+    /// Returns `rational` as one fraction in lowest terms, with powers of roots reduced.
     GiNaC::ex fraction(const GiNaC::ex& e);
-    /// A polynomial with every w^k, k >= n, put down by w^n = factor.
+    /// Returns a polynomial with every w^k, k >= n, reduced by w^n = factor.
     [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& polynomial) const;
-    /// With the roots and other parts back in their places.
+    /// Returns e with the roots and other parts put back.
     [[nodiscard]] GiNaC::ex restored(const GiNaC::ex& e) const;
-    /// Whether a root or another transcendental part that is left in `whole` holds s.
+    /// True if a root or another transcendental part in `whole` contains s.
     [[nodiscard]] bool involves(const GiNaC::ex& whole, const GiNaC::ex& s) const;
-    /// What the symbol s of a root stands for; 0 if it is none.
+    /// Returns the root for which the symbol s was introduced; 0 if there is none.
     [[nodiscard]] GiNaC::ex root_meaning(const GiNaC::ex& s) const;
 
 private:

@@ -35,7 +35,7 @@ formula::Expr product_of(const std::vector<formula::Expr>& factors) {
     return p;
 }
 
-/// A product with its factors apart, in an order that does not depend on GiNaC's.
+/// A product with separate factors, in an order independent of GiNaC's.
 class Factored {
 public:
     bool minus = false;
@@ -58,7 +58,7 @@ public:
         }
     }
     [[nodiscard]] bool is_one() const { return factors_.empty() && number == 1; }
-    /// Without the sign.
+    /// Returns the product without the sign.
     [[nodiscard]] formula::Expr magnitude() const {
         std::vector<formula::Expr> over = side(true);
         std::vector<formula::Expr> under = side(false);
@@ -96,10 +96,10 @@ private:
 
 Factored factored(const ex& polynomial, const Roots& roots, bool collect);
 
-/// A term of a sum: whether it is taken away, and its magnitude.
+/// A term of a sum: true if it is subtracted, and its magnitude.
 using Term = std::pair<bool, formula::Expr>;
 
-/// The sum over P1, P2, ... of factored coefficients.
+/// Returns the sum over P1, P2, ... of factored coefficients.
 std::vector<Term> collected(const ex& sum, const Roots& roots) {
     std::vector<Term> terms;
     ex rest = sum.expand();
@@ -128,8 +128,8 @@ formula::Expr sum_of(const std::vector<Term>& terms, bool turned) {
     return e;
 }
 
-/// The text of a sum, and whether it is that of its negative: the shorter of the two, so that the
-/// choice is the same on every run.
+/// Returns the formula of a sum or of its negative (then the second value is true). The shorter
+/// text is chosen, so that the choice is the same on every run.
 std::pair<formula::Expr, bool> sum_text(const ex& sum, const Roots& roots, bool collect) {
     const std::vector<ex> derivatives = force_derivatives();
     const bool linear = collect && std::any_of(derivatives.begin(), derivatives.end(),
@@ -188,7 +188,7 @@ Factored factored(const ex& polynomial, const Roots& roots, bool collect) {
         }
         const ex meaning = roots.root_meaning(base);
         if (is_a<GiNaC::power>(meaning)) {
-            // The root of a sum counts as a power of the sum, written as it is elsewhere.
+            // The root of a sum counts as a power of the sum, which is written as in other places.
             const ex inside = roots.restored(meaning.op(0));
             result.multiply(is_a<GiNaC::add>(inside) ? sum_text(inside, roots, collect).first
                                                      : to_expr(inside),

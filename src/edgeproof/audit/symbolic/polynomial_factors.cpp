@@ -22,13 +22,12 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-/// One coefficient and the exponents of the variables.
 struct Monomial {
     Rational coefficient{1};
     std::vector<ulong> exponents;
 };
 
-/// The variables, in the order of their names, which is the same on every run.
+/// Returns the variables in the order of their names, which is the same on every run.
 std::vector<ex> variables_of(const ex& polynomial) {
     std::vector<ex> all;
     for (auto part = polynomial.preorder_begin(); part != polynomial.preorder_end(); ++part) {
@@ -85,7 +84,6 @@ GiNaC::numeric numeric_of(const fmpz_t n) {
     return value;
 }
 
-/// A polynomial over the integers, and its factors.
 class IntegerPolynomial {
 public:
     explicit IntegerPolynomial(const std::vector<ex>& variables) : variables_(variables) {

@@ -7,12 +7,12 @@ class ex;
 
 namespace edgeproof::audit::ginac {
 
-/// A polynomial with rational coefficients as the product of a number and powers of polynomials
-/// that are irreducible over the integers. What is no symbol and no number in it (a function, say)
-/// counts as a variable.
+/// Returns a polynomial with rational coefficients as the product of a number and powers of
+/// polynomials that are irreducible over the integers. Parts that are neither symbols nor numbers,
+/// such as functions, count as variables.
 ///
-/// By FLINT (fmpz_mpoly_factor): GiNaC's own factor() draws places at random, in an order of the
-/// variables that differs from run to run, and now and then does not end.
+/// This uses FLINT (fmpz_mpoly_factor), because GiNaC's factor() uses random points and an order of
+/// the variables that differs from run to run, and sometimes does not terminate.
 [[nodiscard]] GiNaC::ex polynomial_factors(const GiNaC::ex& polynomial);
 
 } // namespace edgeproof::audit::ginac

@@ -26,7 +26,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// The field of symbols: what a name is under a SymbolicCase.
+/// The field of symbols: returns the meaning of a name in a SymbolicCase.
 class SymbolField {
 public:
     explicit SymbolField(const SymbolicCase& under) : under_(under) {}
@@ -39,7 +39,7 @@ public:
         }
         return known_.emplace(std::string(name), meaning(name)).first->second;
     }
-    /// Of c over 0 < variable < hi: c must be a polynomial over sqrt(hi - variable).
+    /// Integrates c over 0 < variable < hi; c must be a polynomial over sqrt(hi - variable).
     [[nodiscard]] ex integral(const ex& c, std::string_view variable, const ex& hi) const {
         const ex s = ginac::symbol(variable);
         const std::vector<ex> q = ginac::polynomial_over_root(c, s, hi);
@@ -93,7 +93,7 @@ private:
     mutable std::map<std::string, ex, std::less<>> known_;
 };
 
-/// e with every name put in as what it means in the case.
+/// Returns e with every name replaced by its meaning in the case.
 ex meaning_of(const formula::Expr& e, const SymbolField& field) {
     ex value = ginac::from_expr(e);
     GiNaC::exmap meanings;
@@ -115,7 +115,7 @@ SymbolLaurent expansion(const formula::Expr& e, const ExpansionIn& in, const Sym
     return evaluate<SymbolLaurent>(e, environment);
 }
 
-/// Powers of w that reach `through` even if some are lost on the way; more, if they do not.
+/// Expands to enough powers of w to reach `through`; uses more powers if too many are lost.
 SymbolLaurent expansion_through(const formula::Expr& e, const ExpansionIn& in,
                                 const SymbolField& field) {
     const auto top = static_cast<long>(numerator(Rational(in.through * 2)));
@@ -127,8 +127,7 @@ SymbolLaurent expansion_through(const formula::Expr& e, const ExpansionIn& in,
     }
 }
 
-/// The result of f, which works with symbols: what GiNaC throws (a pole, a division by zero) as an
-/// Error.
+/// Calls f, which uses GiNaC; its exceptions (a pole, a division by zero) become Error.
 template <class F> auto by_symbols(const F& f) {
     const auto lock = ginac::hold();
     try {

@@ -7,8 +7,8 @@
 
 namespace {
 
-// Hertz: P = Pi Es C a^2/4, p(0) = Es C a/2 = sqrt(Es C P/Pi), that is 0.5641895835... sqrt(Es C
-// P); 1/sqrt(Pi) = 0.56418958354775628694... (DLMF 3.12, erf'(0)/2).
+// Hertz: P = Pi Es C a^2/4, p(0) = Es C a/2 = sqrt(Es C P/Pi) = 0.5641895835... sqrt(Es C P);
+// 1/sqrt(Pi) = 0.56418958354775628694... (DLMF 3.12, erf'(0)/2).
 ClaimResult peak(const std::string& says, const std::string& more = "") {
     return small_ledger::result_of("kind = \"value\"\nover = \"nine\"\nwhere = \"m = 1\"\n"
                                    "of = \"p(0)\"\nsays = \"" +

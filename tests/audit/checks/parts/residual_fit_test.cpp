@@ -64,7 +64,7 @@ TEST_CASE("residual fit: a wrong coefficient is seen, at its order and after") {
     CHECK_FALSE(fits[2].confirmed);
     CHECK(fits[2].agreeing_digits == 30);
     CHECK_FALSE(fits[3].confirmed);
-    // Wrong by a tenth, what is left over keeps the order of the wrong term: 5/2, not 7/2.
+    // With an error of a tenth, the residual keeps the order of the wrong term: 5/2, not 7/2.
     coefficients[2] *= Real(11) / 10;
     const auto worse = fit_residuals(c.profile, c.modulus, c.load, Edge::right, {}, coefficients);
     CHECK(abs(worse[3].slope - Real(5) / 2) < Real("1e-10"));

@@ -21,7 +21,7 @@ bool symmetric_family(const Ledger& ledger, const Family& family) {
            family.profile == "piecewise-symmetric";
 }
 
-/// printed/exact at all samples, recognised; its range goes into the evidence.
+/// Recognises printed/exact from all samples, and adds its range to the evidence.
 std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
                                               const EvaluatedSamples& samples_at,
                                               Evidence& evidence) {
@@ -98,7 +98,7 @@ void report_agreement(const Agreement& agreement, const EvaluatedSamples& sample
         return;
     }
     const unsigned shown = worst.digits() > 12 ? digits : 20;
-    // What roundoff has left of a zero has no digit that is right.
+    // If only roundoff is left of a zero, no digit is right.
     const auto text = [&](const Real& value) {
         return value != 0 && abs(value) <= values->error
                    ? "0 +- " + bound_text(values->error) + " (estimate)"
@@ -110,10 +110,10 @@ void report_agreement(const Agreement& agreement, const EvaluatedSamples& sample
 
 namespace {
 
-constexpr unsigned most_fitted_digits = 100; ///< that numbers are found to in place of decimals
+constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
 constexpr std::size_t most_with_integrals = 8;
 
-/// One equation a sample, of those samples that have an enclosure; all must have one.
+/// Returns one equation for each sample; none if a sample has no enclosure.
 std::vector<DecimalEquation> equations_at(const DecimalFormula& printed,
                                           const EvaluatedSamples& samples_at,
                                           const formula::Expr& exact,

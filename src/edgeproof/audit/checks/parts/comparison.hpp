@@ -9,37 +9,37 @@
 #include <memory>
 #include <optional>
 
-/// What the kinds value, identity and expansion share.
+/// Functions that the kinds value, identity and expansion share.
 namespace edgeproof::audit {
 
-/// b = a for a family of symmetric contacts; P(a), b(a) where `given` names them.
+/// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
-/// Digits, samples and the worst of them, into the evidence.
+/// Adds the digits, the samples and the worst sample to the evidence.
 void report_agreement(const Agreement& agreement, const EvaluatedSamples& samples_at,
                       unsigned digits, Evidence& evidence);
 
-/// The verdict on two formulas at the samples of a claim. A printed formula with decimals is
-/// confirmed as it stands or with numbers that round to them, and is refuted if none of these fit;
-/// then the evidence has `rounded`. With `note` and the evidence of the verdict.
+/// Judges two formulas at the samples of a claim, and adds `note` and the evidence. A printed
+/// formula with decimals is confirmed as it stands or with other numbers that round to them (then
+/// the evidence has `rounded`), and refuted if no such numbers fit.
 [[nodiscard]] Judgement judge_formula(const Claim& claim, EvaluatedSamples& samples_at,
                                       const Agreement& agreement, const formula::Expr& exact,
                                       const std::optional<formula::Expr>& scale, unsigned digits,
                                       Outcome& outcome);
 
-/// Whether a formula that the program made is confirmed at the samples, by enclosures.
+/// True if a formula that the program made is confirmed at the samples, by enclosures.
 [[nodiscard]] bool confirmed_at_samples(EvaluatedSamples& samples_at, const formula::Expr& made,
                                         const formula::Expr& exact,
                                         const std::optional<formula::Expr>& scale, unsigned digits);
 
-/// What `says` and `of` of a claim give a diagnosis: the formulas, the names of the claim and of
-/// the first sample's scene, and printed/exact at all samples, where that is recognised; also puts
-/// the ratio's range into the evidence.
+/// Returns the data for the diagnosis: the formulas `says` and `of`, the names of the claim and of
+/// the first sample's scene, and printed/exact at all samples, if it is recognised. Also adds the
+/// range of this ratio to the evidence.
 [[nodiscard]] RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,
                                                 const EvaluatedSamples& samples_at,
                                                 Evidence& evidence);
 
-/// A test of candidates at a few samples, to a few digits; expressions as written in the claim.
+/// Tests candidates at a few samples, to a few digits; expressions are as written in the claim.
 class QuickSamples {
 public:
     QuickSamples(const Claim& claim, const AuditContext& context, const formula::Expr& exact);

@@ -12,8 +12,8 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr int most_iterations = 60;
-constexpr std::size_t most_boxes = 3000;   ///< of a subdivision
-constexpr std::size_t most_subdivided = 4; ///< decimals of a formula whose box is subdivided
+constexpr std::size_t most_boxes = 3000;   ///< in a subdivision
+constexpr std::size_t most_subdivided = 4; ///< decimals of a box that is subdivided
 
 using Row = std::vector<Real>;
 
@@ -25,8 +25,8 @@ Real norm_squared(const Row& r) {
     return sum;
 }
 
-/// The solution of (J^T J + mu I) d = -J^T r by Gaussian elimination, mu being |r|^2 times the mean
-/// of the diagonal of J^T J; the matrix is positive definite.
+/// Returns the solution of (J^T J + mu I) d = -J^T r by Gaussian elimination; mu is |r|^2 times the
+/// mean of the diagonal of J^T J, and the matrix is positive definite.
 std::optional<Row> damped_step(const std::vector<Row>& J, const Row& r) {
     const std::size_t n = J.front().size();
     Real mu(0);
@@ -109,9 +109,9 @@ std::optional<Confirmation> DecimalFit::agrees(const std::vector<Real>& numbers)
                        : std::optional<Confirmation>(std::get<Confirmation>(all.front()));
 }
 
-/// In units of half the last place, from what is printed; `fixed` are decimals that stay. A
-/// difference quotient stands for a derivative: an iteration that does not converge finds nothing,
-/// and what it finds is proved afterwards.
+/// The unknowns are the differences from the printed decimals, in units of the last place; `fixed`
+/// are decimals that stay. Difference quotients approximate the derivatives. This is safe, because
+/// results are proved afterwards.
 std::optional<std::vector<Real>>
 DecimalFit::search(const std::optional<Rational>& units,
                    const std::vector<std::optional<Real>>& fixed) const {
@@ -173,7 +173,7 @@ DecimalFit::search(const std::optional<Rational>& units,
         return std::nullopt;
     }
     if (units) {
-        // A decimal beyond its interval is held at the interval's end, the others being free.
+        // A decimal outside its interval is fixed at the interval's end, and the others stay free.
         std::vector<std::optional<Real>> held = fixed;
         bool beyond = false;
         for (const std::size_t k : free) {
@@ -252,7 +252,7 @@ std::optional<Refutation> DecimalFit::exclude() const {
             last = apart;
             continue;
         }
-        // Halved where it is widest, in units of the last place.
+        // Halve the box in its widest direction, measured in units of the last place.
         std::size_t widest = 0;
         Real width(0);
         for (std::size_t k = 0; k < box.size(); ++k) {
@@ -275,11 +275,11 @@ std::optional<Refutation> DecimalFit::exclude() const {
 namespace {
 
 struct Described {
-    std::string right; ///< decimals that the number found rounds to
-    std::string off;   ///< the others
+    std::string right; ///< the decimals to which the fitted numbers round
+    std::string off;   ///< the other decimals
 };
 
-/// Whether every number is at least half a unit away from zero.
+/// True if every number is more than half a unit away from zero.
 bool none_vanishes(const std::vector<PrintedDecimal>& decimals, const std::vector<Real>& numbers) {
     for (std::size_t k = 0; k < decimals.size(); ++k) {
         if (abs(numbers[k]) * 2 <= from_rational<Real>(decimals[k].unit)) {
@@ -337,7 +337,7 @@ Judgement judge_decimals(const std::vector<PrintedDecimal>& decimals, const Deci
         return {};
     }
     auto found = fit.find(neighbour_units());
-    // A decimal that has to vanish is another formula, not an imprecise one.
+    // If a decimal has to vanish, the correct formula is a different one, not an imprecise one.
     const bool near = found && none_vanishes(decimals, found->numbers);
     if (!near) {
         found = fit.find(std::nullopt);

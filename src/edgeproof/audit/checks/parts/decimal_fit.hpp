@@ -10,38 +10,39 @@
 
 namespace edgeproof::audit {
 
-/// Numbers in the place of the decimals of a printed formula, in balls.
+/// Numbers in place of the decimals of a printed formula, in balls.
 using Decimals = std::vector<Ball>;
 
-/// One comparison that a printed formula with decimals has to pass.
+/// One comparison that a printed formula with decimals must pass.
 struct DecimalEquation {
-    /// The printed value for these decimals. Throws Error where it has no enclosure.
+    /// Returns the printed value for these decimals. Throws Error if it has no enclosure.
     std::function<Ball(const Decimals&)> printed;
     Ball exact;
-    Ball scale; ///< positive: what a difference is compared with
+    Ball scale; ///< positive; differences are compared with it
 };
 
-/// Decimals with which the printed formula agrees with the exact values.
+/// Decimals for which the printed formula agrees with the exact values.
 struct FittedDecimals {
     std::vector<Real> numbers;
     Confirmation agrees;
 };
 
-/// What numbers can stand for the decimals of a printed formula. Every decimal stands for the
+/// Finds numbers that can replace the decimals of a printed formula. Every decimal represents the
 /// interval of half a unit in its last place.
 class DecimalFit {
 public:
-    /// `digits`: to which the formula has to agree with the exact values.
+    /// `digits`: the digits to which the formula must agree with the exact values.
     DecimalFit(std::vector<PrintedDecimal> decimals, std::vector<DecimalEquation> equations,
                unsigned digits, long bits);
 
-    /// Numbers at most so many units of the last place away, with which all equations are proved to
-    /// hold; without a limit, any numbers. They are searched by the Levenberg-Marquardt iteration
-    /// in Real, and only the enclosures at its result decide. Nothing where none were found.
+    /// Finds numbers, at most `units` units of the last place from the printed ones (without a
+    /// limit: any numbers), for which all equations are proved to hold. They are searched by the
+    /// Levenberg-Marquardt iteration in Real; only the enclosures at its result decide. Returns
+    /// nothing if no such numbers are found.
     [[nodiscard]] std::optional<FittedDecimals> find(const std::optional<Rational>& units) const;
-    /// A proof that no numbers at most half a unit away satisfy all equations: the enclosure of one
+    /// Proves that no numbers at most half a unit away satisfy all equations: the enclosure of one
     /// equation over all of them excludes its exact value, or each part of a subdivision is
-    /// excluded by some equation.
+    /// excluded by an equation.
     [[nodiscard]] std::optional<Refutation> exclude() const;
 
 private:
@@ -51,7 +52,7 @@ private:
     [[nodiscard]] std::optional<Confirmation> agrees(const std::vector<Real>& numbers) const;
     [[nodiscard]] std::optional<std::vector<Real>>
     residuals(const std::vector<Real>& numbers) const;
-    /// Whether an equation excludes all numbers in the box.
+    /// A proof that one equation excludes all numbers in the box.
     [[nodiscard]] std::optional<Refutation> excluded(const Decimals& box, std::size_t& first) const;
 
     std::vector<PrintedDecimal> decimals_;
@@ -60,9 +61,9 @@ private:
     long bits_;
 };
 
-/// The verdict on a formula with decimals, from what fits them: confirmed if numbers that round to
-/// all of them fit; refuted if it is proved that none do; imprecise if numbers at most one and a
-/// half units away fit. `text_with` writes the formula with other numbers. Evidence `rounded`.
+/// Judges a formula with decimals: confirmed if numbers that round to all of them fit; refuted if
+/// it is proved that no such numbers fit; imprecise if numbers at most one and a half units away
+/// fit. `text_with` writes the formula with other numbers. Adds `rounded` to the evidence.
 [[nodiscard]] Judgement
 judge_decimals(const std::vector<PrintedDecimal>& decimals, const DecimalFit& fit,
                const std::function<std::string(const std::vector<Real>&)>& text_with,

@@ -6,22 +6,22 @@
 
 namespace edgeproof::audit {
 
-/// A scene in balls under two loads that a quantity is linear in (parameters of it, such as Q and
-/// sig0): with one of them alone, and with the second such that another quantity vanishes.
+/// A scene in balls under two loads (parameters such as Q and sig0) in which a quantity is linear:
+/// with only one of them, and with the second load for which another quantity vanishes.
 class EnclosedLoads {
 public:
-    /// A second load that is zero in the scene is taken as 1.
+    /// A second load that is zero in the scene is replaced by 1.
     EnclosedLoads(const SceneSpec& scene, std::string first, std::string second, long bits);
 
     /// A formula under the first load alone, and under the second alone.
     [[nodiscard]] Ball of_first(const formula::Expr& e);
     [[nodiscard]] Ball of_second(const formula::Expr& e);
-    /// The second load at which e vanishes, the first being as it is in the scene; not finite where
-    /// the second load is not proved to have an effect on e.
+    /// Returns the second load for which e vanishes, with the first load of the scene; not finite
+    /// if the second load is not proved to have an effect on e.
     [[nodiscard]] Ball second_for_zero(const formula::Expr& e);
-    /// A formula under the first load and another second one.
+    /// Returns a formula under the first load and another second load.
     [[nodiscard]] Ball with_second(const formula::Expr& e, const Ball& second);
-    /// Both loads in the scene.
+    /// The loads of the scene.
     [[nodiscard]] const Ball& first() const { return first_value_; }
     [[nodiscard]] const Ball& second() const { return second_value_; }
     [[nodiscard]] EnclosedSample& sample() { return sample_; }

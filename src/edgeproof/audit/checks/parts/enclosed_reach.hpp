@@ -8,7 +8,7 @@
 
 namespace edgeproof::audit {
 
-/// Which approximation is followed how far from which edge.
+/// The approximation, the edge, the tolerance and the range of a reach.
 struct ReachQuestion {
     contact::Edge edge = contact::Edge::right;
     std::size_t terms = 1;
@@ -16,8 +16,8 @@ struct ReachQuestion {
     contact::ExtentRange range;
 };
 
-/// Where n terms are within a tolerance in a scene, proved; nothing, and a problem, where no level
-/// of bits up to 8 times that of `digits` decides.
+/// The proved extents in which n terms are within a tolerance in a scene. If no number of bits up
+/// to 8 times that of `digits` decides, `extents` is empty and `problem` gives the reason.
 struct EnclosedReach {
     std::optional<contact::EnclosedExtents> extents;
     long bits = 0;

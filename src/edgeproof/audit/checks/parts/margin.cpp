@@ -119,7 +119,7 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
             m.difference = strict ? Real(0) : Real(abs(difference));
         }
         if (m.clear && m.value < 0) {
-            return m; // one that fails decides
+            return m; // one relation that fails decides
         }
         if (!least) {
             least = m;
@@ -150,7 +150,7 @@ std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
         }
         return m;
     } catch (const DomainError&) {
-        return std::nullopt; // on a corner, or beyond the far edge by roundoff
+        return std::nullopt; // at a corner, or beyond the far edge because of roundoff
     }
 }
 

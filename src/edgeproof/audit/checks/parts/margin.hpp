@@ -12,40 +12,40 @@
 
 namespace edgeproof::audit {
 
-/// By how much a condition holds at a place: the least of (rhs - lhs)/max(|lhs|, |rhs|) over its
-/// relations, turned so that positive means that it holds.
+/// The margin by which a condition holds at a place: the least of (rhs - lhs)/max(|lhs|, |rhs|)
+/// over its relations, with the sign chosen so that positive means that the relation holds.
 struct Margin {
     Real value;
-    /// The least of rhs - lhs itself: of the same sign, but it does not level off where one side
-    /// outweighs the other, and so shows where the sides come close.
+    /// The least of rhs - lhs itself. It has the same sign, but does not become constant where one
+    /// side dominates, and therefore shows where the sides come close.
     Real difference;
-    /// Its sign is beyond doubt: it is larger than what the last digits could be wrong by. A
-    /// relation that allows equality is clear when the sides agree to all digits.
+    /// True if the sign is certain: the margin is larger than the possible error of the last
+    /// digits. A relation that allows equality is also clear when the sides agree to all digits.
     bool clear = true;
 };
 
-/// A condition in one scene, at any place of it. Where the sides agree to too many digits to tell
-/// which is larger, more digits are computed: D, then 2 D + 40, then 4 D + 160.
+/// A condition in one scene, at any place. If the sides agree to too many digits to show which is
+/// larger, more digits are computed: D, then 2 D + 40, then 4 D + 160.
 class ConditionInScene {
 public:
     ConditionInScene(const ConditionInScene&) = delete;
     ConditionInScene& operator=(const ConditionInScene&) = delete;
     ~ConditionInScene() = default;
 
-    /// `sample`: its scene, edge and variables; its place is not looked at.
+    /// `sample`: its scene, edge and variables are used; its place is ignored.
     ConditionInScene(const Sample& sample, PrintedCondition condition,
                      std::optional<Condition> where, unsigned digits);
 
     [[nodiscard]] const EvaluatedScene& scene_values() const { return at_level(0); }
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
     [[nodiscard]] std::vector<Real> knots() const;
-    /// nullopt where `where` leaves the place out, or something has no value there.
+    /// Returns nullopt if `where` excludes the place, or if something has no value there.
     [[nodiscard]] std::optional<Margin> at(const Real& fraction) const;
-    /// For conditions that name no place.
+    /// For conditions without a place.
     [[nodiscard]] std::optional<Margin> anywhere() const;
-    /// By enclosures, at a place or, for conditions that name none, without one; nullopt where
-    /// `where` does not certainly hold. Decimals stand for their intervals: the
-    /// condition fails if it does for all numbers in them, and holds if it does as printed.
+    /// Decides by enclosures, at a place or (for conditions without one) without a place; returns
+    /// nullopt if `where` does not certainly hold. Decimals represent their intervals: the
+    /// condition fails if it fails for all numbers in them, and holds if it holds as printed.
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
     [[nodiscard]] std::string text() const;
     /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the

@@ -10,17 +10,17 @@ struct MarginAt {
     Margin margin;
 };
 
-/// A condition looked at all over a contact: geometrically towards both edges and both sides of
-/// every knot, evenly between them, and wherever the margin dips between those places as if it
-/// might change its sign. That nothing is missed is *sampled*, not proved.
+/// Evaluates a condition all over a contact: at places spaced geometrically towards both edges and
+/// both sides of every knot, evenly between them, and at extrema of the margin between these places
+/// where its sign might change. The completeness of this search is *sampled*, not proved.
 class MarginScan {
 public:
-    /// `nearest`: how near to the edge, as a fraction of the length.
+    /// `nearest`: the least distance from the edge, as a fraction of the length.
     MarginScan(const ConditionInScene& condition, const Real& nearest);
 
-    /// In the order of their distance from the edge.
+    /// The places in the order of their distance from the edge.
     [[nodiscard]] const std::vector<MarginAt>& places() const noexcept { return places_; }
-    /// nullptr if no place is admitted.
+    /// Returns nullptr if no place is admitted.
     [[nodiscard]] const MarginAt* least() const;
     [[nodiscard]] const MarginAt* most() const;
     [[nodiscard]] std::size_t unclear() const;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-/// What the kinds share that follow a quantity while one name takes one value after another.
+/// Shared by the kinds that follow a quantity while one name takes successive values.
 namespace edgeproof::audit {
 
-/// The families of a ledger (its claims left out), one parameter of a family fixed. Other
-/// parameters that are written in terms of it follow.
+/// Returns the families of a ledger (without its claims) with one parameter of a family fixed.
+/// Parameters that depend on it change, too.
 [[nodiscard]] Ledger with_parameter(const Ledger& ledger, const std::string& family,
                                     const std::string& parameter, const formula::Expr& value);
 
@@ -19,31 +19,30 @@ struct SweptSample {
     std::string text;
 };
 
-/// A claim's samples, each at every value of the name that `along` gives: a parameter of the
-/// family, or a name of `vary`. The values are those listed there, in the order listed. Refers to
-/// the claim and to the context.
+/// The samples of a claim, each at every listed value of the name in `along`: a parameter of the
+/// family, or a name of `vary`. Refers to the claim and to the context.
 class ParameterSweep {
 public:
     ParameterSweep(const Claim& claim, const AuditContext& context);
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] const std::vector<std::string>& values() const noexcept { return values_; }
-    /// Samples at one value.
+    /// The number of samples at each value.
     [[nodiscard]] std::size_t samples() const noexcept { return steps_.front().size(); }
     [[nodiscard]] const SweptSample& sample_at(std::size_t value, std::size_t sample) const {
         return steps_[value][sample];
     }
-    /// The value of the name there.
+    /// The value of the name in that sample.
     [[nodiscard]] const formula::Exact& value_at(std::size_t value, std::size_t sample) const;
-    /// The same sample at a value that is not listed. Throws Error for one that the family does not
-    /// admit.
+    /// Returns the same sample at a value that is not listed. Throws Error if the family does not
+    /// admit the value.
     [[nodiscard]] Sample sample_with(const formula::Exact& value, std::size_t sample) const;
 
 private:
     const Claim& claim_;
     const AuditContext& context_;
     std::string name_;
-    bool of_family_ = false; ///< else a name of `vary`
+    bool of_family_ = false; ///< false: a name of `vary`
     std::vector<std::string> values_;
     std::vector<std::vector<SweptSample>> steps_;
 };

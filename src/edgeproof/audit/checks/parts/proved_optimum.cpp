@@ -21,7 +21,7 @@ ProvedOptimum proved_optimum(const contact::ReachProblem& problem,
         found.claimed_reach = proved_reach(problem, std::vector<Ball>{claimed}).reach;
         contact::DesignOptions options;
         options.digits = optimum_digits + 5;
-        // The best reach is not less than that of the value claimed.
+        // The best reach is not less than the reach of the claimed value.
         options.gap = contact::exact_value(
             Ball(Ball(found.claimed_reach.lower(), 64) / 1'000'000).with_bits(32).lower());
         found.best = best_reach(problem, {range}, options);

@@ -13,7 +13,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Computed figures are held to be right to all but so many of the working digits.
+/// Computed figures are assumed to be right to all working digits except these last ones.
 constexpr int lost_digits = 25;
 
 Rational power_of_ten(unsigned k) {
@@ -68,7 +68,7 @@ bool QuotedFigure::half_way(const Real& computed) const {
 long QuotedFigure::units_off(const Real& computed) const {
     const Real steps = computed / Real(unit_);
     const Real quoted(Rational(value_ / unit_));
-    // A half is rounded up, on whichever side of it roundoff has left the value.
+    // A half is rounded up, even if roundoff has moved the value slightly to either side of it.
     const Real rounded =
         half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
     const Real off = rounded - quoted;
@@ -78,7 +78,7 @@ long QuotedFigure::units_off(const Real& computed) const {
 
 namespace {
 
-/// From the figure less so many units to the figure and so many units.
+/// Confirms that x is within `units` units of the figure.
 template <class Number>
 std::optional<Confirmation> within(const Number& x, const QuotedFigure& figure,
                                    const Rational& units) {

@@ -10,39 +10,39 @@
 
 namespace edgeproof::audit {
 
-/// A figure as it is quoted: "6.4 %", "0.03", "17". The last place written is its unit.
+/// A figure as it is quoted: "6.4 %", "0.03", "17". Its unit is one unit of the last place.
 class QuotedFigure {
 public:
-    /// The field `quoted` of a claim. Throws InputError for anything but a decimal, with or without
-    /// a sign of per cent.
+    /// Reads the field `quoted` of a claim. Throws InputError for anything except a decimal, with
+    /// or without a per cent sign.
     [[nodiscard]] static QuotedFigure of(const Claim& claim);
 
-    /// As a pure number: 2 % is 1/50.
+    /// The value as a pure number: 2 % is 1/50.
     [[nodiscard]] const Rational& value() const noexcept { return value_; }
-    /// Whether the computed value lies half-way between two numbers of so many places, as far as
-    /// the working digits tell.
+    /// True if the computed value lies half-way between two numbers with the quoted places, up to
+    /// the error of the working digits.
     [[nodiscard]] bool half_way(const Real& computed) const;
-    /// How many units of the last quoted place the computed value, rounded to it, is above. A half
-    /// is rounded up.
+    /// Rounds the computed value to the quoted place and returns the difference from the quoted
+    /// figure, in units of that place. A half is rounded up.
     [[nodiscard]] long units_off(const Real& computed) const;
-    /// All numbers in the ball round to it: confirmed. All are one unit off: imprecise. All are
-    /// farther off: refuted. Else undecided.
+    /// Confirmed if all numbers in the ball round to the figure, imprecise if all are one unit off,
+    /// refuted if all are farther off, else undecided.
     [[nodiscard]] Judgement verdict(const Ball& computed) const;
-    /// The same of a constant that exact algebra proves to lie half-way between two numbers of so
-    /// many places; undecided for others.
+    /// Judges a constant that is proved by exact algebra to lie half-way between two numbers with
+    /// the quoted places; undecided for other constants.
     [[nodiscard]] Judgement verdict_half_way(const formula::Exact& computed) const;
-    /// Decimal digits of the figure, counted from the first one that is not zero.
+    /// The number of decimal digits of the figure, counted from the first nonzero digit.
     [[nodiscard]] unsigned digits() const;
-    /// The numbers from so many units of the last quoted place below to so many above: with 1/2
-    /// those that round to it.
+    /// Returns the interval value -+ `units` units of the last quoted place; for 1/2, the numbers
+    /// that round to the figure.
     [[nodiscard]] std::pair<Rational, Rational> within_units(const Rational& units) const {
         return {value_ - units * unit_, value_ + units * unit_};
     }
-    /// The computed value in the quoted notation: rounded to the quoted place.
+    /// Returns the computed value in the quoted notation, rounded to the quoted place.
     [[nodiscard]] std::string rounded(const Real& computed) const;
-    /// The same with so many significant digits.
+    /// Returns the computed value in the quoted notation with `digits` significant digits.
     [[nodiscard]] std::string text(const Real& computed, unsigned digits = 5) const;
-    /// "rounds to 49 %: 3 units of the last quoted place above".
+    /// Returns a note such as "rounds to 49 %: 3 units of the last quoted place above".
     [[nodiscard]] std::string note(const Real& computed) const;
 
 private:

@@ -11,7 +11,7 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Richardson's extrapolation to u = 0 of f(u) = f_0 + f_1 u + f_2 u^2 + ... known at u_0 2^-j.
+/// Richardson's extrapolation to u = 0 of f(u) = f_0 + f_1 u + f_2 u^2 + ..., known at u_0 2^-j.
 struct Extrapolated {
     Real value;
     Real change;
@@ -71,7 +71,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
     if (options.route == contact::Route::singular_integral ||
         (options.route == contact::Route::automatic &&
          !contact::BallContact::has_closed_form(profile))) {
-        // Many points of one contact at many digits: nodes and slopes are computed once for all.
+        // For many points of one contact, the nodes and slopes are computed only once.
         const contact::BatchPressure p(contact, digits);
         for (const Real& u : places) {
             pressure.push_back(p(edge, u).value);
@@ -107,8 +107,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
         fit.coefficient = limit.value;
         fit.spread = limit.change;
         fit.expected = c[n];
-        // A coefficient is measured against the size that its neighbours give it, so that one
-        // which vanishes is seen to.
+        // To recognise a vanishing coefficient, compare with the size expected from its neighbours.
         const Real natural = abs(exact[0]) * pow(radius, -static_cast<int>(n));
         const Real negligible = natural * pow(Real(10), 5 - static_cast<int>(options.digits));
         fit.vanishing = abs(fit.coefficient) < negligible && abs(fit.expected) < negligible;

@@ -12,10 +12,10 @@
 namespace edgeproof::audit {
 namespace {
 
-constexpr int points_per_decade = 10; // of the geometric points
-constexpr int nearest_decades = 4;    // how near a knot or the far edge they go
+constexpr int points_per_decade = 10; // of the geometrically spaced points
+constexpr int nearest_decades = 4;    // their least distance from a knot or the far edge
 constexpr int uniform = 24;           // points between landmarks
-const Float128 refined("1e-24");      // relative, of a crossing
+const Float128 refined("1e-24");      // relative, for a crossing
 
 template <class T> T approximation(const std::vector<T>& c, std::size_t n, const T& u) {
     using std::sqrt;
@@ -26,7 +26,7 @@ template <class T> T approximation(const std::vector<T>& c, std::size_t n, const
     return sum * sqrt(u);
 }
 
-/// 0 within the tolerance, +1 at or above it, -1 at or below minus it.
+/// Returns 0 within the tolerance, +1 at or above it, -1 at or below its negative.
 int side_of(long double f, long double tolerance) {
     return f >= tolerance ? 1 : f <= -tolerance ? -1 : 0;
 }
@@ -104,7 +104,7 @@ std::vector<long double> ContactsBySize::At::places(contact::Edge edge) {
         }
     }
     std::sort(marks.begin(), marks.end());
-    // Nearer to the edge than this no term that is left out reaches a millionth.
+    // Nearer to the edge than this, no omitted term reaches a millionth.
     long double first = marks[1] / 4;
     for (std::size_t k = 1; k < c.size(); ++k) {
         if (c[k] != 0) {
@@ -131,7 +131,7 @@ std::vector<long double> ContactsBySize::At::places(contact::Edge edge) {
             u.push_back(marks[i]);
         }
     }
-    // The end of the side, up to which it may be asked.
+    // Add the end of the side, as a fraction of the side may be required.
     u.push_back(edge == contact::Edge::right ? e.a : e.b);
     std::sort(u.begin(), u.end());
     u.erase(std::unique(u.begin(), u.end()), u.end());
@@ -146,7 +146,7 @@ const std::vector<ContactsBySize::At::Node>& ContactsBySize::At::pressures(conta
             try {
                 nodes.push_back({u, rough_pressure(edge, u)});
             } catch (const DomainError&) {
-                continue; // on a corner, where p is infinite
+                continue; // at a corner, where p is infinite
             }
         }
     }
@@ -171,7 +171,7 @@ Float128 ContactsBySize::At::crossing(const ExtentOf& of, const Node& l, const N
     const Float128 level = which * of.tolerance;
     const auto rough_level = static_cast<long double>(level);
     const auto rough_f = [&](long double u) { return rough_error(of, u) - rough_level; };
-    // A value on the level itself is beyond it; that is a root as it stands.
+    // A value equal to the level counts as a root.
     const long double u =
         roots::bracketed_root<long double>(rough_f, l.u, l.f - rough_level, r.u, r.f - rough_level,
                                            refine ? 1e-12L : 1e-15L)
@@ -197,7 +197,7 @@ Float128 ContactsBySize::At::crossing(const ExtentOf& of, const Node& l, const N
     return roots::bracketed_root<Float128>(f, lo, f_lo, hi, f_hi, refined).x;
 }
 
-/// p_local/p - 1 at the places sampled, and at extrema between them that may reach the tolerance.
+/// p_local/p - 1 at the sampled places, and at extrema between them that may reach the tolerance.
 std::vector<ContactsBySize::At::Node> ContactsBySize::At::errors(const ExtentOf& of) {
     const std::vector<long double>& c = rough_coefficients(of.edge);
     std::vector<Node> nodes;
@@ -248,14 +248,14 @@ ContactsBySize::Fractions ContactsBySize::At::found(const ExtentOf& of, bool ref
     }
     const std::vector<Node> nodes = errors(of);
     const auto tolerance = static_cast<long double>(of.tolerance);
-    std::vector<Float128> crossings; // out, in again, out, ...: at the edge the error vanishes
+    std::vector<Float128> crossings; // alternately outwards and inwards
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         const int before = side_of(nodes[i].f, tolerance);
         const int after = side_of(nodes[i + 1].f, tolerance);
         if (before == after) {
             continue;
         }
-        // From beyond one tolerance to beyond the other, both are crossed.
+        // A step from beyond one tolerance to beyond the other crosses both.
         for (const int which : {before, after}) {
             if (which != 0) {
                 crossings.push_back(crossing(of, nodes[i], nodes[i + 1], which, refine));

@@ -12,9 +12,9 @@
 
 namespace edgeproof::audit {
 
-/// Ways to read "within 1 % of the exact solution for 4 % of the contact": up to where the
-/// tolerance is left first, or how much is within it in all; of the whole contact, or of the side
-/// between the edge and the origin.
+/// The possible readings of "within 1 % of the exact solution for 4 % of the contact": the first
+/// place where the tolerance is exceeded, or the total length within it; as a fraction of the whole
+/// contact, or of the side between the edge and the origin.
 enum class ExtentReading { first_exit_of_side, measure_of_side, first_exit_of_all, measure_of_all };
 inline constexpr std::array extent_readings{
     ExtentReading::first_exit_of_side, ExtentReading::measure_of_side,
@@ -25,52 +25,51 @@ inline constexpr std::array extent_readings{
            reading == ExtentReading::measure_of_side;
 }
 
-/// Which approximation is looked at, and how closely.
+/// The edge, the number of terms and the tolerance of an approximation.
 struct ExtentOf {
     contact::Edge edge = contact::Edge::right;
     std::size_t terms = 1;
     Float128 tolerance;
 };
 
-/// The contacts of one profile as their size varies, in binary128 (found in long double, refined in
-/// binary128: crossings are good to about 22 digits, where the profile has a closed form). What
-/// extent.hpp does for one contact to any digits, this does fast for thousands, for up to four
-/// terms.
+/// The contacts of one profile for varying size, in binary128 (crossings are found in long double
+/// and refined in binary128 to about 22 digits; the profile must have a closed form). extent.hpp
+/// computes the same for one contact to any digits; this class is fast for thousands of contacts,
+/// for up to four terms.
 class ContactsBySize {
 public:
     static constexpr std::size_t most_terms = 4;
-    /// Throws DomainError for a profile that is not piecewise linear: its pressures have no closed
-    /// form.
+    /// Throws DomainError for a profile that is not piecewise linear.
     explicit ContactsBySize(const contact::Profile& profile);
 
-    /// A fraction under each reading.
+    /// One fraction for each reading.
     using Fractions = std::array<Float128, extent_readings.size()>;
 
-    /// The contact with right edge a. Keeps a reference to the object that made it.
+    /// The contact with right edge a. Keeps a reference to the ContactsBySize.
     class At {
     public:
         At(const ContactsBySize& contacts, const Float128& a);
         At(const At&) = delete;
         At& operator=(const At&) = delete;
-        /// To about 22 digits.
+        /// Returns the fractions to about 22 digits.
         [[nodiscard]] Fractions fractions(const ExtentOf& of);
-        /// To about 12, several times faster.
+        /// Returns them to about 12 digits, several times faster.
         [[nodiscard]] Fractions rough_fractions(const ExtentOf& of);
         [[nodiscard]] const contact::Extent<Float128>& extent();
-        /// c_0 ... c_{count-1} at least, to about 28 digits.
+        /// Returns at least c_0 ... c_{count-1}, to about 28 digits.
         [[nodiscard]] const std::vector<Float128>& coefficients(contact::Edge edge,
                                                                 std::size_t count);
 
     private:
-        /// p at places from an edge to the other, and p_local/p - 1 there.
+        /// A value at the distance u from an edge: p, or p_local/p - 1.
         struct Node {
             long double u;
             long double f;
         };
-        /// The contact in one arithmetic; made when it is asked for.
+        /// The contact in one arithmetic; computed on first use.
         template <class T> struct In {
             std::optional<contact::Extent<T>> extent;
-            std::optional<contact::Marks<T, T>> marks; ///< of the extent
+            std::optional<contact::Marks<T, T>> marks; ///< the landmarks of the extent
             std::array<std::vector<T>, 2> c;
         };
         [[nodiscard]] const contact::Extent<long double>& rough_extent();

@@ -12,14 +12,13 @@
 namespace edgeproof::audit {
 namespace {
 
-/// How near a size on a knot the search goes, relative.
+/// The least relative distance from a size with an edge on a knot.
 const Float128 nearness("1e-8");
-/// To what an end is isolated, relative.
+/// The relative accuracy of the ends.
 const Float128 isolation("1e-16");
-/// An interval no wider than this is where a jump crosses both bounds.
+/// An interval of at most this relative width is a jump that crosses both bounds.
 const Float128 width_of_a_jump("1e-13");
 
-/// A value at a size.
 struct Value {
     Float128 a;
     Float128 f;
@@ -30,7 +29,7 @@ Float128 extremum(const SizeScan::Function& f, const Float128& lo, const Float12
     return roots::place_of_minimum(depth, lo, hi, 30);
 }
 
-/// An extremum between sizes may reach a level unseen: where three in a row say so, it is added.
+/// Adds the extrema between sizes, indicated by three successive values, that may reach the level.
 void add_extrema(const SizeScan::Function& f, const Float128& level, std::vector<Value>& values) {
     std::vector<Value> found;
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
@@ -137,7 +136,7 @@ SizeSet SizeScan::joined(bool inside, std::vector<Float128> ends) const {
     for (const Float128& end : ends) {
         if (inside) {
             now.to = end;
-            // What a jump runs through is no size at all.
+            // A jump through the interval is not a set of sizes.
             if (now.to - now.from > width_of_a_jump * now.to) {
                 set.push_back(now);
             }
@@ -168,7 +167,7 @@ SizeSet SizeScan::between(const Function& f, const std::vector<Float128>& at_siz
             if ((l.f >= level) == (r.f >= level)) {
                 continue;
             }
-            // A value on the level itself counts as above it.
+            // A value equal to the level counts as above it.
             const auto g = [&](const Float128& a) {
                 const Float128 d = f(a) - level;
                 return d == 0 ? isolation : d;

@@ -11,8 +11,9 @@
 
 namespace edgeproof::audit {
 
-/// Contact sizes a, where a paper gives none. They are searched in binary128, whatever digits an
-/// audit asks for: ends are good to about 14 digits and are the same on every machine.
+/// An interval of contact sizes a, for claims whose source gives no size. Sizes are searched in
+/// binary128, independently of the digits of the audit: ends are right to about 14 digits and are
+/// the same on every machine.
 struct SizeInterval {
     Float128 from;
     Float128 to;
@@ -20,22 +21,21 @@ struct SizeInterval {
     bool open_above = false; ///< it ends where the search ended
 };
 
-/// The scene with another right edge a; all its other parameters stay.
+/// Returns the scene with another right edge a and the same other parameters.
 [[nodiscard]] SceneSpec with_size(SceneSpec scene, const Float128& a);
 
-/// Disjoint and ascending.
+/// Disjoint intervals in ascending order.
 using SizeSet = std::vector<SizeInterval>;
 
 [[nodiscard]] SizeSet intersection(const SizeSet& x, const SizeSet& y);
-/// "1.23456789012 ... 2.5; 7.5 ... end of the search": each end to so many digits.
+/// Returns "1.23456789012 ... 2.5; 7.5 ... end of the search", each end with `digits` digits.
 [[nodiscard]] std::string to_text(const SizeSet& set, unsigned digits = 12);
-/// One size.
 [[nodiscard]] std::string to_text(const Float128& a, unsigned digits = 12);
-/// One interval from one end of the search to the other.
+/// True for a single interval from one end of the search to the other.
 [[nodiscard]] bool is_everything(const SizeSet& set);
 
-/// Sizes between two given ones, split where an edge meets a knot of the profile: there, functions
-/// of the size are not smooth, and the search goes near from both sides.
+/// The sizes between two given ones, split where an edge meets a knot of the profile: functions of
+/// the size are not smooth there, and the search approaches it from both sides.
 class SizeScan {
 public:
     /// Throws InputError unless 0 < from < to.
@@ -45,16 +45,16 @@ public:
     using Function = std::function<Float128(const Float128& a)>;
     using Test = std::function<bool(const Float128& a)>;
 
-    /// Where the search looks first: ascending, its ends included, no knot among them.
+    /// The first sizes tried: ascending, with the ends of the range, without sizes at a knot.
     [[nodiscard]] const std::vector<Float128>& sizes() const noexcept { return sizes_; }
-    /// Sizes at which an edge is on a knot.
+    /// The sizes at which an edge is on a knot.
     [[nodiscard]] const std::vector<Float128>& breaks() const noexcept { return breaks_; }
-    /// Where lower <= f(a) < upper. `at_sizes`: f at sizes(). Between neighbouring sizes f is taken
-    /// to cross each bound once at most, beyond extrema that three sizes in a row betray: sampled,
-    /// not proved. A jump of f counts as a crossing.
+    /// Returns the set where lower <= f(a) < upper. `at_sizes`: f at sizes(). Between neighbouring
+    /// sizes, f is assumed to cross each bound at most once, except near extrema indicated by three
+    /// successive sizes: sampled, not proved. A jump of f counts as a crossing.
     [[nodiscard]] SizeSet between(const Function& f, const std::vector<Float128>& at_sizes,
                                   const Float128& lower, const Float128& upper) const;
-    /// Where a test holds, likewise.
+    /// Returns the set where a test holds, in the same way.
     [[nodiscard]] SizeSet where(const Test& test) const;
 
 private:

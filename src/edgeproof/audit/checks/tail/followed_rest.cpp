@@ -18,12 +18,12 @@ namespace {
 using formula::Exact;
 using formula::Expr;
 
-/// By which the small variable is multiplied.
+/// The small variable is divided by these powers of ten.
 constexpr std::array<unsigned, 3> sizes{0, 6, 12};
-/// Decades of the distance. Those at which growth is measured are powers of two.
+/// Decades of the distance. Growth is measured at those that are powers of two.
 constexpr std::array<unsigned, 20> main_stations{1,  2,  3,  4,   6,   8,   12,  16,  24,  32,
                                                  48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
-constexpr double bounded_margin = 8; ///< decades by which the last steps are below the rest
+constexpr double bounded_margin = 8; ///< decades from the last steps to the remainder
 constexpr double most_hidden = 390;
 constexpr std::size_t doublings = 3;
 constexpr long rest_bits = 30;
@@ -34,7 +34,7 @@ Expr power_of_ten(long exponent) {
     return Expr::number(exponent < 0 ? Rational(1 / power) : power);
 }
 
-/// At the second, at least half as much again as at the first.
+/// True if `second` is certainly more than 3/2 of `first`.
 bool certainly_half_more(const Ball& first, const Ball& second) {
     return certainly_less(first * 3, second * 2);
 }
@@ -47,8 +47,8 @@ double decades_of_size(const Sample& sample, const std::string& small) {
     return decades ? std::max(0.0, -*decades) : 0;
 }
 
-/// The stations up to `least_end`, at least, and the distances small^(1/2), small, small^(3/2),
-/// small^2.
+/// Returns the stations at least up to `least_end`, and the distances small^(1/2), small,
+/// small^(3/2), small^2.
 std::vector<unsigned> stations_to(double least_end, double small) {
     std::vector<unsigned> stations;
     for (const unsigned station : main_stations) {
@@ -69,7 +69,7 @@ std::vector<unsigned> stations_to(double least_end, double small) {
     return stations;
 }
 
-/// With what cancels taken out, where that is found by symbols.
+/// Returns the expression with cancelling terms removed, if symbols can do this.
 Expr simplified(const Expr& e) {
     try {
         return derive(e, SymbolicCase());
@@ -86,7 +86,7 @@ Expr ExpansionToFollow::rest() const {
 
 Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, unsigned decades,
                    bool exactly) {
-    // Not a power of ten: formulas such as sin(Pi/s) are special there.
+    // The distance is not a power of ten, as formulas such as sin(Pi/s) are special there.
     const Expr power = power_of_ten(-static_cast<long>(decades));
     const Expr off = exactly ? power : Expr::number(Rational(7919, 7001)) * power;
     const Expr& end = expansion.towards.expr();
@@ -142,7 +142,7 @@ std::optional<FollowedRest::Station> FollowedRest::station(const Sample& at, uns
     const double lost = (expansion_.order + 1) * small + decades;
     std::optional<Station> found;
     SampleInBalls sample(at, digits_ + static_cast<unsigned>(lost));
-    // What is smaller than the small variable to twice the order is nothing.
+    // A remainder far below the small variable to twice the order is treated as zero.
     const auto nothing_below = -static_cast<long>(2 * expansion_.order * small + decades + digits_);
     (void)sample.until([&](const EnclosedSample& in) {
         Station here{decades, abs(in.evaluate(rest_)), false};
@@ -173,7 +173,7 @@ bool FollowedRest::add_run(const Sample& sample) {
         const long bits = 2 * formula::bits_for(digits_ + static_cast<unsigned>(8 * small) + 40);
         const EnclosedSample before(at_distance(sample, expansion_, main_stations[3]), bits);
         const EnclosedSample after(at_distance(sample, expansion_, main_stations[5]), bits);
-        // Its smaller sizes hide nothing more: the small variable is followed beyond its powers.
+        // The smaller sizes hide nothing more, as the small variable is followed beyond its powers.
         run.hidden =
             runs_.empty() ? hidden_decades(simplified_, {before, after}) : runs_.front().hidden;
         if (!(run.hidden < most_hidden)) {
@@ -202,7 +202,7 @@ bool FollowedRest::add_run(const Sample& sample) {
     return true;
 }
 
-/// The last three steps are far below the rest, and do not grow.
+/// True if the last three steps are much smaller than the remainder, and do not grow.
 bool FollowedRest::is_bounded(const Run& run) {
     const std::size_t n = run.stations.size();
     const Ball tolerance =

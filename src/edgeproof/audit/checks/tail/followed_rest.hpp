@@ -10,47 +10,46 @@
 
 namespace edgeproof::audit {
 
-/// An expansion in a small variable, and where another variable goes to.
+/// An expansion in a small variable, and the limit of another variable.
 struct ExpansionToFollow {
     formula::Expr of;
     formula::Expr approximation;
     std::string small;
-    unsigned order = 0; ///< the power of the small variable that comes next
+    unsigned order = 0; ///< the next power of the small variable
     std::string variable;
     formula::Exact towards;
-    /// (of - approximation)/small^order.
+    /// Returns (of - approximation)/small^order.
     [[nodiscard]] formula::Expr rest() const;
 };
 
-/// The sample with the variable at the distance 10^-decades, about, from where it goes to; at
-/// exactly that distance if `exactly`.
+/// Returns the sample with the variable at about (or `exactly`) 10^-decades from its limit.
 [[nodiscard]] Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion,
                                  unsigned decades, bool exactly = false);
 
-/// What an expansion leaves, over the power that comes next, as the variable comes to its limit: in
-/// balls, for three sizes of the small variable, down to distances beyond all powers of it up to
-/// the second and what the formula may hide (hidden_terms.hpp).
+/// The remainder of an expansion divided by the next power, as the variable tends to its limit: in
+/// balls, for three sizes of the small variable, down to distances below the square of the small
+/// variable and beyond what the formula may hide (hidden_terms.hpp).
 class FollowedRest {
 public:
     FollowedRest(const Sample& sample, const ExpansionToFollow& expansion, unsigned digits);
 
     enum class Course {
         unknown,
-        nothing,     ///< no rest that the balls distinguish from zero
-        bounded,     ///< it tends to a limit for each size, and its maximum does for small sizes
-        grows,       ///< without bound as the variable comes to its limit, or as the size falls
-        wrong_order, ///< it grows as the size falls, far from the limit as well
+        nothing,     ///< the balls do not distinguish the remainder from zero
+        bounded,     ///< it has a limit for each size, and its maximum has one for small sizes
+        grows,       ///< without bound as the variable tends to its limit, or as the size decreases
+        wrong_order, ///< it grows as the size decreases, also far from the limit
     };
     [[nodiscard]] Course course() const { return course_; }
-    /// Why the course is not known.
+    /// The reason why the course is not known.
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    /// |rest| at the last distance but one and at the last, for the first size; of the course
-    /// `wrong_order` far from the limit, for the first size and the smallest.
+    /// |rest| at the last two distances, for the first size; for the course `wrong_order`, far from
+    /// the limit for the first size and the smallest.
     [[nodiscard]] const Ball& before_last() const;
     [[nodiscard]] const Ball& last() const;
-    /// The largest, for the first size.
+    /// The largest |rest| for the first size.
     [[nodiscard]] Ball largest() const;
-    /// For a table: "10^-64".
+    /// Returns the last distance as text: "10^-64".
     [[nodiscard]] std::string last_distance() const;
 
 private:
@@ -59,7 +58,7 @@ private:
         Ball rest; ///< |rest|
         bool nothing;
     };
-    /// At one size of the small variable.
+    /// The remainder for one size of the small variable.
     struct Run {
         Sample sample;
         std::optional<Ball> far; ///< |rest| at the variable's own value
@@ -76,15 +75,15 @@ private:
 
     const ExpansionToFollow& expansion_;
     formula::Expr rest_;
-    formula::Expr simplified_; ///< the same, in which the terms that cancel are seen no more
+    formula::Expr simplified_; ///< the same expression with cancelling terms removed
     unsigned digits_;
     std::vector<Run> runs_;
     Course course_ = Course::unknown;
     std::string problem_;
 };
 
-/// Whether a formula certainly grows, as the variable comes to its limit, by half at least each
-/// time that the decades of the distance double.
+/// True if a formula certainly grows by at least one half each time the number of decades of the
+/// distance doubles, as the variable tends to its limit.
 [[nodiscard]] bool certainly_grows(const formula::Expr& e, const Sample& sample,
                                    const ExpansionToFollow& expansion, unsigned digits);
 

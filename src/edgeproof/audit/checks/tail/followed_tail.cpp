@@ -15,16 +15,16 @@
 namespace edgeproof::audit {
 namespace {
 
-/// Decades from the last value listed.
+/// Decades from the last listed value.
 constexpr std::array<unsigned, 22> stations{1,  2,  3,  4,  5,   6,   7,   8,   12,  16,  24,
                                             32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
 constexpr unsigned first_judged = 128;
 constexpr unsigned farthest_of_integrals = 16;
 constexpr std::size_t least_points = 5;
-constexpr double margin = 20;      ///< decades that a gap falls by, beyond those that may be hidden
+constexpr double margin = 20;      ///< required decades of decrease, plus those hidden
 constexpr double short_margin = 4; ///< the same where enclosures end early
 constexpr double most_decades = 4000;
-constexpr long relative_bits = 30; ///< to which a gap is enclosed
+constexpr long relative_bits = 30; ///< required relative accuracy of a gap
 constexpr double least_steadiness = 0.5;
 
 double decades_of_exact(const formula::Exact& x) {
@@ -36,8 +36,8 @@ double decades_of_exact(const formula::Exact& x) {
     }
 }
 
-/// Whether the slopes of a sequence over the stations have one sign, and the last is not much less
-/// than the others: what falls as a power of the distance, or faster.
+/// True if the slopes of a sequence over the stations have one sign, and the last is not much less
+/// than the others: this holds for a power of the distance, or a faster change.
 bool is_steady(const std::vector<Ball>& d, const std::vector<unsigned>& decades, bool rising) {
     double most = 0;
     double last = 0;
@@ -97,7 +97,7 @@ Ball FollowedTail::tolerance() const {
                    -static_cast<long>(std::ceil(needed)));
 }
 
-/// What the formulas may hide, and the scale of the gap at the first value listed.
+/// Finds what the formulas may hide, and the scale of the gap at the first listed value.
 void FollowedTail::find_scales() {
     const std::size_t last = sweep_.values().size() - 1;
     const Sample& sample = sweep_.sample_at(0, sample_).sample;
@@ -157,7 +157,7 @@ bool FollowedTail::add(unsigned decades, std::size_t which) {
             ended_by_ = sample.problem();
         }
     } catch (const Error& error) {
-        ended_by_ = error.what(); // the family does not admit the value, or has no enclosure there
+        ended_by_ = error.what(); // the family does not admit the value, or there is no enclosure
     }
     if (point) {
         points_.push_back(std::move(*point));
@@ -213,16 +213,16 @@ std::vector<Ball> FollowedTail::steps() const {
     return all;
 }
 
-/// The last three are certainly less than the tolerance times `beside`, and halve, or are not
-/// distinguished from zero. Where the
-/// enclosures end early, all fall steadily as well.
+/// True if the last three values are certainly less than the tolerance times `beside`, and each is
+/// at most half of the previous one or not distinguished from zero. If the enclosures end early,
+/// all values must also decrease steadily.
 bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) const {
     if (points_.size() < least_points) {
         return false;
     }
     const Ball most = tolerance() * beside;
     const std::size_t n = d.size();
-    // Where they end early, what is already beyond a power law is seen at the last station alone.
+    // If they end early, a decrease faster than a power law is visible at the last station only.
     const std::size_t below = is_short() ? 1 : 3;
     for (std::size_t i = n - below; i < n; ++i) {
         if (!certainly_less(d[i], most) ||
@@ -267,7 +267,7 @@ bool FollowedTail::grows(const std::vector<Ball>& d, const Ball& beside) const {
     return is_steady(d, decades, true);
 }
 
-/// Whether the sums of the formulas have found their last form between half way and the end.
+/// True if the sums of the formulas have reached their final form between half-way and the end.
 bool FollowedTail::sums_settle() const {
     const std::size_t last = points_.size() - 1;
     std::size_t half = last;
@@ -305,7 +305,7 @@ void FollowedTail::judge_finite() {
     const std::vector<Ball> gap = gaps();
     const Ball& last = gap.back();
     if (!scale_) {
-        // Nothing but zeros: they must be exact.
+        // If all gaps are zero, they must be exactly zero.
         const bool zero = std::all_of(
             gap.begin(), gap.end(), [](const Ball& d) { return d.is_exact() && contains_zero(d); });
         if (const auto equal =
@@ -338,7 +338,7 @@ void FollowedTail::judge_infinite() {
     const std::vector<Ball> size = gaps();
     const Ball& last = size.back();
     if (scale_ && grows(size, *scale_)) {
-        // With its sign: what goes to minus infinity does not go to infinity.
+        // The value is compared with its sign, as minus infinity is not infinity.
         const Ball& value = points_.back().value;
         decision_ = edgeproof::audit::decision(Refutation::less(value, -*scale_),
                                                Confirmation::less(*scale_, tolerance() * value));
@@ -356,8 +356,8 @@ void FollowedTail::judge_infinite() {
     }
 }
 
-/// The last of a sequence that can be printed and is certainly another number than `first`, which
-/// is the step before it where that is nothing.
+/// Finds the last value of a sequence that can be printed and certainly differs from `first` (from
+/// the previous step if there is no `first`).
 void FollowedTail::compare(const std::string& first_name, const std::optional<Ball>& first,
                            const std::string& second_name, const std::vector<Ball>& sequence) {
     const std::vector<Ball> step = steps();

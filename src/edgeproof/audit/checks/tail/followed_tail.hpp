@@ -13,17 +13,16 @@
 
 namespace edgeproof::audit {
 
-/// A quantity that is said to tend to `limit` along a sweep, or to grow without bound where that is
-/// nothing.
+/// A claimed limit of a quantity along a sweep; without `limit`, the claim is growth without bound.
 struct LimitClaimed {
     formula::Expr of;
     std::optional<formula::Expr> limit;
     [[nodiscard]] bool is_infinite() const { return !limit.has_value(); }
-    /// From the limit; the quantity itself where that is infinity.
+    /// Returns the distance from the limit; the quantity itself if the limit is infinity.
     [[nodiscard]] formula::Expr difference() const { return limit ? of - *limit : of; }
 };
 
-/// One sample of a claim about a limit, in balls, followed from the last value listed to values
+/// One sample of a claim about a limit, in balls, followed from the last listed value to values
 /// 10^1024 times as near to the end of the sweep, or as far as there are enclosures.
 class FollowedTail {
 public:
@@ -31,14 +30,14 @@ public:
                  LimitClaimed claimed, unsigned digits);
 
     [[nodiscard]] const SweepTarget& target() const { return target_; }
-    /// What the values that it went to show. Never a proof of what lies beyond them: see
-    /// hidden_terms.hpp for what keeps it undecided.
+    /// The decision from the values that were computed. It does not prove anything beyond them;
+    /// hidden_terms.hpp gives the conditions under which it stays undecided.
     [[nodiscard]] const Decision& decision() const { return decision_; }
-    /// Why nothing is decided.
+    /// The reason why nothing is decided.
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    /// The decades from the last value listed.
+    /// The number of decades from the last listed value.
     [[nodiscard]] unsigned decades() const;
-    /// Two numbers that differ certainly, and show which way it goes.
+    /// Two numbers that certainly differ, and show the trend.
     struct Compared {
         std::string first_name;
         Ball first;
@@ -46,15 +45,15 @@ public:
         Ball second;
     };
     [[nodiscard]] const std::optional<Compared>& compared() const { return compared_; }
-    /// "10^512 times as near": the quantity there.
+    /// Returns texts such as "10^512 times as near", each with the quantity at that value.
     [[nodiscard]] std::vector<std::string> texts() const;
 
 private:
     struct Point {
         unsigned decades = 0;
         Ball value;
-        Ball difference; ///< value - limit, or value where the limit is infinity
-        Ball gap;        ///< its size
+        Ball difference; ///< value - limit, or value if the limit is infinity
+        Ball gap;        ///< |difference|
     };
     void find_scales();
     void follow();
@@ -81,16 +80,16 @@ private:
     LimitClaimed claimed_;
     unsigned digits_;
     double hidden_ = 0;         ///< decades that the formulas may hide
-    double scene_decades_ = 0;  ///< of the scene's parameters
+    double scene_decades_ = 0;  ///< from the scene's parameters
     std::optional<Ball> scale_; ///< of the gap
-    std::vector<Point> points_; ///< from the last value listed on
-    std::string ended_by_;      ///< why there is no enclosure further on
+    std::vector<Point> points_; ///< from the last listed value on
+    std::string ended_by_;      ///< why there is no further enclosure
     Decision decision_;
     std::string problem_;
     std::optional<Compared> compared_;
 };
 
-/// Numbers beyond 10^100000, or as near to zero, have no decimals here.
+/// False for numbers beyond 10^100000, or as near to zero; they have no decimals here.
 [[nodiscard]] bool can_be_printed(const Ball& x);
 
 } // namespace edgeproof::audit

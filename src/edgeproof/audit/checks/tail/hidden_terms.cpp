@@ -19,7 +19,7 @@ using formula::Builtin;
 using formula::Expr;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double prevails = 3;     ///< decades by which a term prevails
+constexpr double prevails = 3;     ///< decades by which a term dominates
 constexpr double no_change = 1e-6; ///< of the ratio of two terms, in decades
 
 std::optional<Ball> value_in(const EnclosedSample& sample, const Expr& e) {
@@ -33,7 +33,7 @@ std::optional<Ball> value_in(const EnclosedSample& sample, const Expr& e) {
 
 bool is_zero_ball(const Ball& x) { return x.is_exact() && contains_zero(x); }
 
-/// Whether no name in a part changes from one sample to the other.
+/// True if no name in an expression changes from one sample to the other.
 bool is_constant(const Expr& e, const SweptPair& at) {
     if (e.is_binder()) {
         return false;
@@ -49,7 +49,7 @@ bool is_constant(const Expr& e, const SweptPair& at) {
                        [&](const Expr& part) { return is_constant(part, at); });
 }
 
-/// The digits that a number is written with, but zeros at its ends.
+/// Returns the number of written digits, without zeros at the ends.
 double digits_of_number(const Rational& q) {
     const auto digits = [](Integer n) {
         n = abs(n);
@@ -67,7 +67,7 @@ bool combines(const Expr& e) {
            e.builtin() == Builtin::hypot;
 }
 
-/// What may hide a term in a formula, each once, with the decades that it counts for.
+/// Everything that may hide a term in a formula, each part once, with its number of decades.
 class HiddenScales {
 public:
     explicit HiddenScales(const SweptPair& at) : at_(at) {}
@@ -92,7 +92,8 @@ private:
     std::map<std::string, double> decades_;
 };
 
-/// How far apart its terms are at the first sample; of a constant, how much of them cancels too.
+/// Adds the ratios of the terms at the first sample in decades; for a constant, also the
+/// cancellation.
 void HiddenScales::collect_terms(const Expr& e, double times) {
     const auto size = [&](const Expr& part) {
         const auto value = value_in(at_.before, part);
@@ -118,7 +119,7 @@ void HiddenScales::collect_binder(const Expr& e, double times) {
     collect(e.arg(3), times);
 }
 
-/// An exponent that multiplies what a power's base hides.
+/// Returns the factor by which a power multiplies what its base hides.
 double HiddenScales::power_of(const Expr& e) const {
     const auto exponent = e.kind() == Expr::Kind::pow && is_constant(e.arg(1), at_)
                               ? value_in(at_.after, e.arg(1))
@@ -130,7 +131,7 @@ void HiddenScales::collect(const Expr& e, double times) {
     if (e.kind() == Expr::Kind::number) {
         add(e, times * digits_of_number(e.number()));
     } else if (e.kind() == Expr::Kind::symbol && (e.name() == "x" || e.name() == "u")) {
-        // A place near an edge has its distance from there.
+        // A place near an edge hides as many decades as its distance from the edge.
         const Expr fraction = Expr::symbol("u") / Expr::symbol("L");
         const auto value = value_in(at_.after, fraction);
         add(fraction, std::abs((value ? decades_of(*value) : std::nullopt).value_or(infinite)));

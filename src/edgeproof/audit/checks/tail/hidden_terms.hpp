@@ -5,22 +5,23 @@
 
 namespace edgeproof::audit {
 
-/// Two samples of a sweep, in balls, the second nearer to its end.
+/// Two samples of a sweep, in balls; the second is nearer to its end.
 struct SweptPair {
     const EnclosedSample& before;
     const EnclosedSample& after;
 };
 
-/// How many decades a formula may hide: how far apart the terms of its sums are at the first
-/// sample, the digits of its numbers, the distance of a place from its edge. A term that is as
-/// small as that may prevail only as far away: a formula is followed until it has changed by more.
-/// Infinite where a name has no value.
+/// Returns the number of decades that a formula may hide: the ratios of the terms of its sums at
+/// the first sample, the digits of its numbers, the distance of a place from its edge. A small term
+/// may dominate only beyond this number of decades; therefore a formula is followed until it has
+/// changed by more. Infinite if a name has no value.
 [[nodiscard]] double hidden_decades(const formula::Expr& e, const SweptPair& at);
 
-/// Whether each sum of the formula (difference, maximum, minimum) has found its last form: of the
-/// two terms one prevails by 1000 at least, and by more at the second sample than at the first, or
-/// their ratio no longer changes. While it has not, the end is not in sight: log(log(m)) - 9 is
-/// negative at m = 1e1000 and grows without bound. Only keeps a claim undecided.
+/// True if each sum of the formula (difference, maximum, minimum) has reached its final form: one
+/// of the two terms dominates by a factor of at least 1000, and by more at the second sample than
+/// at the first, or their ratio no longer changes. Otherwise the limit is not yet visible:
+/// log(log(m)) - 9 is negative at m = 1e1000 and grows without bound. This test can only keep a
+/// claim undecided.
 [[nodiscard]] bool sums_are_steady(const formula::Expr& e, const SweptPair& at);
 
 } // namespace edgeproof::audit

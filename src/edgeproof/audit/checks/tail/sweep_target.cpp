@@ -17,11 +17,12 @@ using formula::Expr;
 
 constexpr long target_bits = 4000;
 constexpr long most_height = 1000; ///< of the simplest multiple of a unit
-/// A multiple is no coincidence where its height times the relative width of the interval that it
-/// must lie in is below this.
+/// A multiple is not a coincidence if its height, times the relative width of the interval in which
+/// it must lie, is below this.
 constexpr double most_coincidence = 0.1;
 
-/// 0 < lo <= hi: the rational number of least height between them; nothing beyond `most_height`.
+/// For 0 < lo <= hi: returns the rational number of least height between them; nothing beyond
+/// `most_height`.
 std::optional<Rational> simplest_between(const Real& lo, const Real& hi) {
     const Real whole = floor(lo);
     if (whole > most_height) {
@@ -42,7 +43,7 @@ std::optional<Rational> simplest_between(const Real& lo, const Real& hi) {
     return numerator(q) * denominator(q) > most_height ? std::nullopt : std::optional(q);
 }
 
-/// The values in balls, in the order listed.
+/// Returns the values in balls, in the order of the list.
 std::vector<Ball> enclosed_values(const std::vector<Exact>& listed) {
     std::vector<Ball> values;
     values.reserve(listed.size());
@@ -52,8 +53,9 @@ std::vector<Ball> enclosed_values(const std::vector<Exact>& listed) {
     return values;
 }
 
-/// Whether each is at most half of the one before (`twice`: at least twice that), all of one sign.
-/// Not refuted by balls: those of a ratio that is exactly 2 overlap.
+/// True if each value is at most half of the previous one (`twice`: at least twice it), all with
+/// one sign. Values pass if balls do not prove the contrary: the balls of a ratio of exactly 2
+/// overlap.
 bool each_halves(const std::vector<Ball>& d, bool twice) {
     for (std::size_t i = 0; i + 1 < d.size(); ++i) {
         const Ball& larger = twice ? d[i + 1] : d[i];
@@ -82,8 +84,8 @@ struct Candidate {
     double height = 0;
 };
 
-/// The simplest multiple of the unit that the values can tend to: as far beyond the last of them,
-/// at most, as that is from the one before.
+/// Returns the simplest multiple of the unit to which the values can tend. It lies beyond the last
+/// value by at most the last step.
 std::optional<Candidate> multiple_of(const Expr& unit, const std::vector<Ball>& values) {
     const Ball u = formula::ball_of(Exact(unit), target_bits);
     if (contains_zero(u)) {
@@ -134,7 +136,7 @@ std::optional<Expr> finite_target(const std::vector<Ball>& values,
         std::min_element(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
             return x.height < y.height;
         });
-    // Two numbers, and no reason to prefer one of them.
+    // Two numbers fit, and there is no reason to prefer one of them.
     constexpr double as_simple = 4;
     const bool doubtful = std::any_of(found.begin(), found.end(), [&](const Candidate& other) {
         return disjoint(other.value, best->value) && other.height <= as_simple * best->height;
@@ -142,7 +144,7 @@ std::optional<Expr> finite_target(const std::vector<Ball>& values,
     return doubtful ? std::nullopt : std::optional(best->at);
 }
 
-/// A factor between 1/2 and 1 without a meaning in any formula.
+/// Returns a factor between 1/2 and 1 that has no meaning in any formula.
 Rational irregular(std::size_t which) {
     static constexpr std::array<std::array<long, 2>, 7> factors{{{7001, 7919},
                                                                  {6007, 7013},

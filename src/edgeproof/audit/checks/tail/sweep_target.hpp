@@ -10,36 +10,38 @@
 
 namespace edgeproof::audit {
 
-/// Where a list of values goes, as far as the list shows: the end of the values that `along` means.
+/// The limit of the values in `along`, as far as the list shows it.
 class SweepTarget {
 public:
-    /// To 0 where each value is at most half of the one before, to infinity where each is at least
-    /// twice that. Else to the simplest number (a multiple of one of `units`, of 1 or of pi) to
-    /// which the distance falls at least twofold at each step. Nothing where no number fits, or
-    /// where two do.
+    /// Returns 0 if each value is at most half of the previous one, and infinity if each is at
+    /// least twice it. Otherwise returns the simplest number (a multiple of one of `units`, of 1 or
+    /// of pi) from which the distance decreases at least by half at each step. Returns nothing if
+    /// no number fits, or if two do.
     [[nodiscard]] static std::optional<SweepTarget> of(const std::vector<formula::Exact>& listed,
                                                        const std::vector<formula::Exact>& units);
 
     [[nodiscard]] bool is_infinite() const { return kind_ == Kind::infinity; }
-    /// "0", "infinity", "3/7".
+    /// Returns "0", "infinity", "3/7", ...
     [[nodiscard]] std::string text() const;
-    /// The value that is 10^decades times as near to the target as the last one listed, times a
-    /// factor between 1/2 and 1 that `which` draws: formulas such as sin(Pi/s) are special at
+    /// Returns a value 10^decades times as near to the target as the last listed one, times a
+    /// factor between 1/2 and 1 chosen by `which`, as formulas such as sin(Pi/s) are special at
     /// powers of ten.
     [[nodiscard]] formula::Exact beyond(unsigned decades, std::size_t which) const;
-    /// The last value listed is 10^-decades from the target, or 10^decades if that is infinity.
+    /// The distance of the last listed value from the target is 10^-decades; if the target is
+    /// infinity, the value is 10^decades.
     [[nodiscard]] double decades() const { return decades_; }
 
 private:
     enum class Kind { zero, infinity, finite };
     SweepTarget(Kind kind, formula::Expr at, const formula::Exact& last);
     Kind kind_;
-    formula::Expr at_; ///< of a finite target
+    formula::Expr at_; ///< for a finite target
     formula::Exact last_;
     double decades_ = 0;
 };
 
-/// log10 |x|; nothing where x contains zero or is not finite. Only for where to look.
+/// Returns log10 |x|; nothing if x contains zero or is not finite. Used only to choose where to
+/// evaluate.
 [[nodiscard]] std::optional<double> decades_of(const Ball& x);
 
 } // namespace edgeproof::audit

@@ -9,7 +9,7 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr std::size_t fewest_spare = 3; ///< nodes more than terms
+constexpr std::size_t fewest_spare = 3; ///< the number of nodes minus the number of terms
 
 struct NearNodes {
     std::vector<double> u;
@@ -54,7 +54,8 @@ std::optional<LeastSquares> least_squares(const std::vector<std::vector<double>>
     if (n == 0 || m <= n) {
         return {};
     }
-    std::vector<std::vector<double>> q = columns; // becomes R above, reflections below
+    std::vector<std::vector<double>> q =
+        columns; // becomes R above the diagonal, and the reflections below
     std::vector<double> scale(n);
     for (std::size_t k = 0; k < n; ++k) {
         double sum = 0;
@@ -137,7 +138,7 @@ std::optional<LeastSquares> least_squares(const std::vector<std::vector<double>>
 
 namespace {
 
-/// The fit of a window, with the spread that one term less shows.
+/// Fits a window; the spread includes the effect of omitting one term.
 std::optional<EdgeFit> fit_window(const NearNodes& near, std::size_t terms) {
     if (near.u.size() < terms + fewest_spare) {
         return {};

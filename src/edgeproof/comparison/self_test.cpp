@@ -31,7 +31,7 @@ std::optional<Data> computed(const Program& program, bool shear) {
         std::erase_if(
             keys, [shear](const auto& key) { return !shear && key.first.starts_with("shear."); });
         const ExactContact contact(scene::parse_scene(scene_text(keys), "self-test.toml"));
-        // With |x| taken for u the pressure covers twice the contact.
+        // If a program takes |x| for u, the pressure covers twice the contact.
         const double reach = 0.23 * contact.length();
         const double whole = program.p ? std::max(contact.a().value, contact.b().value) : 0;
         const double left = std::max(contact.b().value, whole) + reach;

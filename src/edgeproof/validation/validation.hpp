@@ -2,8 +2,8 @@
 #pragma once
 /// Tests of the program's own numbers, and comparisons with simpler methods.
 
-#include "edgeproof/validation/counts/binary64_count.hpp" // values in double words compared with balls, and counted
-#include "edgeproof/validation/counts/count.hpp" // random values compared with second routes, and counted
+#include "edgeproof/validation/counts/binary64_count.hpp" // double words compared with balls
+#include "edgeproof/validation/counts/count.hpp"       // random values compared with second routes
 #include "edgeproof/validation/counts/count_state.hpp" // a count as text
 #include "edgeproof/validation/counts/sample.hpp"      // random contacts and values of a given seed
 #include "edgeproof/validation/enclosed_value.hpp"     // one number of a scene, by balls

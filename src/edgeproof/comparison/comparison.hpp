@@ -30,7 +30,6 @@
 
 namespace edgeproof::comparison {
 
-/// The error of the pressure that is compared with the tolerance.
 enum class Norm { peak, local, l2 };
 
 /// The tolerances for data. Edges, force and c_0 of the data are compared with the results of the
@@ -54,15 +53,13 @@ struct Tolerances {
 /// The least number of nodes inside the exact contact for a comparison.
 inline constexpr std::size_t fewest_inside = 3;
 
-/// A result compared with a scene.
 struct FileComparison {
     ResultTable table;
     AlignedResult data;
     DataContact contact;
-    DataContact
-        of_exact;  ///< the results of the same rules for the exact pressure at the same nodes
-    Errors errors; ///< outside the edge zones
-    Errors all;    ///< at all nodes
+    DataContact of_exact;        ///< by the same rules for the exact pressure at the same nodes
+    Errors errors;               ///< outside the edge zones
+    Errors all;                  ///< at all nodes
     std::optional<Errors> shear; ///< of q, outside the edge zones, if there is one
     std::optional<double> Q;     ///< by trapezoids, over nodes that have an exact q
     std::optional<double> Q_of_exact;

@@ -22,7 +22,6 @@ struct TestedContact {
 };
 [[nodiscard]] const std::vector<TestedContact>& tested_contacts();
 
-/// A row of a result: the values computed at x.
 struct ComputedRow {
     double x = 0;
     double p = 0;

@@ -16,8 +16,7 @@ inline constexpr std::array noise_levels{0.0, 1e-6, 1e-4, 1e-2};
 /// The results for one mistake at one level of noise. Correct data have no name, and count as named
 /// if no cause is reported.
 struct SelfTestCount {
-    std::size_t cases =
-        0; ///< cases whose mistake changes the data by more than five times the noise
+    std::size_t cases = 0;  ///< whose mistake changes the data by more than five times the noise
     std::size_t named = 0;  ///< found, alone or among causes that the data do not distinguish
     std::size_t alone = 0;  ///< found under that name only
     std::size_t beyond = 0; ///< cases that the noise hides
@@ -30,8 +29,7 @@ struct SelfTestRow {
 };
 struct SelfTest {
     std::vector<SelfTestRow> rows;
-    std::vector<std::string>
-        misses; ///< one line for each case that was not found, or found wrongly
+    std::vector<std::string> misses; ///< one line for each case not found, or found wrongly
     /// The sum over the mistakes. Correct data are counted only if a cause is reported for them.
     [[nodiscard]] SelfTestCount total() const;
     /// True if 95 % are found, and none wrongly.

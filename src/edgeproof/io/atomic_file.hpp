@@ -11,7 +11,6 @@ namespace edgeproof::io {
 /// Writes the whole text to an open file. Returns 0, or the error number.
 [[nodiscard]] int write_all(int fd, const std::string& text);
 
-/// Advice for a file that cannot be written.
 inline constexpr const char* give_writable_folder =
     "give a folder that can be written to, with free space";
 
@@ -21,9 +20,8 @@ void remove_left_over(const std::filesystem::path& file);
 
 /// The target of a file to be written: links are followed, devices and FIFOs are detected.
 struct OutputTarget {
-    std::filesystem::path path; ///< not a link
-    int descriptor =
-        -1; ///< a descriptor of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
+    std::filesystem::path path;   ///< not a link
+    int descriptor = -1;          ///< of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
     bool special = false;         ///< not a regular file: written directly, and never replaced
     std::optional<unsigned> mode; ///< permissions of an existing file
     /// Throws InputError for a folder and for a chain of more than forty links.

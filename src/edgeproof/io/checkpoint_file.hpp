@@ -44,7 +44,6 @@ public:
     void add(std::size_t piece, const std::string& body);
     /// Returns the entries of a stored piece.
     [[nodiscard]] std::vector<Entry> piece(std::size_t number) const;
-    /// Deletes the file.
     void remove();
 
 private:

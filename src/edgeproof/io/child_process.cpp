@@ -168,7 +168,6 @@ template <class Take> bool drain(int fd, const Take& take) {
     return true;
 }
 
-/// Collects the output of the program.
 class Listener {
 public:
     Listener(int out, int err, const ProgramCall& call, ProgramRun& run)

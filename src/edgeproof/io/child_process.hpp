@@ -11,7 +11,6 @@ namespace edgeproof::io {
 
 /// A call of another program, and its limits.
 struct ProgramCall {
-    /// The path of the program, and its arguments.
     std::vector<std::string> arguments;
     /// Its environment, as NAME=VALUE; if empty, that of this process.
     std::optional<std::vector<std::string>> environment = {};
@@ -26,7 +25,6 @@ struct ProgramCall {
 /// Returns a call of /bin/sh with that command.
 [[nodiscard]] ProgramCall shell_call(const std::string& command);
 
-/// The output of a program and how it ended.
 struct ProgramRun {
     std::string output;
     int exit_code = 0;

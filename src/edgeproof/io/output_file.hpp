@@ -13,7 +13,6 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 /// Like write_whole, for a state from which work continues: also written in an interrupted process.
 void write_checkpoint(const std::filesystem::path& file, const std::string& text);
 
-/// Writes to the file, or for "-" to standard output.
 void write_output(const std::filesystem::path& file, const std::string& text);
 
 /// Flushes standard output. Throws InputError if any of it, now or earlier, could not be written.

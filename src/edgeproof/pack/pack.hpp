@@ -44,7 +44,6 @@ struct PackRows {
     std::size_t rows = 0;
     std::string text; ///< CSV, without a header
 };
-/// Returns the names of the columns as a line of CSV.
 [[nodiscard]] std::string pack_columns();
 /// `with_scale`: each row has the largest exact pressure (the mean one, if that is infinite).
 [[nodiscard]] PackRows recipe_rows(std::string_view recipe, const std::string& file,

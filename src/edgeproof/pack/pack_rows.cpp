@@ -75,7 +75,6 @@ public:
         reference_options_.progress = options.progress;
     }
 
-    /// `reason`: the reason of each question, if there is one.
     PackRows write(const std::vector<std::string>& reasons) {
         const auto answers = references_or_why(questions_, reference_options_);
         std::vector<conformance::Reference> references(answers.size());

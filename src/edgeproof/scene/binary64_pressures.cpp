@@ -212,8 +212,7 @@ struct Binary64Pressures::Contact {
     std::optional<Rational> exact_length;
     std::optional<contact::Profile> profile;
     std::optional<contact::BallContact> balls;
-    std::function<contact::BallContact(long)>
-        solved; ///< the same contact at a given number of bits
+    std::function<contact::BallContact(long)> solved; ///< the same contact at these bits
     std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
     std::optional<contact::BatchPressure> batch;
 };

@@ -33,7 +33,6 @@ public:
     /// Interrupted.
     void operator()(contact::Edge edge, std::span<const double> u, std::span<double> p) const;
 
-    /// True if all values are proved.
     [[nodiscard]] bool proved() const noexcept;
 
 private:

@@ -28,7 +28,6 @@ public:
     [[nodiscard]] BoundedValue value(const AskedValue& asked);
     /// The coordinate x of an AskedValue at a point. Throws DomainError outside the contact.
     [[nodiscard]] BoundedValue x(const AskedValue& asked);
-    /// The extent of an AskedValue of the group `extent`.
     [[nodiscard]] const ExtentValues& extent(const AskedValue& asked);
 
 private:

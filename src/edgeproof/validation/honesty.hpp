@@ -41,7 +41,6 @@ struct Claimed {
     Real value;
     Real error;
 };
-/// The values by id of the point.
 using ClaimedValues = std::map<std::string, Claimed>;
 
 /// Returns the integrals as lines for another program: id, digits, kind (power or flat), a, u, K,

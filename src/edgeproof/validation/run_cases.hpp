@@ -15,7 +15,6 @@ namespace edgeproof::validation {
 inline constexpr std::array<std::string_view, 4> plain_arithmetics{"double", "long double",
                                                                    "__float128", "MPFR 50"};
 
-/// The result of one route in Real.
 struct CaseSecondRoute {
     std::string route;
     std::string value;   ///< with the requested digits, or the reason why there is no value
@@ -23,7 +22,6 @@ struct CaseSecondRoute {
     bool agrees = false; ///< in all requested digits, to 1 unit of the last
 };
 
-/// The results of a hard case.
 struct CaseOutcome {
     std::string value; ///< as printed
     std::string bound;
@@ -32,8 +30,7 @@ struct CaseOutcome {
     bool complete = false; ///< all requested digits are given
     unsigned digits = 0;   ///< digits that the enclosure proves
     std::vector<CaseSecondRoute> second_routes;
-    std::array<unsigned, plain_arithmetics.size()>
-        plain{};            ///< correct digits of the textbook formula
+    std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the textbook formula
     bool undecided = false; ///< as the case expects: an estimate, with which both routes agree
     std::string fault;      ///< empty if ball and both routes agree
 };

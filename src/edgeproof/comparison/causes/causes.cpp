@@ -22,7 +22,6 @@ constexpr std::size_t most_nodes = 1000;
 constexpr double edge_share = 0.02; ///< relative to the suspect's contact
 constexpr double roundoff = 1e-12;
 
-/// The fit of data to the values of a suspect.
 struct Fit {
     double left = 0;        ///< rms of data minus suspect, relative to its largest value
     double noise = 0;       ///< rms scatter of that difference from node to node
@@ -67,7 +66,6 @@ void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
     }
 }
 
-/// The data at the nodes used.
 struct Observed {
     NodesLookedAt nodes;
     std::vector<double> values;

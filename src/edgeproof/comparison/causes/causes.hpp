@@ -26,7 +26,6 @@ struct CommonFactor {
     double error = 0;
 };
 
-/// The result of the search for causes.
 struct Diagnosis {
     /// The error without any cause, and the scatter of the data: rms, relative to the largest
     /// pressure, over nodes at least two elements and a fiftieth of the contact away from the

@@ -33,8 +33,7 @@ void suspect_factors(const SuspectMaker& make) {
     }
     const ExactContact& exact = make.exact();
     const auto scale = [&](const char* name, double k) {
-        const double origin =
-            make.nodes().data.origin; // reverses the shift of the origin that was found
+        const double origin = make.nodes().data.origin; // undoes the shift that was found
         make.add(name, fmt::format("x is {:g} times too large", k), exact.a().value * k - origin,
                  exact.b().value * k + origin, [&](std::size_t i) {
                      return make.pressure(exact, (make.nodes()[i].x + origin) / k);

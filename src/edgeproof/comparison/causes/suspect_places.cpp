@@ -81,8 +81,7 @@ void suspect_maps(const SuspectMaker& make) {
     const ExactContact& exact = make.exact();
     const double a = exact.a().value;
     const double b = exact.b().value;
-    const double origin =
-        make.nodes().data.origin; // reverses the shift of the origin that was found
+    const double origin = make.nodes().data.origin; // undoes the shift that was found
     const auto map = [&](const char* name, const std::string& what, double right, double left,
                          const auto& place) {
         make.add(name, what, right - origin, left + origin, [&](std::size_t i) {

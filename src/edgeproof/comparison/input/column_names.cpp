@@ -74,7 +74,6 @@ constexpr std::array known_names{
     KnownName{"tau", ColumnRole::shear, 4},
 };
 
-/// Other columns that programs write.
 constexpr std::array<std::string_view, 28> other_names{"node",
                                                        "nodelabel",
                                                        "nodenumber",

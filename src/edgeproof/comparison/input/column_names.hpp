@@ -10,7 +10,6 @@
 
 namespace edgeproof::comparison {
 
-/// The content of a column of a result file.
 enum class ColumnRole { place, pressure, shear };
 
 /// The parts of a column's name, such as "CPRESS [MPa]", "x / mm", "x_mm".

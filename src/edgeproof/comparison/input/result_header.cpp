@@ -321,8 +321,7 @@ private:
     TableHeader found_;
     std::vector<Cell> header_;
     std::size_t header_line_ = 0;
-    std::optional<std::size_t>
-        near_header_; ///< a line with the right number of cells, but unknown names
+    std::optional<std::size_t> near_header_; ///< as many cells, but unknown names
 };
 
 } // namespace

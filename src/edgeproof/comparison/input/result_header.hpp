@@ -10,7 +10,6 @@
 
 namespace edgeproof::comparison {
 
-/// A column in use.
 struct UsedColumn {
     std::size_t index = 0;
     ColumnName name;
@@ -26,7 +25,6 @@ struct TableHeader {
     std::vector<std::string> findings; ///< notes on how they were found
 };
 
-/// The position of the rows of a table, and their separator.
 struct TableShape {
     std::string file;
     Separator separator = Separator::comma;

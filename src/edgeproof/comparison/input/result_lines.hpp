@@ -8,13 +8,11 @@
 
 namespace edgeproof::comparison {
 
-/// A cell of a row of a result file.
 struct Cell {
     std::string text;
     bool quoted = false;
 };
 
-/// A line of a result file.
 struct ResultLine {
     std::size_t number = 0; ///< from 1
     std::string text;       ///< without its end

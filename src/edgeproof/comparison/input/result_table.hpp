@@ -34,7 +34,6 @@ struct CarriedDigits {
     bool binary32 = false;
 };
 
-/// A result file after reading.
 struct ResultTable {
     std::string file;
     std::vector<ResultRow> rows; ///< by x; those with equal x in the order of the file
@@ -48,8 +47,7 @@ struct ResultReading {
     ColumnChoice columns;
     std::optional<Rational> x_scale; ///< the factor for the numbers of the file
     std::optional<Rational> p_scale;
-    std::optional<scene::Units>
-        units; ///< of the scene; a file with its own units is converted to them
+    std::optional<scene::Units> units; ///< of the scene; the file's own units are converted
 };
 
 /// Reads a table written by a program, with one place per row. Text around the rows (titles, a

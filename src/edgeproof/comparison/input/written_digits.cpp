@@ -12,7 +12,6 @@
 namespace edgeproof::comparison {
 namespace {
 
-/// The form of a written decimal.
 struct DecimalForm {
     bool exact = false; ///< hexadecimal
     bool with_exponent = false;

@@ -9,7 +9,6 @@
 
 namespace edgeproof::comparison {
 
-/// A shear traction of the data with the exact one.
 struct NodeShear {
     double q = 0;                ///< of the data, in the scene's direction
     std::optional<double> exact; ///< empty if it is infinite

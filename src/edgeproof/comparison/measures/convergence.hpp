@@ -6,7 +6,6 @@
 
 namespace edgeproof::comparison {
 
-/// A value computed with one mesh.
 struct MeshValue {
     double h = 0; ///< width of an element
     double value = 0;

@@ -15,7 +15,6 @@ namespace {
 constexpr double most_off = 0.1;    ///< error of the rules for the exact pressure
 constexpr double widest_gap = 0.25; ///< between neighbours inside, relative to a + b
 
-/// Checks the nodes of one result.
 class Coverage {
 public:
     Coverage(const AlignedResult& data, const DataContact& of_exact, const ExactContact& exact)

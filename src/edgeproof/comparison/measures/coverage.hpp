@@ -7,7 +7,6 @@
 
 namespace edgeproof::comparison {
 
-/// A quantity that the nodes of a result must determine.
 enum class Determined { a, b, force, largest };
 
 /// A quantity that the nodes do not determine, with the reason as a sentence.

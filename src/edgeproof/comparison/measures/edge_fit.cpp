@@ -54,8 +54,7 @@ std::optional<LeastSquares> least_squares(const std::vector<std::vector<double>>
     if (n == 0 || m <= n) {
         return {};
     }
-    std::vector<std::vector<double>> q =
-        columns; // becomes R above the diagonal, and the reflections below
+    std::vector<std::vector<double>> q = columns; // becomes R above, reflections below
     std::vector<double> scale(n);
     for (std::size_t k = 0; k < n; ++k) {
         double sum = 0;

@@ -29,8 +29,7 @@ struct Errors {
     std::size_t nodes = 0;
     double peak = 0;  ///< the largest |error|, relative to the scale of p or q
     double local = 0; ///< the largest |error/exact|, over nodes inside
-    double l2 =
-        0; ///< the root of the integral of the squared error, relative to that of the exact value
+    double l2 = 0;    ///< the L2 norm of the error, relative to that of the exact value
     double median_local = 0;
     std::optional<std::size_t> worst; ///< the node of `peak`
     std::optional<std::size_t> worst_local;

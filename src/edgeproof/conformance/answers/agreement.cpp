@@ -88,7 +88,6 @@ bool is_outside(const Question& q, const Sizes& sizes) {
     return q.u && !(u > 0 && u < sizes.a + sizes.b);
 }
 
-/// Returns the unit in the last place of the binary64 of x.
 Real ulp(const Real& x) {
     long exponent = least_exponent;
     if (x != 0) {
@@ -157,7 +156,6 @@ private:
     Real allowed_;
 };
 
-/// Returns the cases whose conditioning is needed.
 std::vector<std::size_t> to_condition(const Agreements& agreements, bool all) {
     std::vector<std::size_t> which;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {

@@ -30,9 +30,8 @@ enum class Regime {
 struct Target {
     static constexpr double default_digits = 12;
     std::optional<double> digits; ///< |answer/exact - 1| <= 10^-digits
-    std::optional<double>
-        ulps; ///< |answer - exact| <= this number of binary64 units in the last place
-    bool conditioned = false; ///< an error explained by the conditioning passes as well
+    std::optional<double> ulps;   ///< |answer - exact| in binary64 units in the last place
+    bool conditioned = false;     ///< an error explained by the conditioning passes as well
 
     [[nodiscard]] bool stated() const { return digits || ulps; }
     [[nodiscard]] bool forgives() const { return conditioned || !stated(); }
@@ -41,8 +40,7 @@ struct Target {
 /// One answer compared with its reference.
 struct CaseAgreement {
     Regime regime = Regime::interior;
-    double digits =
-        0; ///< -log10|answer/exact - 1|, at least 0 and at most the digits of the reference
+    double digits = 0;   ///< -log10|answer/exact - 1|, from 0 to the reference's digits
     double ulps = 0;     ///< |answer - exact| in units in the last place of the binary64 of exact
     double relative = 0; ///< |answer/exact - 1|
     bool within = false; ///< the target is met, without regard to conditioning

@@ -16,7 +16,6 @@
 
 namespace edgeproof::conformance {
 
-/// One answer as given.
 struct Answer {
     enum class State { number, missing, nan, infinite, garbage, died };
     State state = State::missing;
@@ -81,7 +80,6 @@ private:
     bool done_ = false;
 };
 
-/// Reads all of them at once.
 [[nodiscard]] Answers echoed_answers(const io::Csv& csv);
 
 /// Compares the answers with the questions: ids that were not asked, are missing or occur twice,

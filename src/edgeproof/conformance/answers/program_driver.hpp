@@ -21,7 +21,6 @@ struct ProgramDriverOptions {
     std::size_t runs = 200;  ///< the most starts of the program
     /// Called with the number of finished questions, and their total.
     std::function<void(std::size_t, std::size_t)> progress = {};
-    /// Writes the questions as text for Lines::csv.
     std::function<std::string(const Questions&)> write_csv = {};
     /// Called with the text that the program writes to its standard error.
     std::function<void(std::string_view)> said = {};

@@ -204,8 +204,7 @@ std::vector<std::string> unexplained(const Answers& answers, const Agreements& a
     for (const Convention& c : conventions) {
         explained += "; " + c.of;
     }
-    std::map<std::string, std::pair<std::size_t, bool>>
-        families; // number of rows, and whether they are explained
+    std::map<std::string, std::pair<std::size_t, bool>> families; // rows, explained
     for (const std::size_t i : rows_that_fail(answers, agreements)) {
         const Question& q = answers.questions.list[i];
         auto& [rows, known] = families[family_of(q)];

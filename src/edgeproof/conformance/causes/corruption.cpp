@@ -167,7 +167,6 @@ private:
         }
         return {};
     }
-    /// Multiplies all values of one quantity by a factor.
     std::string quantity(io::Csv& csv, double factor) {
         const std::size_t chosen = row(csv);
         if (!quantity_ || number(value(csv, chosen)) == 0) {

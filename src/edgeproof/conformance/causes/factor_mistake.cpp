@@ -85,7 +85,6 @@ std::string in_words(const Factor& factor, bool negative) {
     return fmt::format("{}{} times ", negative ? "-" : "", text);
 }
 
-/// Rows compared with one factor.
 struct Held {
     std::size_t rows = 0;
     double worst = 0; ///< in digits, of the rows that follow the factor
@@ -164,7 +163,6 @@ double digits_of_half(const std::vector<FailingRow>& rows) {
     return *middle;
 }
 
-/// A named factor that the ratios allow.
 struct Allowed {
     Real value;
     std::string words;

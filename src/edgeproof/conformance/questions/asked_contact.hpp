@@ -40,7 +40,6 @@ struct AskedContact {
 
 /// Returns the parameters with every number replaced by the exact text of the nearest binary64.
 [[nodiscard]] std::vector<Parameter> rounded_to_binary64(std::vector<Parameter> parameters);
-/// Returns the binary64 nearest to the number.
 [[nodiscard]] formula::Exact rounded_to_binary64(const formula::Exact& x);
 
 } // namespace edgeproof::conformance

@@ -30,7 +30,6 @@ class AskedList {
 public:
     AskedList() = default;
     explicit AskedList(AskedPoints points) : points_(std::move(points)) {}
-    /// Appends the questions.
     void add(const std::vector<Question>& questions);
     /// Appends the questions `at_each` for every point; their ids are the part after the point.
     void add_at_points(const std::string& before_point, const std::vector<Question>& at_each);

@@ -22,7 +22,6 @@ struct Question : scene::AskedValue {
     [[nodiscard]] bool to_a_tolerance() const { return row_of(quantity).tolerance; }
 };
 
-/// Questions in their order.
 struct Questions {
     std::string file;
     std::vector<AskedContact> contacts;

@@ -102,7 +102,6 @@ private:
     std::size_t pieces_ = 0;
 };
 
-/// The scenes of a recipe, as listed in its file.
 struct RecipeText {
     std::string title;
     scene::Digits digits;

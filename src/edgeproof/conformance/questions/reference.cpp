@@ -18,7 +18,6 @@
 namespace edgeproof::conformance {
 namespace {
 
-/// Returns the values that a piece asks for.
 std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
     std::vector<scene::AskedValue> values;
     values.reserve(piece.size());
@@ -34,7 +33,6 @@ scene::Scene scene_of(const Questions& questions, const Piece& piece) {
     return scene;
 }
 
-/// Answers the questions of one piece.
 class Answering {
 public:
     Answering(const Questions& questions, const Piece& piece, const scene::Digits& digits)
@@ -139,7 +137,6 @@ template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const Question
     return pieces;
 }
 
-/// Counts questions and reports the progress.
 class Count {
 public:
     Count(const ReferenceOptions& options, std::size_t total) : options_(options), total_(total) {}

@@ -35,7 +35,6 @@ struct ReferenceOptions {
 [[nodiscard]] std::vector<std::optional<Reference>>
 references_where_any(const Questions& questions, const ReferenceOptions& options);
 
-/// A reference, or the reason why there is none.
 struct ReferenceOrWhy {
     std::optional<Reference> reference;
     std::string why; ///< a point outside the contact, or an exhausted budget

@@ -17,7 +17,6 @@ struct TomlEntry {
     std::variant<std::string, std::vector<std::string>, bool> value;
     std::size_t line = 0; ///< the line in errors
 };
-/// A table made in memory.
 struct TomlTable {
     std::string name;
     std::size_t line = 0;
@@ -69,7 +68,6 @@ public:
     [[nodiscard]] std::vector<std::string> written_list(std::string_view key) const;
     /// Returns an exact constant: quoted ("pi/16") or a number.
     [[nodiscard]] formula::Exact exact(std::string_view key) const;
-    /// An element of a list, with its line.
     struct Item {
         formula::Exact value;
         std::size_t line;

@@ -15,7 +15,6 @@ namespace edgeproof::report {
 /// then the errors of several files against the element width. Ids follow the names of the files.
 [[nodiscard]] std::vector<Figure> comparison_figures(const ComparisonReport& report);
 
-/// The figures after drawing.
 struct DrawnComparison {
     std::vector<Figure> figures;
     std::map<std::string, std::string> svg; ///< by the id of a plot

@@ -23,7 +23,6 @@ struct Pen {
     double width = 2;
 };
 
-/// A column of the table, drawn against its first column.
 struct Curve {
     std::string column;
     std::string title;
@@ -34,7 +33,7 @@ struct Axis {
     std::string label; ///< with its unit
     bool logarithmic = false;
     std::optional<std::pair<std::string, std::string>> range =
-        {}; ///< exact numbers as text; *: chosen by the data
+        {}; ///< exact numbers; *: chosen by the data
 };
 
 /// A part of the x axis, shaded over the whole height and named at its top. Numbers are texts.
@@ -70,7 +69,6 @@ struct Figure {
     std::vector<Plot> plots;
 };
 
-/// The number of digits in tables of figures.
 inline constexpr unsigned figure_digits = 20;
 
 /// Returns the table as CSV: notes after #, a line of names, values at `figure_digits`.

@@ -10,7 +10,6 @@
 
 namespace edgeproof::report {
 
-/// The contact of one panel, and its edge.
 struct PanelScene {
     std::string id;    ///< "fig2a"
     std::string title; ///< "a) wedge, m = 0"

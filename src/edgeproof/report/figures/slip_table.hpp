@@ -34,8 +34,7 @@ struct SlipTableOptions {
                                         "10%"}; ///< in the format of scene::parse_tolerance
     std::vector<std::size_t> terms{1};
     scene::Digits digits{10};
-    std::function<void(std::size_t, std::size_t)> progress =
-        {}; ///< called with the number of rows done, and their total
+    std::function<void(std::size_t, std::size_t)> progress = {}; ///< rows done, and their total
 };
 
 /// Returns the proved Q/(f P) up to which the slip-zone size by n terms stays within each

@@ -64,7 +64,6 @@ std::string fact(const char* name, const std::string& value) {
     return value.empty() ? "" : std::string("<dt>") + name + "</dt><dd>" + value + "</dd>\n";
 }
 
-/// Paper, ledger and program.
 std::string facts(const audit::AuditResult& result, const PageHead& head) {
     const audit::PrintedSource& source = head.source;
     std::string libraries;

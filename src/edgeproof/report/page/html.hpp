@@ -25,7 +25,6 @@ struct DrawnFigure {
     std::string problem; ///< the error, if there was one
 };
 
-/// The figures of the page.
 struct PageFigures {
     std::vector<DrawnFigure> paper;
     std::vector<DrawnFigure> residuals;

@@ -84,8 +84,7 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                         : "would come out otherwise than it is printed there: this line does not "
                           "explain that error";
             std::string what = sentence_html(later.what, source);
-            for (const audit::ClaimResult& r :
-                 result.claims) { // "EQ44" of as_if becomes the printed number
+            for (const audit::ClaimResult& r : result.claims) { // "EQ44" becomes its printed number
                 const std::string number = source.number_of(r.claim.id);
                 const std::string row = r.claim.id.substr(0, r.claim.id.find('.'));
                 const std::size_t at = number.empty() ? std::string::npos : what.find(row + ' ');

@@ -25,7 +25,6 @@
 namespace edgeproof::report {
 namespace {
 
-/// A plot to be made, and the result.
 struct Job {
     std::function<std::optional<Plot>()> make;
     std::optional<Plot> plot;

@@ -38,7 +38,6 @@ public:
     /// `unexplained`: the quantities that no convention explains.
     void add(const std::vector<conformance::Convention>& conventions,
              const std::vector<std::string>& unexplained);
-    /// Adds a line above the outcome.
     void note(std::string line) { notes_.push_back(std::move(line)); }
 
     [[nodiscard]] bool pass() const;
@@ -59,8 +58,7 @@ private:
     struct Tally {
         std::size_t rows = 0;
         std::size_t failed = 0;
-        std::size_t explained =
-            0; ///< with fewer digits than the target, explained by the conditioning
+        std::size_t explained = 0;  ///< below the target, but explained by the conditioning
         std::optional<Worst> worst; ///< of the answers that are numbers
         /// The distribution of their digits, in tenths as shown.
         std::map<long, std::size_t> tenths;
@@ -91,7 +89,6 @@ private:
     std::vector<std::string> notes_;
 };
 
-/// Returns the summary of all answers at once.
 [[nodiscard]] std::string conformance_text(const Conformance& c, std::size_t errors);
 
 /// Returns JUnit XML: a test case per answer, and one for the faults.

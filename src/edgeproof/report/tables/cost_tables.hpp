@@ -9,7 +9,6 @@
 
 namespace edgeproof::report {
 
-/// All results of `edgeproof cost`.
 struct CostReport {
     std::vector<std::pair<std::string, std::string>> machine;
     std::vector<unsigned> digits; ///< the requested digits, ascending

@@ -23,7 +23,6 @@ std::string fact_text(const Fact& fact) {
     return text;
 }
 
-/// Title, facts and notes, each a line after `mark`.
 std::string heading(const Table& table, const std::string& mark) {
     std::string out;
     const auto line = [&](const std::string& text) { out += mark + printable(text) + "\n"; };

@@ -9,7 +9,6 @@
 
 namespace edgeproof::report {
 
-/// The format of a table.
 enum class TableFormat { csv, json, markdown, latex };
 /// Reads csv, json, md, tex. Returns nothing for other names.
 [[nodiscard]] std::optional<TableFormat> table_format(std::string_view name);

@@ -11,7 +11,6 @@ namespace edgeproof::report {
 
 /// Returns a cell of a CSV row, quoted if necessary.
 [[nodiscard]] std::string csv_cell(std::string_view text);
-/// Appends such a cell to `line`.
 void add_csv_cell(std::string& line, std::string_view text);
 /// Returns a cell of a text column: if it begins with =, +, - or @ and is not a number, it gets an
 /// apostrophe in front, since a spreadsheet would execute it as a formula.

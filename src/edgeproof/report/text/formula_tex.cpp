@@ -77,8 +77,7 @@ Expr arranged_product(const Expr& e) {
         std::erase_if(factors.above, [](const Expr& f) { return !in_fraction(f); });
     }
     // A fraction with only 1 above takes the sums back: (2 + 3g)/(3 pi), not 1/(3 pi) (2 + 3g).
-    constexpr std::size_t most =
-        80; // a longer one can be broken into lines only outside a fraction
+    constexpr std::size_t most = 80; // a longer one breaks into lines only outside a fraction
     const auto text_size = [](const Expr& f) { return to_text(f).size(); };
     if (factors.above.empty() &&
         std::ranges::all_of(beside, [&](const Expr& f) { return text_size(f) <= most; })) {
@@ -94,7 +93,6 @@ Expr arranged_product(const Expr& e) {
     return factors.negative ? -all : all;
 }
 
-/// Writes exponents as fractions.
 Expr with_fraction_exponent(const Expr& e) {
     const Rational* power = e.arg(1).rational();
     if (power == nullptr || denominator(*power) == 1) {

@@ -8,7 +8,6 @@
 
 namespace edgeproof::report {
 
-/// An element of presentation MathML.
 struct MathNode {
     std::string tag = "mrow";
     std::string text = {}; ///< of a leaf

@@ -12,7 +12,6 @@ namespace edgeproof::scene {
 
 inline constexpr unsigned most_design_digits = 1000;
 
-/// The result of a design.
 struct DesignResult {
     contact::BestReach best;
     /// Empty if everything is proved; otherwise the reason why the result is an estimate.

@@ -28,7 +28,6 @@ struct Digits {
     bool binary64 = false; ///< also print the nearest binary64
 };
 
-/// A value as printed.
 struct PrintedValue {
     std::string text;  ///< rounded correctly at the digits requested, or at those that are certain;
                        ///< "[lower, upper]" if the rounding of a proved value is undecided, or if
@@ -54,7 +53,6 @@ struct PrintedValue {
 /// Formats a value. "0" is a value known to be zero. If the ball contains zero and other numbers,
 /// or does not decide the rounding of a proved value, the text is the enclosure.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
-/// Returns the text of printed(x, digits) only.
 [[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
 
 /// Returns a ball with an estimated absolute error.

@@ -54,7 +54,6 @@ private:
     };
     [[nodiscard]] static std::optional<Linear> linear(const formula::Expr& e);
 
-    /// Formulas in a and b.
     struct Formulas {
         formula::Expr u;
         formula::Expr x;

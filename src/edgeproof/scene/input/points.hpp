@@ -26,7 +26,6 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] formula::Exact at(std::size_t k) const;
     [[nodiscard]] std::vector<formula::Exact> all() const;
-    /// A description of the range.
     [[nodiscard]] std::string text() const;
 
 private:

@@ -60,7 +60,6 @@ enum class QuantityGroup {
     peak          ///< the greatest pressure
 };
 
-/// One number requested from a scene.
 struct AskedValue {
     Quantity quantity = Quantity::p;
     std::size_t k = 0;                            ///< order of a coefficient; number of terms
@@ -72,13 +71,11 @@ struct AskedValue {
     [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
 
-/// A row of the table.
 struct QuantityRow {
     /// The places of the values: one per contact, one at each edge, one at each point.
     enum class Place { contact, edge, point };
     /// The meaning of k of an AskedValue.
     enum class Index { none, order, terms };
-    /// The data that a scene must have.
     enum class Needs { nothing, shear, friction, friction_alone, unknown_tilt };
 
     Quantity quantity;
@@ -132,7 +129,6 @@ struct QuantityRow {
 /// Like row_of, but throws Error for a quantity without evaluators.
 [[nodiscard]] const QuantityRow& evaluated_row(Quantity quantity);
 
-/// A quantity with its index.
 struct NamedQuantity {
     Quantity quantity = Quantity::p;
     std::size_t k = 0;
@@ -175,7 +171,6 @@ struct GroupRow {
 [[nodiscard]] std::span<const GroupRow> group_rows();
 [[nodiscard]] std::string group_name(QuantityGroup group);
 
-/// Returns "right" or "left".
 [[nodiscard]] std::string edge_name(contact::Edge edge);
 [[nodiscard]] std::optional<contact::Edge> edge_named(std::string_view name);
 

@@ -34,7 +34,6 @@ bool has_names(std::string_view text) {
     return !text.empty() && text.back() == '%';
 }
 
-/// Reads the values of one key.
 class PlaceReader {
 public:
     PlaceReader(const io::TomlSection& section, std::string_view key, Place::From from,
@@ -52,7 +51,6 @@ public:
                    ? inside({*number, item.line, {}, item.text})
                    : AskedPoint{formula::Exact(), item.line, place};
     }
-    /// Reads an end of a range.
     [[nodiscard]] formula::Exact number(std::string_view end) const {
         const io::TomlSection::Written item = section_.numbers_written(end).at(0);
         if (!has_names(item.text)) {

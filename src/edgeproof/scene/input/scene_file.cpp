@@ -19,9 +19,8 @@ formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
 
 /// The effect of the materials of the two bodies on the shear.
 struct Materials {
-    bool alike = true; ///< both bodies have the same material
-    bool uncoupled =
-        true; ///< Dundurs' beta = 0: shear causes no normal displacement, p no tangential one
+    bool alike = true;     ///< both bodies have the same material
+    bool uncoupled = true; ///< Dundurs' beta = 0: p and q are uncoupled
 };
 
 /// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 if (1 - 2 nu_1)(1 + nu_1)/E_1 is the same

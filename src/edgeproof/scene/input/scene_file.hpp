@@ -22,7 +22,6 @@ class TomlSection;
 
 namespace edgeproof::scene {
 
-/// A point, and the line of the file that asks for it.
 struct AskedPoint {
     formula::Exact u; ///< the distance from the edge, unless `place` gives it
     std::size_t line = 0;
@@ -55,7 +54,6 @@ struct Ask {
     [[nodiscard]] std::size_t most_terms() const;
 };
 
-/// The elastic constants of the two bodies.
 struct Bodies {
     formula::Exact E1;
     formula::Exact nu1;

@@ -91,7 +91,6 @@ public:
         return together() ? shear_ratio() * p(edge, u)
                           : full_stick_traction(length(), load(), edge, distance(u));
     }
-    /// The distance of a point from its edge.
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
     /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
@@ -243,7 +242,6 @@ private:
                 },
                 most, L};
     }
-    /// `stick`: the stick zone, if it is known.
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;
         try {

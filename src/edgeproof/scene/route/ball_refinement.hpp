@@ -38,14 +38,12 @@ public:
                                                       const BallLevel& level, const Ball& near);
     /// Null if these bits do not isolate the edges.
     [[nodiscard]] BallLevel* at_level(long bits);
-    /// The largest number of bits that is tried.
     [[nodiscard]] long last_bits() const { return closed() ? last_bits_ : last_curved_bits_; }
     [[nodiscard]] bool closed() const { return plan_.route == contact::Route::closed_form; }
 
 private:
     /// Made on first use. Null under a tilt that was solved for and is not zero.
     [[nodiscard]] ExactValues* exact_values(const BallLevel& level);
-    /// The bits of the next attempt.
     [[nodiscard]] long after(long bits) const { return bits < plan_.bits ? plan_.bits : 2 * bits; }
 
     const Scene& scene_;

@@ -65,8 +65,7 @@ void BallSlips::check() {
             return;
         }
     }
-    if (level_ != nullptr &&
-        shear.bulk_tension.sign() != 0) { // no number of bits separates d from 0
+    if (level_ != nullptr && shear.bulk_tension.sign() != 0) { // bits do not separate d from 0
         const contact::BallSlip& slip = *level_->slip();
         const bool right = !certainly_positive(slip.size(contact::Edge::right));
         refuse(slip, right ? contact::Edge::right : contact::Edge::left, true);

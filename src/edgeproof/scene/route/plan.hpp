@@ -9,13 +9,11 @@
 
 namespace edgeproof::scene {
 
-/// An effect that a scene may need.
 struct Effect {
     std::string name;
     bool on = false;
-    std::string why; ///< the reason why it is on or off
-    std::size_t contact::Counts::*
-        counter; ///< the counter of the effect; null: it is part of another
+    std::string why;                       ///< the reason why it is on or off
+    std::size_t contact::Counts::*counter; ///< of the effect; null: it is part of another
 };
 
 /// The effects that a scene needs, and no others. In a symmetric scene no consistency equation is
@@ -24,13 +22,11 @@ struct Effect {
 /// two edges of a symmetric scene, the second is the mirror image of the first.
 struct Plan {
     Digits digits;
-    bool proved = false;    ///< values are enclosures; otherwise their errors are estimates
-    std::string proved_why; ///< the reason for `proved`
-    long bits = 256;        ///< initial bits of the balls
-    long narrow_bits =
-        232; ///< initial bits for values that cancel little: edges, places, pressures
-    unsigned working_digits =
-        70; ///< initial digits of the routes in Real; digits and bits are raised as needed
+    bool proved = false;          ///< values are enclosures; otherwise their errors are estimates
+    std::string proved_why;       ///< the reason for `proved`
+    long bits = 256;              ///< initial bits of the balls
+    long narrow_bits = 232;       ///< for values that cancel little: edges, places, pressures
+    unsigned working_digits = 70; ///< of the routes in Real, at first; raised as needed
     contact::Route route = contact::Route::closed_form;
     std::vector<contact::Edge> edges; ///< in the order of the request
     bool mirrored = false;            ///< p at the second edge is copied from the first

@@ -82,8 +82,7 @@ private:
     std::optional<formula::Exact> alpha_;
     contact::NormalContact contact_;
     std::optional<contact::ShearTraction> shear_;
-    std::optional<contact::NormalContact>
-        uncounted_; ///< a second contact for the slip, so that its work is not counted here
+    std::optional<contact::NormalContact> uncounted_; ///< its work is not counted here
     std::optional<contact::PartialSlip> slip_;
     std::optional<Last> last_;
     std::map<contact::Edge, std::vector<Real>> raw_c_;

@@ -28,8 +28,7 @@ struct PointValues {
     std::vector<Approximation> p_local;
     std::optional<BoundedValue> q;
     std::vector<Approximation> q_local;
-    std::optional<contact::SlipState>
-        state; ///< the state of the surfaces at the point, if there is friction
+    std::optional<contact::SlipState> state; ///< of q, if there is friction
 };
 
 struct EdgeValues {
@@ -42,8 +41,7 @@ struct EdgeValues {
 struct ExtentValues {
     contact::Edge edge = contact::Edge::right;
     std::size_t n = 0;
-    BoundedValue
-        first_exit; ///< the end of the part considered if the error stays within the tolerance
+    BoundedValue first_exit; ///< if none, the end of the part considered
     BoundedValue measure;
     BoundedValue first_exit_fraction; ///< as a fraction of a + b
     BoundedValue measure_fraction;

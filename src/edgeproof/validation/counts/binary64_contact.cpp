@@ -223,8 +223,7 @@ private:
 
 public:
     double length;
-    std::vector<double>
-        insets; ///< distances of knots, and of the edges of the stick zone, from an edge
+    std::vector<double> insets; ///< of knots and edges of the stick zone, from an edge
 };
 
 struct Place {

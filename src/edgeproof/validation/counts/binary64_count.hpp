@@ -13,7 +13,6 @@
 
 namespace edgeproof::validation {
 
-/// The kind of place of a value.
 enum class DrawnPlace : std::uint8_t { by_the_edge, inside, by_a_knot };
 inline constexpr std::array<std::string_view, 3> drawn_places{"by the edge", "inside", "by a knot"};
 
@@ -68,7 +67,6 @@ inline constexpr std::size_t places_a_contact = 10'000;
 /// Interrupted.
 [[nodiscard]] Binary64Count count_binary64(const Binary64Options& options, Binary64State& state);
 
-/// The results of one contact with `values` values.
 struct Binary64Contact {
     Binary64Cells cells{};
     std::vector<std::string> findings;

@@ -9,7 +9,6 @@
 
 namespace edgeproof::validation {
 
-/// The results of one contact.
 struct CountedContact {
     std::map<std::size_t, CountCell> cells; ///< as in CountState
     std::vector<CountFinding> findings;

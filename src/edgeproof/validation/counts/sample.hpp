@@ -13,7 +13,6 @@
 
 namespace edgeproof::validation {
 
-/// The random numbers for a contact.
 class Dice : public SplitMix64 {
 public:
     using SplitMix64::SplitMix64;
@@ -39,7 +38,6 @@ struct SampledValue {
     std::size_t regime = 0; ///< index in sampled_regimes
 };
 
-/// A contact with its values.
 struct SampledContact {
     std::size_t profile = 0; ///< index in sampled_profiles
     std::string text;        ///< the scene as TOML, to repeat a failure

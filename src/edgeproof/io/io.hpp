@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Input and output of files:
-///   toml/toml_section.hpp  TomlSection: the strict TOML reader; exact numbers, errors with the
-///   line
+///   toml/toml_section.hpp  TomlSection: the strict TOML reader, with exact numbers
 ///   text_file.hpp          read_text: a file as text, or the reason why it cannot be read
 ///   error_place.hpp        adds the file and the line to an error
 ///   toml/toml_limits.hpp   limits of a TOML file: its size and its nesting

@@ -30,7 +30,7 @@ enum class Regime {
 struct Target {
     static constexpr double default_digits = 12;
     std::optional<double> digits; ///< |answer/exact - 1| <= 10^-digits
-    std::optional<double> ulps;   ///< |answer - exact| in binary64 units in the last place
+    std::optional<double> ulps;   ///< the largest |answer - exact|, in binary64 ulps
     bool conditioned = false;     ///< an error explained by the conditioning passes as well
 
     [[nodiscard]] bool stated() const { return digits || ulps; }

@@ -12,7 +12,7 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr double presses = 0.002;
-constexpr double most_of_rule = 0.1; ///< that a fit of the exact pressure may be off by
+constexpr double most_of_rule = 0.1; ///< the largest error allowed for a fit of the exact pressure
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
@@ -54,7 +54,7 @@ public:
 private:
     void fail(std::string why) { file_.failures.push_back(std::move(why)); }
 
-    /// What the nodes do not determine is not known to be right.
+    /// A quantity that the nodes do not determine fails.
     void coverage() {
         const auto is_held = [this](Determined quantity) {
             return !tolerances_.partial ||
@@ -91,7 +91,8 @@ private:
                  return std::pair{node.p, node.exact.p.value_or(0)};
              });
     }
-    /// Digits may explain errors up to the tolerance, or the usual one: more is not seen at all.
+    /// Written digits may explain errors up to the tolerance, or the usual one: larger errors would
+    /// be hidden completely.
     void digits() {
         double explained = 0;
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
@@ -117,7 +118,7 @@ private:
                  return std::pair{node.shear->q, node.shear->exact.value_or(0)};
              });
     }
-    /// `values`: data and exact value of a node.
+    /// `values` returns data and exact value of a node.
     template <class Values>
     void hold(const char* symbol, const Errors& errors, double tolerance, const char* of_scale,
               const Values& values) {
@@ -141,8 +142,8 @@ private:
                                                          : std::string("in the L2 norm"),
                          percent(tolerance), where));
     }
-    /// How far a value of the data is from what the same rule makes of the exact pressure, in parts
-    /// of the exact value.
+    /// The difference between a value of the data and the result of the same rule for the exact
+    /// pressure, relative to the exact value.
     static double off(double data, double of_exact, double exact) {
         return std::abs((data - of_exact) / exact);
     }
@@ -215,7 +216,7 @@ void count_nodes(FileComparison& file) {
     }
 }
 
-/// Q by trapezoids, of the data and of the exact q at the same nodes.
+/// Integrates Q by trapezoids, for the data and for the exact q at the same nodes.
 void sum_shear(FileComparison& file) {
     double sum = 0;
     double of_exact = 0;
@@ -321,8 +322,8 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
                                              elsewhere ? std::optional(outwards) : std::nullopt);
     }
     Judge(file, exact, tolerances).judge();
-    // Data within their tolerance may be off by more than a mesh; of those that fail for want of
-    // nodes alone nothing is to be explained.
+    // Data within the tolerance are diagnosed if their error exceeds that of a mesh. If data fail
+    // only for lack of nodes, there is nothing to explain.
     constexpr double worth_a_word = 0.003;
     constexpr double roundoff = 1e-9;
     const double least = file.passes() ? worth_a_word : roundoff;

@@ -15,12 +15,12 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr double loaded_share = 0.02; ///< of the largest pressure
-constexpr double like_width = 2;      ///< widths of one contact, roughly known
-/// Lengths that programs are written for, in each other's units.
+constexpr double like_width = 2;      ///< the largest ratio of two widths of one contact
+/// Ratios of usual units of length.
 constexpr std::array usual_units{1e-9, 1e-6, 1e-3, 1e-2, 1e-1,     1e1,     1e2,
                                  1e3,  1e6,  1e9,  25.4, 1 / 25.4, 25.4e-3, 1 / 25.4e-3};
 
-/// The usual factor by which the data's width becomes the contact's, if one is near.
+/// The usual factor that nearly converts the data's width to the contact's, if there is one.
 std::optional<double> factor_near(double wanted) {
     std::optional<double> best;
     for (const double factor : usual_units) {
@@ -79,7 +79,7 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
     const double from = first->x + file.data.origin;
     const double to = last->x + file.data.origin;
     const double steps = static_cast<double>(last - first);
-    // The contact ends half an element beyond the nodes that press.
+    // The contact ends half an element beyond the loaded nodes.
     const double width = to - from + (steps > 0 ? (to - from) / steps : 0);
     const double ratio = exact.length() / width;
     const auto unit = factor_near(ratio);

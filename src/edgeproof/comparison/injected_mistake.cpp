@@ -15,7 +15,7 @@ constexpr double pi = std::numbers::pi;
 
 double number_in(const SceneKeys& keys, const std::string& key) { return std::stod(keys.at(key)); }
 
-/// Another number at a key that the scene has.
+/// Changes the numbers of those keys that the scene has.
 Make with_key(const std::vector<std::string>& names, const std::function<double(double)>& change) {
     return [=](const SceneKeys& keys) -> std::optional<Program> {
         Program program{keys};
@@ -33,7 +33,7 @@ Make times_key(const std::string& name, double k) {
     return with_key({name}, [k](double x) { return k * x; });
 }
 
-/// Another E*, of the bodies' constants.
+/// Replaces E* by a function of the bodies' constants.
 Make with_modulus(const std::function<double(double, double, double, double)>& modulus) {
     return [=](const SceneKeys& keys) -> std::optional<Program> {
         if (!keys.contains("load.E1")) {
@@ -66,7 +66,7 @@ Make x_times(double k) {
     return any_contact(
         [k](Program& program) { program.written_x = [k](double x) { return k * x; }; });
 }
-/// A mistake that shows where the edges are not alike.
+/// A mistake that has an effect only if the edges are not alike.
 Make unless_symmetric(const std::function<double(const ExactContact&, double)>& p) {
     return [p](const SceneKeys& keys) -> std::optional<Program> {
         if (!keys.contains("profile.alpha") && !keys.contains("load.M")) {
@@ -106,7 +106,7 @@ void shift_rows(std::vector<ComputedRow>& list) {
     list.pop_back();
 }
 void average_rows(std::vector<ComputedRow>& list) {
-    std::vector<double> means; // of elements
+    std::vector<double> means; // of the elements
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
         means.push_back((list[i].p + list[i + 1].p) / 2);
     }
@@ -271,7 +271,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
              }
              return program.rows ? std::optional(program) : std::nullopt;
          }},
-        // Of a symmetric contact, whose pressure does not tell.
+        // The mirror image of a symmetric contact has the same pressure, so only q shows it.
         {"mirrored", true,
          [](const SceneKeys& keys) -> std::optional<Program> {
              Program program{keys};

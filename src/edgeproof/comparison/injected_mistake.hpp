@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-/// Mistakes as a user makes them, in the text of a scene and in what is written of its pressures:
-/// the diagnosis, which holds data against its own suspects, is tried on them.
+/// Mistakes of users, in the text of a scene and in its written pressures, to test the diagnosis,
+/// which has its own suspects.
 namespace edgeproof::comparison {
 
-/// "profile.R" -> "2": the keys of a scene file.
+/// The keys of a scene file, such as "profile.R" -> "2".
 using SceneKeys = std::map<std::string, std::string>;
 [[nodiscard]] std::string scene_text(const SceneKeys& keys);
 
@@ -22,30 +22,29 @@ struct TestedContact {
 };
 [[nodiscard]] const std::vector<TestedContact>& tested_contacts();
 
-/// A row of a result: what a program computed there.
 struct ComputedRow {
     double x = 0;
     double p = 0;
     std::optional<double> q = {};
 };
 
-/// A program's contact and what it makes of it.
+/// A simulated program: its contact and its output.
 struct Program {
     SceneKeys keys;
-    /// x as the program writes it, of its own place.
+    /// The x that the program writes for a place x.
     std::function<double(double)> written_x = {};
-    /// p at a place, in place of the contact's own.
+    /// p at a place, instead of the contact's own.
     std::function<double(const ExactContact&, double)> p = {};
-    /// What is done with the rows before they are written.
+    /// Changes the rows before they are written.
     std::function<void(std::vector<ComputedRow>&)> rows = {};
-    /// Significant digits of p where they are few; -1: binary32.
+    /// Significant digits of p if they are few; -1: binary32; 0: all.
     int digits = 0;
 };
 
 struct InjectedMistake {
-    std::string name; ///< that the diagnosis should give it; empty: nothing is wrong
+    std::string name; ///< the name that the diagnosis should give; empty: no mistake
     bool of_shear = false;
-    /// The program with the mistake; nothing where the contact has no place for it.
+    /// Makes the program with the mistake; nothing if the mistake is not possible in the contact.
     std::function<std::optional<Program>(const SceneKeys&)> make;
 };
 [[nodiscard]] const std::vector<InjectedMistake>& injected_mistakes();

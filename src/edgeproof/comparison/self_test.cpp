@@ -24,14 +24,14 @@ struct Data {
     int digits = 0;
 };
 
-/// What the program with the mistake computes, over a stretch that holds its own contact.
+/// The output of the program with the mistake, on an interval that contains its own contact.
 std::optional<Data> computed(const Program& program, bool shear) {
     try {
         SceneKeys keys = program.keys;
         std::erase_if(
             keys, [shear](const auto& key) { return !shear && key.first.starts_with("shear."); });
         const ExactContact contact(scene::parse_scene(scene_text(keys), "self-test.toml"));
-        // |x| taken for u presses over twice the contact.
+        // If a program takes |x| for u, the pressure covers twice the contact.
         const double reach = 0.23 * contact.length();
         const double whole = program.p ? std::max(contact.a().value, contact.b().value) : 0;
         const double left = std::max(contact.b().value, whole) + reach;
@@ -81,8 +81,8 @@ std::string table_of(const Data& data, double noise, std::uint64_t seed) {
     return text;
 }
 
-/// The rms of what data are off by, over nodes a twentieth of the contact from an edge, and of
-/// what noise of the relative size 1 makes there; both relative to the largest value there.
+/// The rms of the error of data, over nodes a twentieth of the contact away from an edge, and of
+/// the effect of noise of relative size 1; both relative to the largest value there.
 struct Moved {
     double by = 0;
     double noise = 0;
@@ -107,7 +107,7 @@ Moved moved(const FileComparison& file, bool shear, const ExactContact& exact) {
         }
     }
     if (n == 0) {
-        return {1, 0}; // nowhere near the contact
+        return {1, 0}; // no node is near the contact
     }
     const double count = static_cast<double>(n);
     return {std::sqrt(off / count) / largest, std::sqrt(size / count) / largest};
@@ -158,7 +158,7 @@ private:
         const FileComparison file = compared(noise);
         const auto& diagnosis = mistake.of_shear ? file.shear_diagnosis : file.diagnosis;
         const std::vector<std::string> names = names_in(diagnosis);
-        // A mistake in q leaves p right.
+        // With a mistake in q, p is right.
         const bool misled = mistake.of_shear && !names_in(file.diagnosis).empty();
         const bool named =
             right ? names.empty() : std::ranges::find(names, mistake.name) != names.end();
@@ -186,7 +186,7 @@ private:
                 effect.by, diagnosis ? diagnosis->unexplained : 0));
         }
     }
-    /// Without noise, computed once for all levels.
+    /// Returns the comparison without noise, computed once for all levels.
     template <class Compare>
     const FileComparison& clean(const InjectedMistake& mistake, const TestedContact& tested,
                                 const Compare& compared) {

@@ -10,17 +10,17 @@
 
 namespace edgeproof::comparison {
 
-/// Relative noise of the pressures of the data: normally distributed.
+/// Relative, normally distributed noise of the pressures of the data.
 inline constexpr std::array noise_levels{0.0, 1e-6, 1e-4, 1e-2};
 
-/// What became of the data of one mistake at one noise. Right data, of no name, are named where
-/// nothing is said of them.
+/// The results for one mistake at one level of noise. Correct data have no name, and count as named
+/// if no cause is reported.
 struct SelfTestCount {
-    std::size_t cases = 0;  ///< whose mistake moves the data by more than five times the noise
-    std::size_t named = 0;  ///< alone, or among those that the data do not tell apart
-    std::size_t alone = 0;  ///< under that name and no other
+    std::size_t cases = 0;  ///< whose mistake changes the data by more than five times the noise
+    std::size_t named = 0;  ///< found, alone or among causes that the data do not distinguish
+    std::size_t alone = 0;  ///< found under that name only
     std::size_t beyond = 0; ///< cases that the noise hides
-    /// Another cause was named, and not this one: of the hidden ones, too.
+    /// Another cause was found, but not this one; hidden cases are included.
     std::size_t wrong = 0;
 };
 struct SelfTestRow {
@@ -29,16 +29,16 @@ struct SelfTestRow {
 };
 struct SelfTest {
     std::vector<SelfTestRow> rows;
-    std::vector<std::string> misses; ///< a line a case that was not named, or wrongly
-    /// Right data count where they are wrongly named, and nowhere else.
+    std::vector<std::string> misses; ///< one line for each case not found, or found wrongly
+    /// The sum over the mistakes. Correct data are counted only if a cause is reported for them.
     [[nodiscard]] SelfTestCount total() const;
-    /// 95 % are named, and none is wrong.
+    /// True if 95 % are found, and none wrongly.
     [[nodiscard]] bool passes() const;
 };
 
-/// Injects each mistake into each contact that it makes sense in, writes the data of 120 elements
-/// with noise, reads and compares them. `contacts`: names of tested_contacts, all where it is
-/// empty; `progress`: contacts done, of how many. Throws Interrupted.
+/// Injects each mistake into each contact where it is possible, writes the data of 120 elements
+/// with noise, reads and compares them. `contacts`: names of tested_contacts, all if empty;
+/// `progress` is called with the number of contacts done, and their total. Throws Interrupted.
 [[nodiscard]] SelfTest
 run_self_test(std::uint64_t seed, const std::vector<std::string>& contacts = {},
               const std::function<void(std::size_t, std::size_t)>& progress = {});

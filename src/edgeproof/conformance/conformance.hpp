@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// Reference values, and other programs' numbers held against them.
+/// Reference values, and the comparison of other programs' numbers with them.
 ///   asked_contact.hpp  a profile under a load, as parameters in text
-///   question.hpp       Question: what is asked of a contact (scene/input/quantity.hpp)
-///   recipe.hpp         Recipe: grids of contacts and what is asked of each, from TOML
+///   question.hpp       Question: a value requested for a contact (scene/input/quantity.hpp)
+///   recipe.hpp         Recipe: grids of contacts and the questions for each, from TOML
 ///   recipe_grid.hpp    RecipeGrid: a recipe of any number of rows, in pieces
-///   parallel_for.hpp   pieces done on several threads
-///   distributed_work.hpp pieces done by several processes (processes.hpp), one of which leads
-///   reference.hpp      references: the answers, by threads, the same on any number of them
-///   number_text.hpp    the one grammar of numbers in answers
-///   answers.hpp        what another program answered, whatever that is
-///   child_process.hpp  another program run, text in and text out
-///   program_driver.hpp a program asked batch by batch, in CSV or JSON lines, however it ends
-///   conditioning.hpp   how much of an error the inputs' rounding explains
-///   agreement.hpp      digits right, ulps, and where in the contact
+///   parallel_for.hpp   pieces of work on several threads
+///   distributed_work.hpp pieces of work by several processes (processes.hpp), one of which leads
+///   reference.hpp      references: the answers, the same on any number of threads
+///   number_text.hpp    the grammar of numbers in answers
+///   answers.hpp        the answers of another program, right or wrong
+///   child_process.hpp  runs another program, text in and text out
+///   program_driver.hpp asks a program in batches, in CSV or JSON lines, and survives its crashes
+///   conditioning.hpp   how much of an error the rounding of the inputs explains
+///   agreement.hpp      correct digits, ulps, and the position in the contact
 ///   convention.hpp     failures that another convention explains
-///   unit_mistake.hpp   failures that another reading of the question explains
-///   corruption.hpp     right answers made wrong, to see that it is found
+///   unit_mistake.hpp   failures that another interpretation of the question explains
+///   corruption.hpp     correct answers made wrong, to test that this is detected
 ///   csv.hpp            CSV with the line of each row
-///   atomic_file.hpp    a file that is whole or not there
+///   atomic_file.hpp    a file that is either complete or absent
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"

@@ -27,7 +27,8 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// A file without a name, where the system has such files and a way to name them later; else -1.
+/// Opens a file without a name, if the system supports such files and naming them later; else
+/// returns -1.
 int open_unnamed(const std::filesystem::path& folder) {
 #ifdef O_TMPFILE
     if (::access("/proc/self/fd", X_OK) == 0) {
@@ -37,8 +38,8 @@ int open_unnamed(const std::filesystem::path& folder) {
     return -1;
 }
 
-/// Whether the process that wrote this is no more. Its number may be another's by now: who still
-/// writes has a lock.
+/// True if the process that wrote this has ended. Its number may belong to another process now, but
+/// a process that still writes has a lock.
 bool is_left_over(const std::filesystem::path& path, pid_t process) {
     if (::kill(process, 0) != 0 && errno == ESRCH) {
         return true;
@@ -51,7 +52,7 @@ bool is_left_over(const std::filesystem::path& path, pid_t process) {
     return free;
 }
 
-/// N for a name of this process's descriptor N, else -1.
+/// Returns N for a name of this process's descriptor N, else -1.
 int own_descriptor(const std::filesystem::path& file) {
     const std::string name = file.lexically_normal().string();
     if (name == "/dev/stdout") {
@@ -89,7 +90,7 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
         target.special = true;
         return target;
     }
-    constexpr int most_links = 40; // as the system has it
+    constexpr int most_links = 40; // as in the Linux kernel
     std::error_code none;
     for (int links = 0; std::filesystem::is_symlink(target.path, none); ++links) {
         const std::filesystem::path next = std::filesystem::read_symlink(target.path, none);
@@ -166,7 +167,7 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
     if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
         cannot(errno);
     }
-    (void)::flock(fd_, LOCK_SH | LOCK_NB); // tells others that it is in use
+    (void)::flock(fd_, LOCK_SH | LOCK_NB); // shows others that it is in use
 }
 
 AtomicFile::~AtomicFile() {

@@ -8,38 +8,36 @@
 
 namespace edgeproof::io {
 
-/// Writes all of the text to an open file: 0, or the error.
+/// Writes the whole text to an open file. Returns 0, or the error number.
 [[nodiscard]] int write_all(int fd, const std::string& text);
 
-/// What to do about a file that cannot be written.
 inline constexpr const char* give_writable_folder =
     "give a folder that can be written to, with free space";
 
-/// Removes what processes that are no more left beside a file, or a folder, under names of the kind
-/// "t.csv.4711.tmp". What a process that lives writes there is locked (flock).
+/// Removes the temporary files that ended processes left next to a file or folder, with names such
+/// as "t.csv.4711.tmp". Files of running processes are locked (flock) and are kept.
 void remove_left_over(const std::filesystem::path& file);
 
-/// Where a file that is to be written leads: links followed, a device or FIFO told from a file.
+/// The target of a file to be written: links are followed, devices and FIFOs are detected.
 struct OutputTarget {
-    std::filesystem::path path;   ///< no link
+    std::filesystem::path path;   ///< not a link
     int descriptor = -1;          ///< of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
-    bool special = false;         ///< no regular file: written as it is, and never replaced
-    std::optional<unsigned> mode; ///< permissions of the file that is there
-    /// Throws InputError for a folder and for a link that leads nowhere in forty steps.
+    bool special = false;         ///< not a regular file: written directly, and never replaced
+    std::optional<unsigned> mode; ///< permissions of an existing file
+    /// Throws InputError for a folder and for a chain of more than forty links.
     [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
 };
 
-/// A file written in parts, in a folder that is made where there is none, and seen by others only
-/// when it is whole: until then it has no name, or, where the file system knows no such files, one
-/// by the process ("t.csv.4711.tmp"). Throws InputError where it cannot be written, Interrupted
-/// where that was asked for; what was written is removed then, and where it is not committed. What
-/// runs that were killed left beside it under such names is removed first. A link stays, and the
-/// file that it leads to is written; a file that is there keeps its permissions; a device, a FIFO
-/// or an open descriptor is written to as it is.
+/// A file written in parts, visible to others only when it is complete. Until then it has no name,
+/// or, if the file system does not support that, a name with the process number ("t.csv.4711.tmp").
+/// A missing folder is created. Throws InputError if the file cannot be written, Interrupted after
+/// an interruption; the text written so far is then removed, as it is without commit(). Leftover
+/// files of killed runs are removed first. A link is kept, and its target is written; an existing
+/// file keeps its permissions; a device, a FIFO or an open descriptor is written directly.
 class AtomicFile {
 public:
-    /// What a checkpoint holds is right in an interrupted process as well; a result is not written
-    /// there, as it may be of work that was cut off.
+    /// A checkpoint is also valid in an interrupted process. A result is not written there, since
+    /// it may be incomplete.
     enum class Content { result, checkpoint };
 
     explicit AtomicFile(std::filesystem::path file, Content content = Content::result);
@@ -55,9 +53,9 @@ private:
     void give_name();
     [[noreturn]] void cannot(int error);
 
-    std::filesystem::path file_; ///< as it was named
+    std::filesystem::path file_; ///< as the user named it
     OutputTarget target_;
-    TemporaryPath aside_; ///< its name before it is whole
+    TemporaryPath aside_; ///< its temporary name
     Content content_;
     std::string waiting_;
     int fd_ = -1;

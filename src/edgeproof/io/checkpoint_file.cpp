@@ -22,11 +22,11 @@
 namespace edgeproof::io {
 namespace {
 
-/// What every version of these files begins with: only such a file is written over, or removed.
+/// The beginning of such files of all versions: only such a file is overwritten or removed.
 constexpr std::string_view first_words = "edgeproof part file ";
 
-/// Tells a text that was torn or changed by accident; eight bytes at a time, as every row passes
-/// it.
+/// A hash that detects incomplete or accidentally changed text. It takes eight bytes at a time for
+/// speed.
 std::uint64_t hash_of_words(std::string_view text, std::uint64_t hash) {
     constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
     for (std::size_t i = 0; i < text.size(); i += sizeof(std::uint64_t)) {
@@ -38,12 +38,12 @@ std::uint64_t hash_of_words(std::string_view text, std::uint64_t hash) {
     return hash;
 }
 
-/// Of a piece: its number and its size count as well as its text.
+/// The checksum of a piece includes its number, its size and its text.
 std::uint64_t checksum(std::uint64_t piece, const std::string& body) {
     return hash_of_words(body, fnv1a(fmt::format("{} {} ", piece, body.size())));
 }
 
-/// Numbers, a blank between two, to the end of the line.
+/// Reads N numbers, separated by single blanks, to the end of the line.
 template <std::size_t N>
 std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int base_of_last) {
     std::array<std::uint64_t, N> all{};
@@ -59,7 +59,7 @@ std::optional<std::array<std::uint64_t, N>> numbers(std::string_view line, int b
     return all;
 }
 
-/// Hands over the entries of a piece's body; false where it is none.
+/// Passes the entries of a piece's body to `take`; returns false if the text is not a body.
 template <class Take> bool each_entry(std::string_view body, const Take& take) {
     for (std::size_t i = 0; i < body.size();) {
         const std::size_t stop = body.find('\n', i);
@@ -83,7 +83,7 @@ bool is_body(std::string_view body) {
 CheckpointFile::CheckpointFile(std::filesystem::path file, std::uint64_t fingerprint,
                                std::size_t pieces)
     : file_(std::move(file)),
-      // No link is followed and no FIFO waited for: what has this name may be anybody's.
+      // Links are not followed, and a FIFO does not block: the name may belong to another file.
       fd_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666)),
       head_(fmt::format("{}4, {:016x}\n", first_words, fingerprint)), places_(pieces) {
     if (fd_ < 0) {
@@ -147,7 +147,8 @@ void CheckpointFile::read() {
     end_ = head_.size();
     constexpr std::size_t longest_head = 80;
     const std::string begins = at(0, head_.size());
-    // An older version's, another recipe's, or one whose first line is torn: begun anew.
+    // A file of an older version, of another recipe, or with an incomplete first line is started
+    // anew.
     const std::size_t known = std::min(begins.size(), first_words.size());
     if (begins.compare(0, known, first_words, 0, known) != 0) {
         not_ours();
@@ -236,7 +237,7 @@ std::vector<CheckpointFile::Entry> CheckpointFile::piece(std::size_t number) con
 }
 
 void CheckpointFile::remove() {
-    // Only this file: another may have come under its name.
+    // Removes only this file: another file may have its name now.
     struct stat mine {};
     struct stat named {};
     if (::fstat(fd_, &mine) == 0 && ::lstat(file_.c_str(), &named) == 0 &&

@@ -9,13 +9,14 @@
 
 namespace edgeproof::io {
 
-/// What is done of long work, kept beside its target: entries are added piece by piece, each piece
-/// with a checksum and in one go, and found again after the program was stopped or killed. The last
-/// piece, where it is torn, is dropped. Only the places of pieces are kept in memory.
+/// The finished part of long work, stored next to its target. Entries are added piece by piece,
+/// each piece with a checksum and in one write, and are read again after the program was stopped or
+/// killed. An incomplete last piece is dropped. Only the positions of the pieces are kept in
+/// memory.
 class CheckpointFile {
 public:
-    /// What stands together in the whole: the number of its first item, how many items it is made
-    /// of, how many of them are marked, and their text.
+    /// Consecutive items of the work: the number of the first item, the number of items, the number
+    /// of marked items, and their text.
     struct Entry {
         std::size_t index = 0;
         std::size_t items = 1;
@@ -23,10 +24,9 @@ public:
         std::string text;
     };
 
-    /// Opens what there is of the work that `fingerprint` tells from any other, in `pieces` pieces;
-    /// else begins anew. Throws InputError where the file cannot be written, where another run
-    /// holds it, and where what has its name is a link or not a file of this kind: that is left
-    /// alone.
+    /// Opens the file of the work with this `fingerprint`, in `pieces` pieces; a file of other work
+    /// is started anew. Throws InputError if the file cannot be written, if another run has locked
+    /// it, and if the name belongs to a link or to a file of another kind, which is not changed.
     CheckpointFile(std::filesystem::path file, std::uint64_t fingerprint, std::size_t pieces);
     ~CheckpointFile();
     CheckpointFile(const CheckpointFile&) = delete;
@@ -34,18 +34,16 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
     [[nodiscard]] bool has(std::size_t piece) const { return places_[piece].size > 0; }
-    [[nodiscard]] std::size_t items() const { return items_; } ///< that there are
+    [[nodiscard]] std::size_t items() const { return items_; } ///< in all pieces
     [[nodiscard]] std::size_t marked() const { return marked_; }
 
-    /// Entries as one text, as it stands in the file.
+    /// Returns entries as one text in the format of the file.
     [[nodiscard]] static std::string body(const std::vector<Entry>& entries);
-    /// Adds a piece, given as its body. Throws InputError where it cannot be written (what was
-    /// whole before is kept) and where the file is no longer in its folder, Error where it is no
-    /// body.
+    /// Adds a piece, given as its body. Throws InputError if it cannot be written (complete pieces
+    /// are kept) or if the file is no longer in its folder, Error if the text is not a body.
     void add(std::size_t piece, const std::string& body);
-    /// A piece that there is, as it was added.
+    /// Returns the entries of a stored piece.
     [[nodiscard]] std::vector<Entry> piece(std::size_t number) const;
-    /// Deletes the file.
     void remove();
 
 private:
@@ -58,10 +56,10 @@ private:
     std::filesystem::path file_;
     int fd_ = -1;
     std::string head_;
-    std::uint64_t end_ = 0; ///< of what is whole
+    std::uint64_t end_ = 0; ///< the end of the complete pieces
     struct Place {
-        std::uint64_t offset = 0; ///< of the entries
-        std::uint64_t size = 0;   ///< 0: not there
+        std::uint64_t offset = 0; ///< position of the entries
+        std::uint64_t size = 0;   ///< 0: the piece is missing
     };
     std::vector<Place> places_;
     std::size_t items_ = 0;

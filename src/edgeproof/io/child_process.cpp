@@ -25,7 +25,7 @@ namespace {
 
 constexpr int look_every_ms = 100;
 constexpr int look_for_the_end_every_ms = 2;
-constexpr std::size_t most_bytes_at_once = 1'000'000; // bytes read before the time is looked at
+constexpr std::size_t most_bytes_at_once = 1'000'000; // bytes read before the time is checked
 
 [[noreturn]] void cannot(const char* what) {
     throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
@@ -50,7 +50,7 @@ private:
     int fd_;
 };
 
-/// A program that no longer reads must not end us: SIGPIPE is held back in this thread.
+/// A program that stops reading must not end this process: SIGPIPE is blocked in this thread.
 class NoBrokenPipe {
 public:
     NoBrokenPipe() {
@@ -98,7 +98,7 @@ std::vector<std::string> own_environment() {
     return variables;
 }
 
-/// Starts it in a process group of its own, with no signal held back or ignored.
+/// Starts the program in a process group of its own, with no signal blocked or ignored.
 pid_t start(const ProgramCall& call, const std::string& mark, int in, int out, int err) {
     std::vector<std::string> arguments = call.arguments;
     std::vector<std::string> environment = call.environment ? *call.environment : own_environment();
@@ -135,7 +135,7 @@ pid_t start(const ProgramCall& call, const std::string& mark, int in, int out, i
     return pid;
 }
 
-/// Writes what goes in without waiting. False when nothing is left to write, or nobody reads.
+/// Writes input without waiting. Returns false if all is written or the program stopped reading.
 bool feed(int fd, const std::string& input, std::size_t& at) {
     while (at < input.size()) {
         const ssize_t n = ::write(fd, input.data() + at, input.size() - at);
@@ -150,7 +150,8 @@ bool feed(int fd, const std::string& input, std::size_t& at) {
     return false;
 }
 
-/// Hands on what there is to read, up to most_bytes_at_once, without waiting. False at the end.
+/// Passes on the available output, up to most_bytes_at_once, without waiting. Returns false at the
+/// end.
 template <class Take> bool drain(int fd, const Take& take) {
     std::array<char, 65536> buffer{};
     for (std::size_t taken = 0; taken < most_bytes_at_once;) {
@@ -167,7 +168,6 @@ template <class Take> bool drain(int fd, const Take& take) {
     return true;
 }
 
-/// What the program writes.
 class Listener {
 public:
     Listener(int out, int err, const ProgramCall& call, ProgramRun& run)
@@ -241,7 +241,7 @@ ProgramRun run_program(const ProgramCall& call) {
     const auto [our_err, their_err] = make_pipe();
     Descriptor theirs_err(their_err);
     Descriptor ours_err(our_err);
-    // Named anew: clang before 16 captures no structured bindings.
+    // The captures have new names since clang before 16 cannot capture structured bindings.
     const std::string mark = new_mark();
     ChildGroup child([&call, &mark, in = their_in, out = their_out,
                       err = their_err] { return start(call, mark, in, out, err); },
@@ -256,8 +256,8 @@ ProgramRun run_program(const ProgramCall& call) {
         if (writes.get() >= 0 && !feed(writes.get(), call.input, written)) {
             writes.close();
         }
-        // Its end is looked for before its output, which is then complete. Who it left behind may
-        // keep the pipes open: that is not waited for.
+        // The end of the program is checked before its output is read, so that the output is
+        // complete. Processes that it left may keep the pipes open; they are not waited for.
         const bool ended = child.ended();
         listener.read();
         check_interruption();
@@ -275,7 +275,7 @@ ProgramRun run_program(const ProgramCall& call) {
     child.end();
     const int status = child.wait(&run.processor_seconds);
     if (!killed) {
-        // A pipe holds less than is read at once: all of what it wrote is here now.
+        // A pipe holds less than is read at once, so this reads all remaining output.
         listener.read();
     }
     run.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;

@@ -19,7 +19,8 @@ std::string_view trimmed(std::string_view text) {
                : text.substr(from, text.find_last_not_of(blanks) - from + 1);
 }
 
-/// Of the header line, outside its quotes: a comma, or else a tab, or else a semicolon.
+/// Returns the separator of a header line, outside its quotes: a comma, or else a tab, or else a
+/// semicolon.
 char separator_of(std::string_view line) {
     bool quoted = false;
     bool tab = false;
@@ -35,7 +36,7 @@ char separator_of(std::string_view line) {
     return tab ? '\t' : semicolon ? ';' : ',';
 }
 
-/// Throws for a text that is no lines of ASCII or UTF-8.
+/// Throws for a text that does not consist of lines of ASCII or UTF-8.
 void check_encoding(std::string_view text, const std::string& file) {
     const auto begins = [&](unsigned char first, unsigned char second) {
         return text.size() > 1 && static_cast<unsigned char>(text[0]) == first &&
@@ -63,16 +64,16 @@ constexpr std::size_t block_bytes = 1U << 20U;
 
 } // namespace
 
-/// Rows out of a text, of which more may follow.
+/// Parses rows of a text that may be given in parts.
 class CsvReader::Parser {
 public:
     enum class Got {
         row,
         end,
-        part ///< the text ends within a row or a note: give more of it
+        part ///< the text ends within a row or a note: more text is needed
     };
 
-    /// The text from where the parser stands on; `whole`: to the end.
+    /// Sets the text from the current position on; `whole`: it is complete.
     void go_on(std::string_view text, bool whole) {
         text_ = text;
         at_ = 0;
@@ -80,7 +81,7 @@ public:
     }
     [[nodiscard]] std::size_t at() const { return at_; }
 
-    /// The next row that is no note and not blank. The first tells the separator.
+    /// Reads the next row that is neither a note nor blank. The first row determines the separator.
     Got next(Csv& csv, Csv::Row& row) {
         while (at_ < text_.size()) {
             const std::size_t found = text_.find('\n', at_);
@@ -107,11 +108,11 @@ public:
         }
         return whole_ ? Got::end : Got::part;
     }
-    /// The header is still to come: what was read was a note.
+    /// The row read was a note; the header is still to come.
     void again() { separator_ = '\0'; }
 
 private:
-    /// A line of nothing but tabs is a row of empty cells where tabs separate.
+    /// With tabs as separators, a line of tabs only is a row of empty cells.
     [[nodiscard]] bool has_cells(std::string_view line) const {
         return separator_ == '\t' && line.find('\t') != std::string_view::npos;
     }
@@ -122,7 +123,7 @@ private:
         return at >= text_.size() || text_[at] == separator_ || text_[at] == '\n';
     }
 
-    /// False, and nothing read, where the text ends within the row.
+    /// Returns false, without reading, if the text ends within the row.
     bool read(Csv::Row& row) {
         const std::size_t begin = at_;
         const std::size_t first_line = line_;
@@ -143,11 +144,11 @@ private:
             line_ = first_line;
             return false;
         }
-        at_ = std::min(at_ + 1, text_.size()); // the line's end
+        at_ = std::min(at_ + 1, text_.size()); // the line end
         ++line_;
         return true;
     }
-    /// Up to the separator or the line's end, which it leaves.
+    /// Reads a cell up to the separator or the line end, which is not consumed.
     void cell(std::string& cell, std::string& fault) {
         const std::size_t from = at_;
         skip_blanks();
@@ -233,7 +234,7 @@ CsvReader::CsvReader(const std::filesystem::path& file, const std::string& what)
 CsvReader::~CsvReader() = default;
 
 void CsvReader::begin() {
-    // A spreadsheet quotes a note that holds a separator.
+    // A spreadsheet quotes a note that contains a separator.
     for (bool note = true; note;) {
         if (!next(head_.header)) {
             throw InputError("there is no header line", "write the names of the columns first")

@@ -13,54 +13,54 @@
 
 namespace edgeproof::io {
 
-/// Separated values as RFC 4180 has them (quoted cells, "" for a quote, either line end), with
-/// notes: lines that begin with #. The separator is the comma; a header without one may use tabs or
-/// semicolons, which then hold for the file. A UTF-8 byte order mark is skipped. Blanks around a
-/// cell that is not quoted, or around the quotes, do not count; nothing else may stand beside the
-/// quotes, and no quote within a cell that is not quoted.
+/// Separated values according to RFC 4180 (quoted cells, "" for a quote, either line end), with
+/// notes: lines that begin with #. The separator is the comma; a header without a comma may use
+/// tabs or semicolons, which then apply to the file. A UTF-8 byte order mark is skipped. Blanks
+/// around an unquoted cell or around quotes are ignored; other characters next to the quotes, and
+/// quotes within an unquoted cell, are errors.
 struct Csv {
     struct Row {
         std::size_t line = 0;
         std::vector<std::string> cells;
-        std::string fault = {}; ///< why the row cannot be read; empty: it can
+        std::string fault = {}; ///< why the row cannot be read; empty: it is valid
     };
     std::string file;
     char separator = ',';
     std::vector<std::string> notes;      ///< without the #
-    std::vector<std::size_t> note_lines; ///< of the notes, one each
+    std::vector<std::size_t> note_lines; ///< the line of each note
     Row header;
-    std::vector<Row> rows; ///< as many cells as they happen to have
-    bool cut = false;      ///< there are more rows than most_rows
+    std::vector<Row> rows; ///< rows may have different numbers of cells
+    bool cut = false;      ///< the file has more rows than most_rows
 
     [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
 };
 
 struct CsvReading {
-    /// A row that breaks the rules is kept, its fault said, and those behind it are read. A quote
-    /// that does not end makes one row of all that follows.
+    /// Keep a row that breaks the rules, with its fault, and read the rows after it. A missing end
+    /// of a quote makes one row of all following text.
     bool keep_faults = false;
     std::size_t most_rows = std::numeric_limits<std::size_t>::max(); ///< the rest is not read
 };
 
-/// Rows one by one. Of a file, which is read as it is needed, no more is kept than a block, or the
-/// longest row.
+/// Reads rows one by one. A file is read as needed; only one block, or the longest row, is kept in
+/// memory.
 class CsvReader {
 public:
-    /// Throws InputError for a text without a header line, for one in UTF-16 or whose lines end in
-    /// CR alone, and as TextReader does.
+    /// Throws InputError for a text without a header line, for a text in UTF-16 or with lines that
+    /// end in CR alone, and as TextReader does.
     CsvReader(std::string_view text, const std::string& file);
     CsvReader(const std::filesystem::path& file, const std::string& what);
     ~CsvReader();
     CsvReader(const CsvReader&) = delete;
     CsvReader& operator=(const CsvReader&) = delete;
 
-    /// The header and the notes that were met so far; no rows.
+    /// The header and the notes read so far; no rows.
     [[nodiscard]] const Csv& head() const { return head_; }
-    /// Of the file, that were read.
+    /// The bytes of the file read so far.
     [[nodiscard]] std::size_t bytes() const { return file_ ? file_->bytes() : 0; }
-    /// Of them, that are in memory.
+    /// The bytes of the file in memory.
     [[nodiscard]] std::size_t kept() const { return block_.size(); }
-    /// The next row, its fault told where it breaks the rules; false behind the last.
+    /// Reads the next row, with its fault if it breaks the rules; returns false after the last row.
     [[nodiscard]] bool next(Csv::Row& row);
 
 private:
@@ -68,13 +68,13 @@ private:
     void begin();
 
     Csv head_;
-    std::unique_ptr<TextReader> file_; ///< null: of a text
-    std::string block_;                ///< of the file
+    std::unique_ptr<TextReader> file_; ///< null: the source is a text
+    std::string block_;                ///< a part of the file
     std::unique_ptr<Parser> parser_;
 };
 
-/// Throws InputError for a text without a header line, for one in UTF-16 or whose lines end in CR
-/// alone, and for a row that breaks the rules unless those are kept.
+/// Throws InputError for a text without a header line, for a text in UTF-16 or with lines that end
+/// in CR alone, and for a row that breaks the rules unless such rows are kept.
 [[nodiscard]] Csv parse_csv(std::string_view text, const std::string& file,
                             const CsvReading& reading = {});
 

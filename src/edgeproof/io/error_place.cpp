@@ -28,7 +28,7 @@ void rethrow_at(const std::string& file, std::size_t line, std::string_view inst
         throw InputError(error.what(), advice("give values for which everything has a real value"))
             .at(file, line);
     } catch (const Error& error) {
-        if (typeid(error) != typeid(Error)) { // a class of its own: it has a meaning of its own
+        if (typeid(error) != typeid(Error)) { // a derived class has a meaning of its own
             throw;
         }
         throw InputError(error.what(),

@@ -6,13 +6,13 @@
 
 namespace edgeproof::io {
 
-/// Only in a catch block. An error of ours that names no file becomes an InputError at FILE:LINE,
-/// with `instead` (or what suits its kind) as advice where it has none; any other exception, among
-/// them an interruption, goes on as it is.
+/// Only for a catch block. An error of this program that names no file becomes an InputError at
+/// FILE:LINE; if it has no advice, `instead` is added (or advice that suits its kind). Any other
+/// exception, including an interruption, is rethrown unchanged.
 [[noreturn]] void rethrow_at(const std::string& file, std::size_t line,
                              std::string_view instead = {});
 
-/// What f gives; whatever it refuses is told with the file and the line.
+/// Returns f(); its errors get the file and the line.
 template <class F>
 decltype(auto) at_place(const std::string& file, std::size_t line, const F& f,
                         std::string_view instead = {}) {

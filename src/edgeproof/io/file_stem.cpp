@@ -19,8 +19,8 @@ bool begins_well(std::string_view name) {
     return !name.empty() && name.front() != '.' && name.front() != '-';
 }
 
-/// "-0123456789abcdef" at the end: the form of a name that was changed. An id that has it is
-/// changed, too, so that no id can be written that has the name of another one.
+/// True for a text that ends like "-0123456789abcdef", the form of a changed name. Such an id is
+/// changed, too, so that no id equals the name of another one.
 bool ends_as_changed(std::string_view id) {
     if (id.size() <= hash_digits || id[id.size() - hash_digits - 1] != '-') {
         return false;

@@ -6,11 +6,10 @@
 
 namespace edgeproof::io {
 
-/// The name, without its ending, of a file that is made for an id of the input. Every id gives a
-/// name that stays in its folder: letters, digits, '-', '_' and '.' only, no '.' or '-' in front,
-/// and at most `most_bytes` bytes. An id of this form is its own name. Any other id is changed to
-/// this form and ends with '-' and 16 hexadecimal digits of its SHA-256, so that different ids have
-/// different names.
+/// The name, without extension, of a file made for an id of the input. The name always stays in its
+/// folder: only letters, digits, '-', '_' and '.', no '.' or '-' in front, and at most `most_bytes`
+/// bytes. An id of this form is its own name. Any other id is changed to this form and ends with
+/// '-' and 16 hexadecimal digits of its SHA-256, so that different ids have different names.
 class FileStem {
 public:
     static constexpr std::size_t most_bytes = 120;
@@ -22,7 +21,7 @@ public:
     FileStem(std::string_view id); // NOLINT(google-explicit-constructor)
 
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
-    /// "ID.svg".
+    /// Returns, for example, "ID.svg".
     [[nodiscard]] std::string with(std::string_view ending) const {
         return text_ + std::string(ending);
     }

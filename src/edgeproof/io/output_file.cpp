@@ -18,8 +18,8 @@ namespace {
                      give_writable_folder);
 }
 
-/// `errno` is 0 or that of what was just printed: of an earlier error the stream keeps only that
-/// there was one.
+/// `errno` is 0 or the error of the last output: a stream does not store the number of an earlier
+/// error.
 void flush_printed() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         throw InputError("cannot write standard output" +
@@ -82,7 +82,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void check_folder(const std::filesystem::path& folder) {
-    std::filesystem::path there = folder; // the nearest one that is
+    std::filesystem::path there = folder; // the nearest existing folder
     std::error_code none;
     while (!there.empty() && !std::filesystem::exists(there, none)) {
         there = there.parent_path();

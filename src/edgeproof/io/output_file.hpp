@@ -5,32 +5,29 @@
 
 namespace edgeproof::io {
 
-/// Writes the text beside `file` and renames it (its folder is made where there is none): a reader
-/// sees the old file or the whole new one, whatever happens in between. Throws InputError where it
-/// cannot be written (the part written is removed), Interrupted where that was asked for.
+/// Writes the text to a temporary file and renames it to `file` (a missing folder is created), so
+/// that a reader sees either the old file or the complete new one. Throws InputError if it cannot
+/// be written (the part written is removed), Interrupted after an interruption.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// The same for the state that work goes on from: written in an interrupted process as well.
+/// Like write_whole, for a state from which work continues: also written in an interrupted process.
 void write_checkpoint(const std::filesystem::path& file, const std::string& text);
 
-/// To the file, or for "-" to standard output.
 void write_output(const std::filesystem::path& file, const std::string& text);
 
-/// Sends what was printed to standard output on its way. Throws InputError where some of it, now or
-/// before, could not be written.
+/// Flushes standard output. Throws InputError if any of it, now or earlier, could not be written.
 void finish_standard_output();
 
-/// Throws InputError where the file could not be written, as far as can be told beforehand: to be
-/// called before the work that it waits for. Makes nothing. "-" is standard output, and an empty
-/// name none.
+/// Throws InputError if the file cannot be written, as far as can be checked beforehand; for use
+/// before long work. Creates nothing. "-" is standard output; an empty name is no file.
 void check_output(const std::filesystem::path& file);
 
-/// Makes a folder (and those above it). Throws InputError where that cannot be done, or where
-/// nothing can be written into it.
+/// Makes a folder (and its parents). Throws InputError if that fails, or if the folder is not
+/// writable.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws InputError where make_folder would, as far as can be told beforehand; makes nothing: for
-/// a folder that is made by what is written into it, once there is something to write.
+/// Throws InputError if make_folder would fail, as far as can be checked beforehand. Creates
+/// nothing: for a folder that is created only when there is something to write.
 void check_folder(const std::filesystem::path& folder);
 
 } // namespace edgeproof::io

@@ -21,7 +21,7 @@
 namespace edgeproof::io {
 namespace {
 
-/// A thread that holds the lock ends its step in far less, unless a disk hangs.
+/// A thread that holds the lock finishes its step much faster, unless a disk hangs.
 constexpr std::chrono::milliseconds longest_wait_for_a_step{250};
 
 struct Registered {
@@ -31,13 +31,13 @@ struct Registered {
     std::string note;
 };
 
-/// Never destroyed: threads may still come here while the process ends.
+/// Never destroyed: threads may still use it while the process ends.
 Registered& registered() {
     static auto* const all = new Registered; // NOLINT(cppcoreguidelines-owning-memory)
     return *all;
 }
 
-/// The number of a process in whose environment the mark is; 0 for other entries of /proc.
+/// Returns the number of a process with the mark in its environment; 0 for other entries of /proc.
 pid_t marked_process(const std::filesystem::path& entry, const std::string& mark) {
     const std::string name = entry.filename().string();
     pid_t process = 0;
@@ -50,7 +50,7 @@ pid_t marked_process(const std::filesystem::path& entry, const std::string& mark
     return variables.find(mark + '\0') == std::string::npos ? 0 : process;
 }
 
-/// Again until there is none, as one may start another meanwhile.
+/// Repeats until none is found, since a process may start another one meanwhile.
 void end_marked(const std::string& mark) {
     constexpr int most_rounds = 100;
     bool found = !mark.empty();
@@ -134,7 +134,7 @@ int ChildGroup::wait(double* processor_seconds) {
     }
     end();
     {
-        // Its number may be another's as soon as it is waited for.
+        // After the wait, its number may belong to another process.
         const auto lock = hold_cleanup();
         registered().groups.erase(pid_);
     }
@@ -165,7 +165,7 @@ KeptNote::~KeptNote() {
 std::string clean_up() noexcept {
     try {
         Registered& all = registered();
-        // Not unlocked again. Where a step hangs, what is registered is removed all the same.
+        // Never unlocked. If another step hangs, the registered things are removed anyway.
         (void)all.mutex.try_lock_for(longest_wait_for_a_step);
         for (const auto& [group, mark] : all.groups) {
             ::kill(-group, SIGKILL);
@@ -176,7 +176,7 @@ std::string clean_up() noexcept {
             std::filesystem::remove_all(path, ignored);
         }
         return all.note;
-    } catch (...) { // no memory
+    } catch (...) { // out of memory
         return {};
     }
 }

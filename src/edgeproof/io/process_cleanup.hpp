@@ -9,26 +9,26 @@
 
 namespace edgeproof::io {
 
-// What must not outlive this process, however it ends: files and folders that are not results, and
-// child programs. All of it is registered here, so that a process that cannot wait for its threads
-// (cli/signals.hpp) still leaves nothing behind. Only SIGKILL and a loss of power do.
+// Things that must not outlive this process: temporary files and folders, and child programs. All
+// are registered here, so that a process that cannot wait for its threads (cli/signals.hpp) still
+// leaves nothing behind. Only SIGKILL and a loss of power do.
 
-/// Holds back clean_up() while it lives: a registered thing comes to be, or gets its final name, in
-/// one step. Waits for ever once clean_up() has begun, as the process is about to end.
+/// Delays clean_up() during its lifetime, so that creating or finally naming a registered thing is
+/// one step. Waits for ever once clean_up() has begun, since the process is about to end.
 [[nodiscard]] std::unique_lock<std::timed_mutex> hold_cleanup();
 
-/// A file, or a folder with all that is in it, removed by clean_up() while this lives.
+/// A file or a folder with its contents; clean_up() removes it during the lifetime of this object.
 class TemporaryPath {
 public:
     explicit TemporaryPath(std::filesystem::path path);
-    /// Of one that `make` makes.
+    /// Registers the path that `make` creates.
     explicit TemporaryPath(const std::function<std::filesystem::path()>& make);
     ~TemporaryPath();
     TemporaryPath(const TemporaryPath&) = delete;
     TemporaryPath& operator=(const TemporaryPath&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-    /// No longer temporary. For a caller that holds hold_cleanup().
+    /// Makes the path permanent. For a caller that holds hold_cleanup().
     void keep_locked() noexcept;
 
 private:
@@ -36,13 +36,13 @@ private:
     bool registered_ = true;
 };
 
-/// A variable (NAME=VALUE) that no child has been given before. All that descends from a child has
-/// it in its environment, also what has left the process group (setsid).
+/// Returns a variable (NAME=VALUE) that no child has been given before. All descendants of a child
+/// inherit it, including those that left the process group (setsid).
 [[nodiscard]] std::string new_mark();
 
-/// A child program that leads a process group of its own, as `start` makes it (its process id). The
-/// group, and all processes that have `mark` in their environment, are ended by end() and wait(),
-/// by clean_up(), and when this is gone.
+/// A child program that leads its own process group; `start` starts it and returns its process id.
+/// The group, and all processes with `mark` in their environment, are killed by end() and wait(),
+/// by clean_up(), and by the destructor.
 class ChildGroup {
 public:
     explicit ChildGroup(const std::function<pid_t()>& start, std::string mark = {});
@@ -50,12 +50,12 @@ public:
     ChildGroup(const ChildGroup&) = delete;
     ChildGroup& operator=(const ChildGroup&) = delete;
 
-    /// SIGKILL to all of them.
+    /// Sends SIGKILL to all of them.
     void end() const;
-    /// Whether the child has ended; it is still to be waited for.
+    /// True if the child has ended; wait() is still needed.
     [[nodiscard]] bool ended() const;
-    /// Waits for the child, ends what it left behind, and gives its status (as waitpid does).
-    /// `processor_seconds`: set to what it took.
+    /// Waits for the child, kills processes that it left, and returns its status (as waitpid does).
+    /// `processor_seconds` is set to the processor time of the child.
     int wait(double* processor_seconds = nullptr);
 
 private:
@@ -63,8 +63,8 @@ private:
     std::string mark_;
 };
 
-/// What a user is told of work that is kept, where the process ends in the middle; empty: nothing.
-/// Replaces the text set before, until it is gone.
+/// A note for the user about stored work if the process ends early; empty: no note. It replaces the
+/// previous text during its lifetime.
 class KeptNote {
 public:
     explicit KeptNote(std::string text);
@@ -73,8 +73,8 @@ public:
     KeptNote& operator=(const KeptNote&) = delete;
 };
 
-/// Ends the children and removes the temporary paths. To be called once, right before the process
-/// ends: whoever registers something afterwards waits for that. Returns the KeptNote's text.
+/// Kills the children and removes the temporary paths. For one call right before the process ends:
+/// later registrations block until then. Returns the text of the KeptNote.
 std::string clean_up() noexcept;
 
 } // namespace edgeproof::io

@@ -5,7 +5,7 @@
 
 namespace edgeproof::io {
 
-/// SHA-256 (FIPS 180-4) in lower-case hexadecimal, as `sha256sum` writes it.
+/// Returns SHA-256 (FIPS 180-4) in lower-case hexadecimal, as `sha256sum` prints it.
 [[nodiscard]] std::string sha256(std::string_view text);
 
 } // namespace edgeproof::io

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without a slash at its end, and without ".." behind a folder that is not there.
+/// Returns the path without a final slash, and without ".." after a missing folder.
 fs::path plain_target(const fs::path& folder) {
     const fs::path plain =
         folder.has_filename() || !folder.has_parent_path() ? folder : folder.parent_path();
@@ -28,7 +28,7 @@ fs::path plain_target(const fs::path& folder) {
     return parent_is_there ? plain : plain.lexically_normal();
 }
 
-/// The highest folder on the way to the target that is not there: what commit() is to make.
+/// Returns the highest missing folder of the target's path, which commit() creates.
 fs::path first_missing(const fs::path& target) {
     fs::path missing = target;
     while (missing.has_parent_path() && missing.parent_path() != missing &&
@@ -38,17 +38,17 @@ fs::path first_missing(const fs::path& target) {
     return missing;
 }
 
-/// Where the files of the target are written in the stage, which becomes `top`.
+/// Returns the folder in the stage for the files of the target; the stage becomes `top`.
 fs::path in_stage(const fs::path& stage, const fs::path& target, const fs::path& top) {
     return target == top ? stage : stage / target.lexically_relative(top);
 }
 
-/// What temporary names of this target begin with; the process, and ".tmp", follow.
+/// The beginning of the temporary names of this target; the process number and ".tmp" follow.
 fs::path stage_base(const fs::path& target, bool inside) {
     return inside ? target / ".edgeproof" : first_missing(target);
 }
 
-/// By its name, so that errors name the folder as the user does.
+/// Creates the stage by its given name, so that errors name the folder as the user does.
 fs::path make_stage(const fs::path& target, bool inside) {
     check_folder(target); // its error names the target
     const fs::path base = stage_base(target, inside);
@@ -105,7 +105,7 @@ InputError StagedFolder::told(const InputError& error) const {
 }
 
 void StagedFolder::commit() {
-    const auto lock = hold_cleanup(); // a signal comes before all of it, or after
+    const auto lock = hold_cleanup(); // a signal acts either before or after all of it
     check_interruption();
     std::error_code failed;
     if (!inside_) {
@@ -114,7 +114,7 @@ void StagedFolder::commit() {
             stage_.keep_locked();
             return;
         }
-        failed.clear(); // somebody has made it meanwhile
+        failed.clear(); // another process has created it meanwhile
     }
     if (fs::create_directories(target_, failed); failed) {
         cannot_move(target_, failed);

@@ -9,37 +9,38 @@
 
 namespace edgeproof::io {
 
-/// Files of one result that come to be together: they are written into a folder of their own, which
-/// commit() makes the one asked for, or whose files it moves into that one where it is there
-/// already. Without commit(), also where a signal ends the process, everything is as it was. What
-/// runs that were killed left behind is removed first.
+/// The files of one result, which appear together. They are written into a temporary folder.
+/// commit() renames it to the target folder, or moves its files into that folder if it exists
+/// already. Without commit(), also after a signal, nothing changes. Leftovers of killed runs are
+/// removed first.
 ///
-/// Where the folder is there already, SIGKILL or a loss of power between two of the moves, some
-/// microseconds long, is the one way to find files of two runs in it; each is whole even then.
+/// If the target exists, only SIGKILL or a loss of power between two moves (some microseconds) can
+/// leave files of two runs in it; even then each file is complete.
 class StagedFolder {
 public:
-    /// Throws InputError where `target` cannot be made, or not be written into.
+    /// Throws InputError if `target` cannot be created or is not writable.
     explicit StagedFolder(const std::filesystem::path& target);
     ~StagedFolder();
     StagedFolder(const StagedFolder&) = delete;
     StagedFolder& operator=(const StagedFolder&) = delete;
 
-    /// To write into.
+    /// The folder to write into.
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-    /// Calls `write` with that path. Errors name the folder that was asked for.
+    /// Calls `write` with that path. Errors name the target folder.
     void fill(const std::function<void(const std::filesystem::path&)>& write) const;
-    /// What a user is told of a file that cannot be written there: the name that it was to have.
+    /// Returns the error for the user if a file cannot be written there: with the final name of the
+    /// file.
     [[nodiscard]] InputError told(const InputError& error) const;
-    /// Throws InputError; Interrupted, and then nothing is moved.
+    /// Throws InputError; or Interrupted, and then nothing is moved.
     void commit();
 
 private:
     std::filesystem::path target_;
-    bool inside_;               ///< the target was there
-    std::filesystem::path top_; ///< the highest folder that commit() makes; else the target
-    TemporaryPath stage_;       ///< which becomes top_
+    bool inside_;               ///< the target exists
+    std::filesystem::path top_; ///< the highest folder that commit() creates; else the target
+    TemporaryPath stage_;       ///< becomes top_
     std::filesystem::path path_;
-    int lock_; ///< on the stage: tells other runs that it is in use
+    int lock_; ///< a lock on the stage: shows other runs that it is in use
 };
 
 } // namespace edgeproof::io

@@ -11,20 +11,20 @@ namespace edgeproof::io {
 
 inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 
-/// What errors call the file: "stdin" for "-", which is standard input.
+/// The name of the file in errors: "stdin" for "-", which is standard input.
 [[nodiscard]] std::string input_name(const std::filesystem::path& file);
 
-/// A file, a pipe or a device, or for "-" standard input, once, read as it is needed.
+/// Reads a file, a pipe or a device, or for "-" standard input, once, as needed.
 class TextReader {
 public:
-    /// Throws InputError that calls it `what` ("recipe (TOML)") where there is none, it is a folder
-    /// or it cannot be read.
+    /// Throws InputError that calls the file `what` ("recipe (TOML)") if it does not exist, is a
+    /// folder or cannot be read.
     TextReader(const std::filesystem::path& file, const std::string& what,
                std::size_t most = most_text_bytes);
-    /// Adds at most `bytes` more to the text; false where there are none. Throws InputError where
-    /// it cannot be read or holds more than `most`.
+    /// Appends at most `bytes` more bytes to the text; returns false at the end. Throws InputError
+    /// if the file cannot be read or holds more than `most` bytes.
     [[nodiscard]] bool read(std::string& text, std::size_t bytes);
-    [[nodiscard]] std::size_t bytes() const { return done_; } ///< read
+    [[nodiscard]] std::size_t bytes() const { return done_; } ///< bytes read so far
 
 private:
     [[noreturn]] void refuse(const std::string& problem, const std::string& instead) const;
@@ -37,14 +37,15 @@ private:
     std::size_t done_ = 0;
 };
 
-/// The text of a file, a pipe or a device, or for "-" of standard input, once. Throws InputError
-/// that calls it `what` ("recipe (TOML)") where there is none, it is a folder, it cannot be read,
-/// or it holds more than `most` bytes, of which no more are read.
+/// Returns the text of a file, a pipe or a device, or for "-" of standard input, once. Throws
+/// InputError that calls the file `what` ("recipe (TOML)") if it does not exist, is a folder,
+/// cannot be read, or holds more than `most` bytes; no more bytes are read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
                                     std::size_t most = most_text_bytes);
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv): tells an edited table, not a forged one.
-/// With the hash of what came before, that of both.
+/// Returns the 64-bit FNV-1a hash (Fowler, Noll, Vo; draft-eastlake-fnv). It detects an edited
+/// table, but not a forged one. With the hash of a text before, returns the hash of both texts
+/// together.
 [[nodiscard]] std::uint64_t fnv1a(std::string_view text,
                                   std::uint64_t before = 0xcbf29ce484222325U);
 

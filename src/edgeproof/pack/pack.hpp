@@ -8,14 +8,14 @@
 
 namespace edgeproof::pack {
 
-/// A frozen set of questions and correctly rounded answers, that a contact code takes into its own
-/// tests without this program: tables, and drivers in C, C++, Fortran, Python and Octave.
+/// A frozen set of questions and correctly rounded answers, with which a contact code can be tested
+/// without this program: tables, and drivers in C, C++, Fortran, Python and Octave.
 struct PackFile {
     std::string name;
     std::string text;
 };
 
-/// The number of the set: another one wherever a question or a tolerance changes.
+/// The number of the set; it changes with any question or tolerance.
 inline constexpr int pack_version = 1;
 
 struct PackOptions {
@@ -23,39 +23,37 @@ struct PackOptions {
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// All files but the manifest, in their order; the same in every byte, on any number of threads.
-/// Throws Interrupted.
+/// Returns all files but the manifest, in their order; identical in every byte on any number of
+/// threads. Throws Interrupted.
 [[nodiscard]] std::vector<PackFile> make_pack(const PackOptions& options);
 
-/// MANIFEST: what made the pack, and the SHA-256 of each file as `sha256sum -c` reads it.
+/// MANIFEST: the origin of the pack, and the SHA-256 of each file as `sha256sum -c` reads it.
 struct Origin {
     std::string program; ///< "edgeproof 0.2.0"
     std::string commit;
-    std::string date; ///< of the day, ISO 8601
+    std::string date; ///< the day, ISO 8601
     std::string command;
 };
 [[nodiscard]] std::string manifest(const std::vector<PackFile>& files, const Origin& origin);
 inline constexpr const char* manifest_name = "MANIFEST";
 
-/// The tables' rows: questions rounded to binary64, with what is known of each answer. Left out are
-/// those without a proved value whose rounding is decided, those that are zero, and those whose
-/// conditioning is not known.
+/// The rows of a table: questions rounded to binary64, with their answers. Answers without a proved
+/// value whose rounding is decided, zero answers, and answers of unknown conditioning are left out.
 struct PackRows {
     std::size_t left_out = 0;
     std::size_t rows = 0;
-    std::string text; ///< CSV, without a head
+    std::string text; ///< CSV, without a header
 };
-/// The names of the columns, as CSV with a line's end.
 [[nodiscard]] std::string pack_columns();
-/// `with_scale`: the largest exact pressure beside each row (the mean one, where that is infinite).
+/// `with_scale`: each row has the largest exact pressure (the mean one, if that is infinite).
 [[nodiscard]] PackRows recipe_rows(std::string_view recipe, const std::string& file,
                                    bool with_scale, const PackOptions& options);
-/// The hard cases that are pressures, tractions, coefficients, loads and left edges of the kinds
-/// that the columns can name; the reason of each in a comment above it.
+/// Returns the hard cases that are pressures, tractions, coefficients, loads and left edges of
+/// contacts that the columns can describe, each with its reason in a comment above.
 [[nodiscard]] PackRows hard_case_rows(std::string_view cases, const std::string& file,
                                       const PackOptions& options);
 
-/// share/edgeproof/pack and the hard cases, as they were when the program was built.
+/// The files of share/edgeproof/pack and the hard cases when the program was built.
 namespace pack_template {
 extern const std::string_view pack_toml;
 extern const std::string_view level_a_toml;

@@ -20,12 +20,12 @@ namespace edgeproof::pack {
 namespace {
 
 constexpr unsigned pack_digits = 50;
-/// A row is well conditioned up to this relative condition number, and has 4 units in the last
-/// place; others in proportion.
+/// A row with a relative condition number up to this is well conditioned and allows 4 units in the
+/// last place; others allow proportionally more.
 constexpr double well_conditioned = 8;
 constexpr double units_of_well_conditioned = 4;
 
-/// The columns of the contact, and the keys that they hold.
+/// The columns of the contact, and the keys in them.
 constexpr std::array<std::pair<const char*, const char*>, 13> contact_columns{
     {{"kind", "kind"},
      {"m", "m"},
@@ -43,7 +43,7 @@ constexpr std::array<std::pair<const char*, const char*>, 13> contact_columns{
 
 std::string double_text(double x) { return fmt::format("{:.17g}", x); }
 
-/// A contact that the columns can name.
+/// True if the columns can describe the contact.
 bool has_columns(const conformance::AskedContact& contact) {
     return std::ranges::all_of(contact.parameters,
                                [](const conformance::Parameter& p) {
@@ -75,7 +75,6 @@ public:
         reference_options_.progress = options.progress;
     }
 
-    /// `reason`: of each question, where there is one.
     PackRows write(const std::vector<std::string>& reasons) {
         const auto answers = references_or_why(questions_, reference_options_);
         std::vector<conformance::Reference> references(answers.size());
@@ -142,7 +141,7 @@ private:
     std::map<std::size_t, std::string> scales_;
 };
 
-/// What a hard case asks, by the names of questions; nothing for what no row can hold.
+/// The quantity of a hard case, by the names of questions; nothing if no row can hold it.
 std::optional<scene::NamedQuantity> wanted_of(const io::TomlSection& hard_case) {
     const std::string quantity = hard_case.text("quantity");
     const std::string n = hard_case.written_or("n", "0");
@@ -200,7 +199,7 @@ PackRows hard_case_rows(std::string_view text, const std::string& file,
                 const io::TomlSection part = one.section(section);
                 for (const std::string& key : part.keys()) {
                     if (part.is_list(key)) {
-                        parameters.push_back({"slopes", "", 0}); // no column can name it
+                        parameters.push_back({"slopes", "", 0}); // no column can hold a list
                     } else {
                         parameters.push_back({key, part.written(key), 0});
                     }
@@ -229,7 +228,7 @@ PackRows hard_case_rows(std::string_view text, const std::string& file,
             asked.list.push_back(std::move(q));
             reasons.push_back(one.text("class") + ": " + one.text("reason"));
         } catch (const Error&) {
-            // What binary64 cannot ask: a contact or a place that its rounding takes away.
+            // Not a question in binary64: rounding has changed the contact or the place.
         }
     }
     return RowWriter(asked, false, options).write(reasons);

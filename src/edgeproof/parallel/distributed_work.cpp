@@ -20,14 +20,14 @@
 namespace edgeproof::parallel {
 namespace {
 
-// Messages, by their first letter. From the others: s SIGN (first of all), w NUMBER (pieces
-// wanted), r PIECE TEXT (made), f PIECE KIND TEXT (failed), b (bye, last of all). From the first: p
-// PIECE PIECE ..., e (end; answers a w).
-constexpr std::size_t most_in_a_block = 64; // short messages are sent at once, whoever listens
+// Messages, by their first letter. From the others: s SIGN (the first message), w NUMBER (pieces
+// wanted), r PIECE TEXT (made), f PIECE KIND TEXT (failed), b (bye, the last message). From the
+// first process: p PIECE PIECE ..., e (end; answers a w).
+constexpr std::size_t most_in_a_block = 64; // MPI may send short messages before they are received
 constexpr std::chrono::microseconds shortest_nap{50};
 constexpr std::chrono::microseconds longest_nap{1000};
 
-/// Sleeps longer the longer nothing happens.
+/// Sleeps longer as long as nothing happens.
 class Nap {
 public:
     void none() { nap_ = shortest_nap; }
@@ -40,7 +40,7 @@ private:
     std::chrono::microseconds nap_ = shortest_nap;
 };
 
-/// A number that a blank or the end follows, taken off the front of the text.
+/// Removes a number, followed by a blank or the end, from the front of the text and returns it.
 std::size_t take_number(std::string_view& text) {
     std::size_t n = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), n);
@@ -52,7 +52,7 @@ std::size_t take_number(std::string_view& text) {
     return n;
 }
 
-/// Why a piece failed; of a process that cannot take part, for no piece.
+/// The failure of a piece, or of a process that cannot take part (no piece).
 struct Failure {
     enum class Kind : char { error = 'e', interrupted = 's', process = 'p' };
     std::size_t piece = 0;
@@ -68,7 +68,7 @@ std::string message_of(const Failure& f) {
     return "f" + std::to_string(f.piece) + " " + static_cast<char>(f.kind) + f.why;
 }
 
-/// Does f, and catches what it throws.
+/// Calls f and returns what it throws as a Failure.
 template <class F> std::optional<Failure> failure_of(std::size_t piece, const F& f) {
     try {
         f();
@@ -80,7 +80,7 @@ template <class F> std::optional<Failure> failure_of(std::size_t piece, const F&
     }
 }
 
-/// What the first process knows of the whole.
+/// The state of the whole work in the first process.
 class Lead {
 public:
     Lead(Processes& processes, std::string sign, const PieceSource& next, const KeepPiece& keep)
@@ -102,7 +102,7 @@ public:
         fail_locked(f);
     }
 
-    /// Answers the others until all have said bye and `done` says that this process has ended too.
+    /// Answers the others until all have sent bye and `done` returns true for this process.
     template <class Done> void serve(const Done& done) {
         Nap nap;
         std::size_t gone = 0;
@@ -132,7 +132,7 @@ public:
     }
 
 private:
-    /// True for a bye.
+    /// Returns true for a bye.
     bool hear(const Processes::Message& message) {
         std::string_view text = message.text;
         const char letter = text.empty() ? '?' : text.front();
@@ -179,7 +179,7 @@ private:
     std::optional<Failure> failure_;
 };
 
-/// What another process has to do, and what it has done and not told yet.
+/// The pieces that another process has to make, and its results not yet sent.
 class Follow {
 public:
     explicit Follow(std::size_t threads) : want_(2 * threads) {}
@@ -200,7 +200,7 @@ public:
         to_tell_.push_back(std::move(text));
     }
 
-    /// For the thread that has the messages. True where something was done.
+    /// For the thread that handles the messages. Returns true if anything happened.
     bool exchange(Processes& processes) {
         std::deque<std::string> out;
         bool wants = false;
@@ -250,11 +250,11 @@ private:
     std::condition_variable changed_;
     std::deque<std::size_t> pieces_;
     std::deque<std::string> to_tell_;
-    bool asked_ = false; ///< of the thread that has the messages alone
+    bool asked_ = false; ///< used only by the thread that handles the messages
     bool ended_ = false;
 };
 
-/// Tells the first what made `loop` end, if it was an exception; then bye.
+/// Reports an exception of `loop` to the first process, then sends bye.
 template <class Loop> void follow(Processes& processes, Follow& mine, const Loop& loop) {
     std::atomic<bool> done{false};
     std::jthread working([&] {
@@ -271,7 +271,7 @@ template <class Loop> void follow(Processes& processes, Follow& mine, const Loop
             }
         }
         processes.send(0, "b");
-    } catch (...) { // its own threads are to end as well
+    } catch (...) { // its own threads must end as well
         mine.end();
         throw;
     }
@@ -308,7 +308,7 @@ void lead_work(Processes& processes, const std::string& sign, const PieceSource&
         });
         try {
             lead.serve([&] { return done.load(); });
-        } catch (const std::exception& e) { // its own threads are to end as well
+        } catch (const std::exception& e) { // its own threads must end as well
             lead.fail(Failure::of_process(e.what()));
             throw;
         }
@@ -343,7 +343,7 @@ void follow_failed(Processes& processes, const std::string& why) {
     Follow mine(1);
     mine.tell(message_of(Failure::of_process(why)));
     follow(processes, mine, [&] {
-        while (mine.next()) { // what was handed over meanwhile
+        while (mine.next()) { // pieces that were handed over meanwhile
         }
     });
 }

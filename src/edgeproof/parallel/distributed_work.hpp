@@ -10,36 +10,36 @@
 
 namespace edgeproof::parallel {
 
-/// Makes the piece p. Called from several threads.
+/// Makes piece p. Called from several threads.
 using MakePiece = std::function<std::string(std::size_t)>;
-/// Keeps a piece that was made; one call at a time. Called in the leading process only.
+/// Stores a piece; one call at a time. Called in the leading process only.
 using KeepPiece = std::function<void(std::size_t, const std::string&)>;
 
-/// Thrown where it is not the work that is at fault, but that a process cannot take part in it.
+/// Thrown if a process cannot take part in the work, although the work itself is correct.
 class ProcessFailure : public Error {
 public:
     using Error::Error;
 };
 
-/// Work in pieces, done by one process alone: work_through(), and what is made is kept.
+/// Work in pieces by a single process: work_through(), and the pieces are stored.
 void work_alone(const PieceSource& next, unsigned threads, const MakePiece& make,
                 const KeepPiece& keep);
 
 /// The same by several processes: the first hands out the pieces in small blocks, works as well,
-/// and keeps what all make. `sign` must be the same in all: it tells that they are at the same
-/// work. Returns when all of them have ended. Where pieces fail, throws Error with the text of the
-/// least one (Interrupted where that was the reason), as a process alone would; ProcessFailure.
+/// and stores all pieces. `sign` must be the same in all processes: it shows that they do the same
+/// work. Returns when all of them have ended. If pieces fail, throws Error with the text of the
+/// lowest one (Interrupted if that was the reason), as a single process would; ProcessFailure.
 ///
-/// A process that dies is not noticed here: whoever started the processes ends the others then, and
-/// what was kept is kept.
+/// The death of a process is not detected here: the launcher of the processes then ends the others.
+/// Stored pieces are kept.
 void lead_work(Processes& processes, const std::string& sign, const PieceSource& next,
                unsigned threads, const MakePiece& make, const KeepPiece& keep);
-/// What the others do until they are told to end. Failures are told to the first.
+/// The work of the other processes until the first ends it. Failures are reported to the first.
 void follow_work(Processes& processes, const std::string& sign, unsigned threads,
                  const MakePiece& make);
 
-/// For a process that cannot even begin: the first dismisses the others; any other tells the
-/// first why.
+/// For a process that cannot begin: the first dismisses the others; any other reports the reason to
+/// the first.
 void dismiss(Processes& processes);
 void follow_failed(Processes& processes, const std::string& why);
 

@@ -46,7 +46,8 @@ void work_through(const PieceSource& next, unsigned threads,
             fail(p.value_or(std::numeric_limits<std::size_t>::max()));
         }
     };
-    // The threads of the pool outlive this: tables and constants that they keep stay warm.
+    // The threads of the pool live longer than this call, so that their tables and constants are
+    // reused.
     const unsigned wanted = threads == 0 ? usual_threads() : threads;
     tbb::task_arena arena(static_cast<int>(wanted));
     arena.execute([&] {

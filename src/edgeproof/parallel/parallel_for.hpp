@@ -6,19 +6,19 @@
 
 namespace edgeproof::parallel {
 
-/// Numbers of pieces of work, ascending, until there are no more. Asked from any thread.
+/// Returns the numbers of pieces of work, ascending, then nothing. Called from any thread.
 using PieceSource = std::function<std::optional<std::size_t>()>;
 
-/// Does work(p) for every p that `next` gives, on so many threads (0: as many as the processor has
-/// for this process). Where some throw, the exception of the least p is thrown in the end, the same
-/// whatever the number of threads; what comes after that p may be left undone.
+/// Calls work(p) for every p that `next` returns, on the given number of threads (0:
+/// usual_threads()). If calls throw, the exception of the lowest p is thrown at the end,
+/// independent of the number of threads; work after that p may be left undone.
 void work_through(const PieceSource& next, unsigned threads,
                   const std::function<void(std::size_t)>& work);
 
-/// The threads that 0 stands for.
+/// The number of threads for 0: the processors available to this process.
 [[nodiscard]] unsigned usual_threads();
 
-/// 0, ..., n - 1.
+/// The numbers 0, ..., n - 1.
 [[nodiscard]] PieceSource all_pieces(std::size_t n);
 
 } // namespace edgeproof::parallel

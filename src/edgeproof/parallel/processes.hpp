@@ -6,9 +6,9 @@
 
 namespace edgeproof::parallel {
 
-/// Processes that were started together to share one piece of work, as one of them sees it. How
-/// messages travel is not told here: by MPI in the program (src/edgeproof/mpi), through memory in a
-/// test. To be used from the thread that made it.
+/// Processes that were started together to share one piece of work, from the view of one of them.
+/// Derived classes transport the messages: by MPI in the program (src/edgeproof/mpi), through
+/// memory in a test. For use in the thread that made it only.
 class Processes {
 public:
     struct Message {
@@ -21,12 +21,12 @@ public:
     Processes(const Processes&) = delete;
     Processes& operator=(const Processes&) = delete;
 
-    /// Of this one: 0, ..., count() - 1. The first leads.
+    /// The number of this process: 0, ..., count() - 1. The first leads.
     [[nodiscard]] virtual std::size_t number() const = 0;
     [[nodiscard]] virtual std::size_t count() const = 0;
-    /// May return before it has arrived. What one process sends another arrives in that order.
+    /// May return before the message has arrived. Messages between two processes arrive in order.
     virtual void send(std::size_t to, const std::string& text) = 0;
-    /// A message that has come in, from whomever; nothing where there is none now.
+    /// Returns a message that has arrived, from any process; nothing if there is none now.
     [[nodiscard]] virtual std::optional<Message> receive() = 0;
 };
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// What people look at.
+/// Reports for the user.
 ///   verdict_writers.hpp   an audit as a terminal table, JSON, CSV, Markdown, LaTeX
 ///   table.hpp             any table as CSV, JSON, Markdown, LaTeX
-///   reference_table.hpp   a recipe's answers, or its questions, as a table; tables compared
-///   agreement_report.hpp  other programs' answers and the reference, for people and as JUnit
-///   mutation_report.hpp   what became of formulas broken on purpose
-///   golden.hpp            an audit held against the verdicts recorded before
-///   html_report.hpp       an audit as a page, with the paper's figures made anew
+///   reference_table.hpp   a recipe's answers, or its questions, as a table; comparison of tables
+///   agreement_report.hpp  other programs' answers and the references, as text and as JUnit
+///   mutation_report.hpp   the results for formulas with deliberate errors
+///   golden.hpp            comparison of an audit with recorded verdicts
+///   html_report.hpp       an audit as a page, with the paper's figures recomputed
 ///   figures.hpp           a figure as data, drawn by gnuplot
-///   program_line.hpp      version, commit and libraries, named in every file
+///   program_line.hpp      version, commit and libraries, included in every file
 ///   html_markup.hpp       text in HTML
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"

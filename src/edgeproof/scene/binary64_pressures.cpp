@@ -24,13 +24,13 @@
 namespace edgeproof::scene {
 namespace {
 
-/// Two words: balls of so many bits keep their numbers without a heap.
+/// The numbers of such balls fit into two words, which need no heap memory.
 constexpr long first_bits = 128;
-constexpr long most_bits = 4096; ///< for places beside the far edge and corners
+constexpr long most_bits = 4096; ///< for places near the far edge and near corners
 constexpr unsigned batch_digits = 25;
-/// Of the edges: a place near the far edge, or beside a knot, is a difference with them.
+/// Digits of the edges: the distance from the far edge or from a knot is a difference with them.
 constexpr unsigned edge_digits = 70;
-/// What is left to roundoff beside the rule's own error, as a power of ten.
+/// An allowance for roundoff, added to the error of the quadrature rule, as a power of ten.
 constexpr int roundoff_power = -(static_cast<int>(batch_digits) - 3);
 
 Real real_of(double u) {
@@ -38,7 +38,7 @@ Real real_of(double u) {
     return Real(u);
 }
 
-/// The one binary64 that all numbers within a relative error of x round to.
+/// Returns the binary64 to which all numbers within the relative error of x round, if it is unique.
 std::optional<double> nearest_within(const Real& x, const Real& relative) {
     const Real change = abs(x) * relative;
     return nearest_binary64(Ball::around(x, change, 2 * first_bits));
@@ -50,7 +50,7 @@ struct Binary64Pressures::Contact {
     explicit Contact(const Scene& asked) : scene(asked) {
         scene.ask = {};
         scene.ask.quantities = {QuantityGroup::contact};
-        // Whatever no contact carries is refused here, as everywhere.
+        // This refuses a load that no contact carries.
         const SceneResult found = run_scene(scene);
         length = found.contact.a.value + found.contact.b.value;
         exact_a = found.contact.a.exactly;
@@ -106,7 +106,8 @@ struct Binary64Pressures::Contact {
         return !std::isfinite(u) || certainly_less(length, Ball(real_of(u), length.bits()));
     }
 
-    /// Where that is known exactly; elsewhere nothing tells a place from a corner but run_scene.
+    /// Decides only where the edge is known exactly; elsewhere run_scene has to separate a place
+    /// from a corner.
     [[nodiscard]] bool on_corner(contact::Edge edge, double u) const {
         const auto& end = edge == contact::Edge::right ? exact_a : exact_b;
         for (std::size_t i = 0; end && i < profile->knots().size(); ++i) {
@@ -150,8 +151,8 @@ struct Binary64Pressures::Contact {
         }
     }
 
-    /// Of a place that run_scene refuses: beside the far edge or a corner closer than it looks, or
-    /// on one of them, as far as the most bits tell.
+    /// Returns p at a place that run_scene refuses: closer to the far edge or to a corner than its
+    /// bits separate, or exactly on one of them (as far as most_bits decide).
     [[nodiscard]] std::optional<double> where_few_bits_tell(contact::Edge edge, double u) const {
         bool on_corner = false;
         for (long bits = 2 * first_bits; solved && bits <= most_bits; bits *= 2) {
@@ -188,7 +189,7 @@ struct Binary64Pressures::Contact {
         }
     }
 
-    /// One value by the scene's own routes.
+    /// Computes one value by the routes of the scene.
     [[nodiscard]] double in_full(contact::Edge edge, double u) const {
         Scene one = scene;
         one.ask.edges = {edge};
@@ -211,7 +212,7 @@ struct Binary64Pressures::Contact {
     std::optional<Rational> exact_length;
     std::optional<contact::Profile> profile;
     std::optional<contact::BallContact> balls;
-    std::function<contact::BallContact(long)> solved; ///< the same at so many bits
+    std::function<contact::BallContact(long)> solved; ///< the same contact at these bits
     std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
     std::optional<contact::BatchPressure> batch;
 };

@@ -9,7 +9,7 @@
 namespace edgeproof::scene {
 namespace {
 
-/// What a mirror leaves as it is (x apart).
+/// Copies the values that do not change in a mirror (all but x).
 void copy_pressure(const PointValues& from, PointValues& to, bool shear_too) {
     to.p = from.p;
     to.p_local = from.p_local;
@@ -30,7 +30,7 @@ public:
     void all() {
         try {
             result_.contact = route_->contact();
-        } catch (const DomainError& error) { // of the peak
+        } catch (const DomainError& error) { // from the peak
             throw InputError(error.what(), "leave peak out of the quantities")
                 .at(scene_.file, scene_.ask_line);
         }
@@ -68,7 +68,7 @@ private:
             const AskedPoint& asked = scene_.ask.u[i];
             try {
                 const Distance u = asked.distance(edge);
-                // The mirror image of a place x is another place.
+                // The mirror image of a place given by x is another place.
                 const bool copied =
                     !computes_p && !(asked.place && asked.place->from() == Place::From::origin);
                 PointRow row{edge, u.number().value_or(formula::Exact()), asked.text(),

@@ -11,15 +11,15 @@ namespace edgeproof::scene {
 
 struct PointRow {
     contact::Edge edge = contact::Edge::right;
-    formula::Exact u;  ///< unless values.u tells it
+    formula::Exact u;  ///< unless values.u gives it
     std::string asked; ///< as it was written: "1e-3", "a/2", "x = 0"
     PointValues values;
 };
 
-/// What a scene asked for, in the order asked, edge by edge.
+/// The results of a scene in the order of the request, edge by edge.
 struct SceneResult {
     Plan plan;
-    contact::Work work; ///< what was really done
+    contact::Work work; ///< the work done
     ContactValues contact;
     std::vector<PointRow> points;
     std::vector<EdgeValues> coefficients;
@@ -29,13 +29,13 @@ struct SceneResult {
 };
 
 struct RunOptions {
-    /// Points, coefficients and extents done, of how many.
+    /// Called with the number of points, coefficients and extents done, and their total.
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// Does what the plan of a scene foretells. Throws InputError (with the line of the scene) for a
-/// load that no contact carries and for a point beyond the contact or on a corner, BudgetError
-/// where a quadrature does not reach its digits, Interrupted.
+/// Carries out the plan of a scene. Throws InputError (with the line of the scene) for a load that
+/// no contact carries and for a point outside the contact or on a corner; BudgetError if a
+/// quadrature does not reach its digits; Interrupted.
 [[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
 
 } // namespace edgeproof::scene

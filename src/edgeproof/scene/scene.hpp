@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// What is asked, and what it takes: a TOML file becomes a Scene, a Plan, a SceneResult.
-///   scene_file.hpp   Scene, read_scene: everything in it exact, errors with file and line
+/// A TOML file becomes a Scene, a Plan and a SceneResult:
+///   scene_file.hpp   Scene, read_scene: exact numbers, errors with file and line
 ///   units.hpp        Units: labels of a scene's numbers
-///   points.hpp       grids of points, exact
-///   plan.hpp         Plan: the effects that a scene calls for, and nothing else; their counts
+///   points.hpp       exact grids of points
+///   plan.hpp         Plan: the effects that a scene needs, and their counts
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
-///   value_route.hpp  ValueRoute: where values come from, one interface for all ways
+///   value_route.hpp  ValueRoute: one interface for all ways to compute values
 ///   exact_ball.hpp   exact constants as balls
-///   bounded_value.hpp  BoundedValue: a value, how far it may be off, its route; as it is printed
-///   run_scene.hpp    run_scene: the plan carried out, with what was really done
+///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
+///   run_scene.hpp    run_scene: carries out the plan and counts the work
 ///   scene_values.hpp SceneValues: single numbers of a scene
 #include "edgeproof/formula/exact/exact_ball.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"

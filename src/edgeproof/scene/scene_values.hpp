@@ -9,26 +9,25 @@
 
 namespace edgeproof::scene {
 
-/// The scene asking for these values and no others, whatever it asks for itself. Shear is left out
-/// where none of them needs it.
+/// Returns the scene with a request for these values only. The shear is left out if none of them
+/// needs it.
 [[nodiscard]] Scene asking(const Scene& scene, const std::vector<AskedValue>& values,
                            const Digits& digits);
 
-/// Numbers of one scene, one by one, by the route that a plan of all of them chooses: an enclosure
-/// where `proved` says so. One object belongs to one thread.
+/// Single numbers of one scene, by the route that a plan of all of them chooses; a value with
+/// `proved` is an enclosure. One object belongs to one thread.
 class SceneValues {
 public:
     /// Throws as make_plan, make_ball_route and make_real_route do.
     SceneValues(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits);
-    SceneValues(const SceneValues&) = delete; // the route refers to the rest
+    SceneValues(const SceneValues&) = delete; // the route refers to the other members
     SceneValues& operator=(const SceneValues&) = delete;
 
     /// One of the values, at its place or at another one (to the same tolerance). Throws
-    /// DomainError where there is none: outside the contact, on a corner, no first exit.
+    /// DomainError if there is no value: outside the contact, on a corner, no first exit.
     [[nodiscard]] BoundedValue value(const AskedValue& asked);
-    /// x of an AskedValue at a point. Throws DomainError outside the contact.
+    /// The coordinate x of an AskedValue at a point. Throws DomainError outside the contact.
     [[nodiscard]] BoundedValue x(const AskedValue& asked);
-    /// Of an AskedValue of the group `extent`.
     [[nodiscard]] const ExtentValues& extent(const AskedValue& asked);
 
 private:

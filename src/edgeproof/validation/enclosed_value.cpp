@@ -11,7 +11,7 @@ namespace {
 using scene::AskedValue;
 using scene::Quantity;
 
-/// Bits of a difference are raised until it has its digits, this far.
+/// The most digits added until a difference has its digits.
 constexpr unsigned most_cancelled = 4000;
 
 scene::Digits to_digits(unsigned digits) { return {digits, Rounding::nearest, false}; }
@@ -20,7 +20,7 @@ scene::BoundedValue single(const scene::Scene& scene, const AskedValue& asked, u
     return scene::SceneValues(scene, {asked}, to_digits(digits)).value(asked);
 }
 
-/// x - y, of balls that grow narrower until the difference has its digits.
+/// Computes x - y with narrower and narrower balls until the difference has its digits.
 scene::BoundedValue tilt_difference(const scene::Scene& scene, const AskedValue& asked,
                                     unsigned digits) {
     const scene::Scene other = upright(scene);

@@ -5,12 +5,12 @@
 
 namespace edgeproof::validation {
 
-/// The same scene with a tilt of zero. Throws InputError where the profile has no tilt.
+/// Returns the same scene with zero tilt. Throws InputError if the profile has no tilt.
 [[nodiscard]] scene::Scene upright(const scene::Scene& scene);
 
-/// The value as Edgeproof prints it: by the route that a plan of the scene chooses, an enclosure
-/// where `proved` says so; a residual and a tilt difference, which are made of other values, with
-/// as many digits more as cancel. Throws as scene::SceneValues does.
+/// Returns the value as Edgeproof prints it: by the route that a plan of the scene chooses; an
+/// enclosure if `proved`. A residual and a tilt difference, which are computed from other values,
+/// use as many additional digits as cancel. Throws as scene::SceneValues does.
 [[nodiscard]] scene::BoundedValue enclosed_value(const scene::Scene& scene,
                                                  const scene::AskedValue& asked, unsigned digits);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr long most_asked_terms = 1000;
 
 scene::Scene read_case_scene(const io::TomlSection& section) {
-    (void)section.section("profile"); // which is told first where it is missing
+    (void)section.section("profile"); // a missing profile is reported first
     try {
         return scene::read_contact(section);
     } catch (const InputError& error) {

@@ -10,12 +10,12 @@
 
 namespace edgeproof::validation {
 
-/// A value that is hard to get right, and why.
+/// A value that is difficult to compute, with the reason.
 struct HardCase {
     std::string name;
     std::string family;
     std::string reason; ///< one line
-    /// Why no ball decides it, where none can; empty where one must.
+    /// The reason why no ball decides it, if that is impossible; otherwise empty.
     std::string undecided;
     scene::Scene scene;
     scene::AskedValue asked;
@@ -27,17 +27,17 @@ struct HardCase {
 ///     [cases.hertz-40]                 # any name
 ///     class = "u = 1e-40 a"
 ///     reason = "..."
-///     undecided = "..."                # only where no ball can enclose it, and why
+///     undecided = "..."                # only if no ball can enclose it: the reason
 ///     quantity = "pressure"            # see scene/route/quantity_rows.cpp
 ///     edge = "right"
-///     u = "1e-40"                      # where the quantity has a place
-///     n = 1                            # which coefficient, or how many terms
+///     u = "1e-40"                      # if the quantity has a place
+///     n = 1                            # order of a coefficient, or number of terms
 ///     tolerance = "1%"                 # of an extent
 ///     profile = { kind = "power-law", m = "1", C = "1" }   # as in a scene
 ///     load = { a = "1", contact_modulus = "1" }
-///     shear = { Q = "0.3" }            # where there is one
+///     shear = { Q = "0.3" }            # if there is one
 ///
-/// Throws InputError with file and line for whatever is malformed.
+/// Throws InputError with file and line for malformed input.
 [[nodiscard]] std::vector<HardCase> parse_hard_cases(std::string_view text,
                                                      const std::string& file);
 

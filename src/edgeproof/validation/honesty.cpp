@@ -45,7 +45,7 @@ template <Arithmetic T> Claimed by_boost(const HonestyPoint& p, unsigned digits)
     return {Real(T(r.value / pi<T>())), Real(T(r.error / pi<T>()))};
 }
 
-/// log10, with 0 far down.
+/// log10; a large negative number for 0.
 double decades_of(const Real& x) {
     return x > 0 ? Real(log10(x)).convert_to<double>() : -static_cast<double>(most_digits_right);
 }
@@ -60,7 +60,7 @@ void judge(HonestyRow& row, const Claimed* claimed, const Ball& exact) {
     const long bits = std::max<long>(
         exact.bits(), static_cast<long>(mpfr_get_prec(claimed->value.backend().data())));
     const Ball error = abs(Ball(Ball(claimed->value, bits) - exact));
-    // A claim that is no number claims nothing.
+    // An infinite or NaN error claims nothing.
     const bool counts = isfinite(claimed->error);
     const Real least = error.lower();
     if (counts && claimed->error < least) {
@@ -69,7 +69,7 @@ void judge(HonestyRow& row, const Claimed* claimed, const Ball& exact) {
     const double ratio = counts ? decades_of(least) - decades_of(claimed->error)
                                 : -static_cast<double>(most_digits_right);
     const unsigned right = digits_right(claimed->value, exact);
-    // A claim of no error at all claims every digit.
+    // A claimed error of zero claims all digits.
     const Ball around =
         Ball::around(claimed->value, counts ? Real(abs(claimed->error)) : Real(1), bits);
     const unsigned said =

@@ -13,7 +13,7 @@
 
 namespace edgeproof::validation {
 
-/// A pressure that several routes are asked for, with the integral that a user would write down:
+/// A pressure that several routes compute, with the integral that a user would write:
 ///     p = (1/pi) integral from max(x, t) to a of P'(s)/sqrt((s - x)(x + gamma s)) ds,  x = a - u,
 /// P'(s) = K s^m, or K s acos(t/s) for the flat-and-rounded punch (eqn:ContactPressure_NonSym with
 /// b(s) = gamma s).
@@ -23,7 +23,7 @@ struct HonestyPoint {
     std::string regime;
     scene::Scene scene;
     formula::Exact u;
-    /// Of the integral; empty for a profile whose b(s) has no closed form.
+    /// The parameters of the integral; empty for a profile whose b(s) has no closed form.
     struct Integral {
         bool flat = false;
         formula::Exact a;
@@ -36,32 +36,31 @@ struct HonestyPoint {
 };
 [[nodiscard]] std::vector<HonestyPoint> honesty_points();
 
-/// What a route gave, and the absolute error that it claimed.
+/// The value of a route, and the absolute error that it claims.
 struct Claimed {
     Real value;
     Real error;
 };
-/// By id of the point.
 using ClaimedValues = std::map<std::string, Claimed>;
 
-/// The integrals as lines for another program: id, digits, kind (power or flat), a, u, K, m, t,
-/// gamma, apart by spaces, decimals of 80 digits where they are no shorter.
+/// Returns the integrals as lines for another program: id, digits, kind (power or flat), a, u, K,
+/// m, t, gamma, separated by spaces; decimals of up to 80 digits.
 [[nodiscard]] std::string integral_questions(const std::vector<HonestyPoint>& points,
                                              unsigned digits);
-/// The answers: lines of id, value, claimed absolute error. What is no such line is left out.
+/// Reads the answers: lines of id, value, claimed absolute error. Other lines are ignored.
 [[nodiscard]] ClaimedValues integral_answers(std::string_view text);
 
-/// One route over the points of a profile and regime.
+/// The results of one route for the points of a profile and regime.
 struct HonestyRow {
     std::string route;
     std::string profile;
     std::string regime;
     std::size_t points = 0;
-    std::size_t none = 0;        ///< no value, or one that is not finite
-    std::size_t understated = 0; ///< claimed an error smaller than it had
-    double worst_ratio = 0;      ///< log10 of the largest true/claimed error
-    unsigned least_right = 0;    ///< digits that are right, of the worst value
-    unsigned least_claimed = 0;  ///< digits claimed, of that value
+    std::size_t none = 0;        ///< values missing or not finite
+    std::size_t understated = 0; ///< errors larger than claimed
+    double worst_ratio = 0;      ///< log10 of the largest ratio of true to claimed error
+    unsigned least_right = 0;    ///< correct digits of the worst value
+    unsigned least_claimed = 0;  ///< claimed digits of that value
 };
 
 struct HonestyOptions {
@@ -69,10 +68,10 @@ struct HonestyOptions {
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// Claimed against true error: of the library's Barber-Mossakovskii and singular integral, of
-/// Boost.Math's tanh-sinh used plainly (plain_tanh_sinh.hpp) in double and in MPFR of that many
-/// digits, and of `others` (by name). The true error is taken against a ball enclosure of at least
-/// twice the digits; a ratio counts as understated where even the nearest number of the ball is
+/// Compares claimed with true errors: of the library's Barber-Mossakovskii and singular integral,
+/// of a simple use of Boost.Math's tanh-sinh (plain_tanh_sinh.hpp) in double and in MPFR of that
+/// many digits, and of `others` (by name). The true error is the difference from a ball enclosure
+/// of at least twice the digits; an error is understated if even the nearest number of the ball is
 /// further away than claimed. Throws Interrupted.
 [[nodiscard]] std::vector<HonestyRow>
 honesty(const std::vector<HonestyPoint>& points,

@@ -15,11 +15,11 @@ struct Asked {
     std::array<const char*, 3> u; ///< in units of a = 1
 };
 
-/// a = 1, E* = 1.
+/// A family of contacts with a = 1, E* = 1.
 struct Family {
     const char* name;
     const char* profile;
-    std::array<const char*, 3> beside; ///< u of points beside the knot or the apex
+    std::array<const char*, 3> beside; ///< u of points near the knot or the apex
     /// K, m, t, gamma; K empty: no integral.
     std::array<const char*, 4> integral;
 };
@@ -45,7 +45,7 @@ const std::array<Family, 6> families{{
     {"tilted wedge",
      "kind = \"tilted-wedge\"\nphi = \"pi/16\"\nalpha = \"pi/32\"",
      {"1 - 1e-4", "1 - 1e-8", "1 - 1e-12"},
-     // The apex is at 2/3 of the right angle twice over: h = 3 pi/4, gamma = cot^2(3 pi/8).
+     // The angle of the apex is h = 3 pi/4 (phi = 2 alpha), so that gamma = cot^2(3 pi/8).
      {"pi/16/tan(3*pi/8)", "0", "0", "1/tan(3*pi/8)^2"}},
     {"tilted flat-and-rounded",
      "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"1/2\"\nR = \"2\"",

@@ -32,11 +32,11 @@ public:
             edge_ == contact::Edge::right ? Real(formula_.a() - u) : Real(u - formula_.b());
         return abs(Real(1 - sum * sqrt(u) / formula_.pressure(x)));
     }
-    /// From 1e-10 of the contact to within 1e-4 of the other edge, geometric and even.
+    /// Points from 1e-10 of the contact to within 1e-4 of the other edge, geometric and even.
     [[nodiscard]] std::vector<Real> grid() const {
         std::vector<Real> points;
-        // A little shorter, so that no point falls on a knot, where the formula is infinity times
-        // 0.
+        // The length is slightly reduced, so that no point is on a knot, where the formula is
+        // infinity times 0.
         const Real length = (formula_.a() + formula_.b()) * (1 - 1 / pow(Real(2), Real(61) / 4));
         for (int i = -scan_decades * per_decade; i < 0; ++i) {
             points.push_back(length * pow(Real(10), Real(i) / per_decade));
@@ -50,9 +50,9 @@ public:
         std::sort(points.begin(), points.end());
         return points;
     }
-    /// The summit between lo and hi.
+    /// The place of the maximum between lo and hi.
     [[nodiscard]] Real summit(Real lo, Real hi, unsigned digits) const {
-        // An error of d in its place is one of d^2 in its height.
+        // An error d of the place changes the maximum by only d^2.
         const Real enough = hi * pow(Real(10), -static_cast<int>(digits / 2 + 10));
         while (hi - lo > enough) {
             const Real third = (hi - lo) / 3;
@@ -97,7 +97,7 @@ SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValu
             }
         }
         if (i > 0 && !(e[i] < tolerance)) {
-            // The summit may lie just before.
+            // The maximum may lie just before.
             return crossing(u[i - 1], u[i]);
         }
     }

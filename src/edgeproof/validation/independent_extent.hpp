@@ -4,10 +4,10 @@
 
 namespace edgeproof::validation {
 
-/// The first exit by a scan that shares nothing with contact/extent.hpp but the coefficients: the
-/// pressure is the printed formula at more digits than it loses, every local maximum of the error
-/// on a grid is narrowed down by thirds before it is said to stay inside, the root is halved to.
-/// Throws DomainError where no exit is found.
+/// Finds the first exit by a scan that uses only the coefficients of the library, not
+/// contact/extent.hpp: the pressure is the printed formula with more digits than it loses; every
+/// local maximum of the error above half the tolerance is located by trisection; the root is found
+/// by bisection. Throws DomainError if there is no exit.
 [[nodiscard]] SecondRoute independent_extent(const scene::Scene& scene,
                                              const scene::AskedValue& asked, unsigned digits);
 

@@ -11,21 +11,21 @@
 
 namespace edgeproof::validation {
 
-/// What Boost.Math's tanh-sinh gives and says of itself.
+/// The result of Boost.Math's tanh-sinh and its error estimate.
 template <class T> struct PlainIntegral {
     T value{};
     T error{}; ///< absolute
 };
 
-/// The integral of f(x) over lo ... hi as the documentation's first example has it: an integrator
-/// made on the sample, the integrand of one argument, the tolerance left alone. For comparison: it
-/// knows nothing of how near the end points its nodes really are. In `Real` it stops at 9
-/// refinements: an integral that has not its 50 digits by then does not get them by the 15th, which
-/// takes half a minute.
+/// Integrates f(x) over lo ... hi as in the first example of Boost's documentation: a new
+/// integrator, an integrand of one argument, the default tolerance. It is used for comparison only:
+/// it does not know the exact distances of its nodes from the end points. In `Real` it stops at 9
+/// refinements: an integral without 50 digits by then does not reach them by the 15th, which takes
+/// half a minute.
 ///
-/// Throws DomainError where the interval is so few units of the last place wide that the first
-/// nodes beside the middle cannot be told from its ends: Boost 1.81 then steps back past the first
-/// entry of its table of nodes, and reads what is not there.
+/// Throws DomainError if the interval is so few units of the last place wide that the first nodes
+/// next to the middle coincide with its ends: Boost 1.81 then reads before the first entry of its
+/// table of nodes.
 template <Arithmetic T, class F>
 [[nodiscard]] PlainIntegral<T> plain_tanh_sinh(const F& f, const T& lo, const T& hi) {
     using std::abs;
@@ -35,7 +35,7 @@ template <Arithmetic T, class F>
     // 1 - tanh(pi/2 sinh 1), rounded down: the node at t = 1, the first of the coarsest row.
     constexpr double first_node = 0.0486;
     const T half = (hi - lo) / T(2);
-    const auto unit_at = [&](const T& end) { // what Boost takes for the least distance from an end
+    const auto unit_at = [&](const T& end) { // Boost's least distance from an end
         const T x = abs(end / half);
         return T(boost::math::float_next(x) - x);
     };

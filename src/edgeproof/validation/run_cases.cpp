@@ -26,10 +26,11 @@ Real as_real(long double x) { return Real(x); }
 Real as_real(const Float128& x) { return Real(x); }
 Real as_real(const Real& x) { return x; }
 
-/// Digits that the textbook formula gets in T; none where it fails.
+/// Correct digits of the textbook formula in T; 0 if it fails.
 template <Arithmetic T> unsigned plain(const HardCase& c, const Ball& exact) {
     try {
-        // Real(Float128) needs the precision for all its digits; T = Real works at exactly these.
+        // Converting Float128 to Real needs the precision for all its digits; T = Real uses exactly
+        // these.
         const PrecisionScope scope(plain_digits);
         return digits_right(as_real(TextbookFormula<T>(c.scene).value(c.asked)), exact);
     } catch (const std::exception&) {
@@ -37,7 +38,7 @@ template <Arithmetic T> unsigned plain(const HardCase& c, const Ball& exact) {
     }
 }
 
-/// Every number of the ball is within 1 unit of the last digit asked of x.
+/// True if every number of the ball is within 1 unit of the last digit requested of x.
 bool agrees(const Real& x, const Ball& exact, unsigned digits) {
     return digits_right(x, exact) + 1 >= digits;
 }
@@ -81,7 +82,8 @@ unsigned median(std::vector<unsigned> x) {
 CaseOutcome run_case(const HardCase& c, unsigned digits) {
     CaseOutcome outcome;
     try {
-        // More than are asked for, so that the others' digits are counted against it.
+        // The enclosure has more digits than requested, so that the other values can be compared
+        // with it.
         const scene::Digits asked{digits, Rounding::nearest, false};
         const scene::BoundedValue ours = enclosed_value(c.scene, c.asked, digits);
         const scene::PrintedValue text = printed(ours, asked);

@@ -11,30 +11,28 @@
 
 namespace edgeproof::validation {
 
-/// The arithmetics that the textbook formula is tried in, in the order of the columns.
+/// The arithmetics in which the textbook formula is evaluated, in the order of the columns.
 inline constexpr std::array<std::string_view, 4> plain_arithmetics{"double", "long double",
                                                                    "__float128", "MPFR 50"};
 
-/// What one route in Real said of a case.
 struct CaseSecondRoute {
     std::string route;
-    std::string value;   ///< as many digits as were asked for, or why there are none
-    unsigned digits = 0; ///< that agree with the enclosure, no more than the enclosure has
-    bool agrees = false; ///< with every digit asked for, to 1 unit of the last
+    std::string value;   ///< with the requested digits, or the reason why there is no value
+    unsigned digits = 0; ///< that agree with the enclosure, at most those of the enclosure
+    bool agrees = false; ///< in all requested digits, to 1 unit of the last
 };
 
-/// A hard case done.
 struct CaseOutcome {
     std::string value; ///< as printed
     std::string bound;
     std::string route;
     bool proved = false;
-    bool complete = false; ///< all the digits asked for
-    unsigned digits = 0;   ///< proved: of the enclosure
+    bool complete = false; ///< all requested digits are given
+    unsigned digits = 0;   ///< digits that the enclosure proves
     std::vector<CaseSecondRoute> second_routes;
     std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the textbook formula
-    bool undecided = false; ///< as the case says: an estimate, with which both routes agree
-    std::string fault;      ///< empty where ball and both routes agree
+    bool undecided = false; ///< as the case expects: an estimate, with which both routes agree
+    std::string fault;      ///< empty if ball and both routes agree
 };
 
 struct CaseOptions {
@@ -43,26 +41,26 @@ struct CaseOptions {
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// One case: by ball to `digits` digits, by two routes in Real at that many, and by the
-/// textbook formula in double, long double, __float128 and 50-digit MPFR. Never throws for what
-/// goes wrong on the way: that is the case's fault.
+/// Computes one case by balls to `digits` digits, by two routes in Real at the same number, and by
+/// the textbook formula in double, long double, __float128 and 50-digit MPFR. Errors are not thrown
+/// but reported as the fault of the case.
 [[nodiscard]] CaseOutcome run_case(const HardCase& c, unsigned digits);
 
-/// All of them, in their order. Throws Interrupted.
+/// Computes all cases, in order. Throws Interrupted.
 [[nodiscard]] std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases,
                                                  const CaseOptions& options);
 
-/// Digits of a class: the worst and the median of its cases.
+/// The correct digits for a class: those of the worst and of the median case.
 struct FamilySummary {
     std::string family;
     std::size_t cases = 0;
-    std::size_t agree = 0; ///< by ball and by both routes
+    std::size_t agree = 0; ///< ball and both routes agree
     std::array<unsigned, plain_arithmetics.size()> worst{};
     std::array<unsigned, plain_arithmetics.size()> median{};
     unsigned worst_proved = 0;
     unsigned median_proved = 0;
 };
-/// Class by class, in the order in which they first occur.
+/// Returns a summary of each class, in the order of first occurrence.
 [[nodiscard]] std::vector<FamilySummary> summary(const std::vector<HardCase>& cases,
                                                  const std::vector<CaseOutcome>& outcomes);
 

@@ -16,9 +16,9 @@ using scene::AskedValue;
 using scene::Quantity;
 
 constexpr unsigned most_extra = 6000;
-/// Digits beyond those asked for, for a coefficient far below its natural size.
+/// Additional digits for a coefficient far below its natural size.
 constexpr unsigned cancelled = 25;
-/// Divided differences are taken at this many decades below the radius of convergence.
+/// The step of the divided differences is this many decades below the radius of convergence.
 constexpr unsigned step_decades = 12;
 
 Real power_of_ten(int k) { return pow(Real(10), k); }
@@ -62,8 +62,8 @@ SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsign
     return relative("series", c, power_of_ten(-static_cast<int>(digits)));
 }
 
-/// c_n from p/sqrt(u) at u = delta, 2 delta, ..., delta being 1e-12 of the radius of convergence:
-/// Newton's divided differences, expanded about u = 0.
+/// Computes c_n from p/sqrt(u) at u = delta, 2 delta, ..., where delta is 1e-12 of the radius of
+/// convergence, by Newton's divided differences, expanded about u = 0.
 SecondRoute by_differences(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     const auto n = static_cast<unsigned>(asked.k);
     const unsigned natural = digits + cancelled;
@@ -104,7 +104,7 @@ Real sum_of(const std::vector<Real>& c, const Real& u, std::size_t from) {
     return sum * pow(u, static_cast<int>(from)) * sqrt(u);
 }
 
-/// 1 - (n terms)/p, by the singular integral with as many digits as it loses.
+/// 1 - (n terms)/p, by the singular integral with additional digits for the cancellation.
 SecondRoute residual_directly(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     for (unsigned working = digits + 32;;) {
         const contact::NormalContact contact = contact_of(scene, working);
@@ -122,7 +122,7 @@ SecondRoute residual_directly(const scene::Scene& scene, const AskedValue& asked
     }
 }
 
-/// The terms left out, over p.
+/// The omitted terms divided by p.
 SecondRoute residual_by_tail(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     const contact::NormalContact contact = contact_of(scene, digits + 10);
     const PrecisionScope scope(digits + 30);
@@ -139,7 +139,8 @@ SecondRoute residual_by_tail(const scene::Scene& scene, const AskedValue& asked,
                     power_of_ten(-static_cast<int>(digits)));
 }
 
-/// The printed formula with so many digits that twice as many give the same.
+/// The printed formula with the number of digits raised until doubling it does not change the
+/// value.
 SecondRoute by_formula(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
     unsigned working = digits + 100;
     if (asked.u) {

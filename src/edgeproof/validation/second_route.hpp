@@ -15,22 +15,21 @@ struct SecondRoute {
     Real error;
 };
 
-/// The same number by two routes in Real that share no formula beyond the contact's own edges:
+/// Computes the same number by two routes in Real that share only the edges of the contact:
 ///   pressure          Barber-Mossakovskii; the singular integral
 ///   coefficient       the series of the contact law; divided differences of p/sqrt(u)
-///   residual          p less its first terms, at more digits; the tail of the series over p
+///   residual          p minus its first terms, at more digits; the rest of the series over p
 ///   shear, its coefficients, load, left edge
-///                     the library's route; the printed formula, at so many digits that what it
-///                     loses does not matter
+///                     the library's route; the printed formula with more digits than it loses
 ///   tilt difference   as the pressure
-///   extent            the library's scan; a scan of its own, by the residual's first route
-/// Each is right to about `digits` digits if it is right. Throws what the routes throw; Error for a
-/// quantity that has no two routes.
+///   extent            the library's scan; an independent scan with the printed pressure
+/// Each aims at about `digits` correct digits. Throws as the routes do; Error for a quantity
+/// without two routes.
 [[nodiscard]] std::vector<SecondRoute>
 second_routes(const scene::Scene& scene, const scene::AskedValue& asked, unsigned digits);
 
-/// The quantities that have two routes, in the order in which messages name them: those that a hard
-/// case may ask for.
+/// Returns the quantities that have two routes, in the order used in messages; hard cases are
+/// limited to these.
 [[nodiscard]] std::vector<scene::Quantity> second_route_quantities();
 
 } // namespace edgeproof::validation

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_halvings = 20000;
 constexpr int most_doublings = 4000;
-constexpr int scan_points = 400; // of an extent, 50 a decade
+constexpr int scan_points = 400; // of an extent, 50 per decade
 
 template <Arithmetic T> T gamma_of(const T& x) {
     if constexpr (std::same_as<T, Real>) {
@@ -29,7 +29,7 @@ template <Arithmetic T> T gamma_of(const T& x) {
     }
 }
 
-/// The zero of an increasing f, by halving until no number lies between.
+/// Finds the zero of an increasing f by bisection, until no number lies between the ends.
 template <Arithmetic T, class F> T bisect(const F& f, T lo, T hi) {
     for (int i = 0; i < most_halvings; ++i) {
         const T middle = (lo + hi) / T(2);
@@ -41,7 +41,7 @@ template <Arithmetic T, class F> T bisect(const F& f, T lo, T hi) {
     return hi;
 }
 
-/// The same, from a guess of the size.
+/// Finds the zero from a guess of its size.
 template <Arithmetic T, class F> T bisect_from(const F& f, const T& guess) {
     T lo = guess;
     T hi = guess;
@@ -62,14 +62,14 @@ template <Arithmetic T> T wallis(const T& n) {
            gamma_of<T>(T((n + T(2)) / T(2)));
 }
 
-/// Places s = c + d cos(angle) of a contact -b < s < a, w = sqrt((a - s)(s + b)) = d sin(angle).
+/// Places s = c + d cos(angle) of a contact -b < s < a; w = sqrt((a - s)(s + b)) = d sin(angle).
 template <Arithmetic T> struct OnCircle {
     const T& a;
     const T& b;
     T c = (a - b) / T(2);
     T d = (a + b) / T(2);
 
-    /// An end that roundoff has put beyond the contact is the contact's.
+    /// Places that roundoff has moved outside the contact are moved to its edges.
     [[nodiscard]] T angle(const T& s) const {
         using std::acos;
         const T ratio = (s - c) / d;
@@ -170,7 +170,7 @@ template <Arithmetic T> T TextbookFormula<T>::left_edge(const T& a) const {
         return a;
     }
     if (scene_.profile->kind() == contact::Profile::Kind::tilted_wedge) {
-        // phi, alpha: h = pi (phi + alpha)/(2 phi) is the angle of the apex, b = a cot^2(h/2).
+        // For phi, alpha: h = pi (phi + alpha)/(2 phi) is the angle of the apex, b = a cot^2(h/2).
         const T right = pieces_[1].at_origin;
         const T left = -pieces_[0].at_origin;
         const T half = pi<T>() * left / (right + left) / T(2);
@@ -201,8 +201,8 @@ template <Arithmetic T> T TextbookFormula<T>::linear_pressure(const T& x) const 
     using std::acos;
     using std::log;
     using std::sqrt;
-    // p = E* w(x)/(2 pi) times the principal value of the integral of g'(s)/((s - x) w(s)); on a
-    // piece g' = A + B s it is (A + B x) [-G(x, s)/w(x)] + B [-acos].
+    // p = E* w(x)/(2 pi) times the principal value of the integral of g'(s)/((s - x) w(s)); for a
+    // piece g' = A + B s this is (A + B x) [-G(x, s)/w(x)] + B [-acos].
     const T c = (a_ - b_) / T(2);
     const T d = (a_ + b_) / T(2);
     const T w_x = sqrt(T((a_ - x) * (x + b_)));
@@ -273,7 +273,7 @@ template <Arithmetic T>
 T TextbookFormula<T>::shear_coefficient(contact::Edge edge, std::size_t k) const {
     using std::pow;
     using std::sqrt;
-    // (1 - z)^(-1/2) = sum beta_k z^k, written out.
+    // The coefficients of (1 - z)^(-1/2) = sum beta_k z^k.
     const T D = a_ + b_;
     const T side = edge == contact::Edge::right ? T(1) : T(-1);
     T beta(1);
@@ -287,7 +287,7 @@ T TextbookFormula<T>::shear_coefficient(contact::Edge edge, std::size_t k) const
     return bracket / (sqrt(D) * pow(D, T(static_cast<int>(k))));
 }
 
-/// On a grid of points as one draws a curve with, then by halving.
+/// Searches a grid of points, as for drawing a curve, then uses bisection.
 template <Arithmetic T> T TextbookFormula<T>::first_exit(const scene::AskedValue& asked) const {
     using std::abs;
     using std::pow;

@@ -9,14 +9,14 @@
 
 namespace edgeproof::validation {
 
-/// The formulas of the textbooks, evaluated straight in the arithmetic T, as whoever types them in
-/// would: the place is x = a - u, edges are bisected for, and no care is taken of what cancels. It
-/// is what the program's own numbers are compared with, never what they are made of.
+/// The formulas of textbooks, evaluated directly in the arithmetic T, as a user would type them:
+/// the place is x = a - u, edges are found by bisection, and cancellation is not avoided. Used only
+/// for comparison with the program's own numbers, never to compute them.
 ///
 /// Constants of the scene are rounded to T once (`Real`: to the working precision of the thread,
-/// which must stay the same while the object lives). Integrals that have no closed form go through
-/// Boost.Math's tanh-sinh with the integrand of one argument. Values may be infinite or NaN;
-/// what cannot be had at all throws DomainError, or what Boost.Math throws.
+/// which must not change during the lifetime of the object). Integrals without a closed form use
+/// Boost.Math's tanh-sinh with the integrand of one argument. Values may be infinite or NaN; a
+/// missing value throws DomainError, or an exception of Boost.Math.
 template <Arithmetic T> class TextbookFormula {
 public:
     explicit TextbookFormula(const scene::Scene& scene);
@@ -25,12 +25,12 @@ public:
     [[nodiscard]] const T& b() const { return b_; }
     [[nodiscard]] T value(const scene::AskedValue& asked) const;
 
-    /// p(x): sqrt(a^2 - x^2) for Hertz, arcosh(a/x) for the wedge, the integral of eqn:
-    /// MossakovskiiPressure for other powers, logarithms for a piecewise linear g'.
+    /// p(x): sqrt(a^2 - x^2) for Hertz, arcosh(a/x) for the wedge, the integral of
+    /// eqn:MossakovskiiPressure for other powers, logarithms for a piecewise linear g'.
     [[nodiscard]] T pressure(const T& x) const;
     /// P of the extent -b < x < a.
     [[nodiscard]] T force() const { return force(a_, b_); }
-    /// eqn:Shear_Adhered.
+    /// q(x) by eqn:Shear_Adhered.
     [[nodiscard]] T shear(const T& x) const;
     /// c_0, c_1 by P' and P'' (eqn:LocalPressureI) for symmetric contacts; any other coefficient by
     /// the series of the contact law.
@@ -39,7 +39,7 @@ public:
 
 private:
     struct Piece {
-        T from; ///< -inf where `first`
+        T from; ///< -inf if `first`
         T to;
         bool first;
         bool last;

@@ -12,24 +12,23 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double mesh_allowance = 0.003; ///< of the largest pressure, for the mesh
-constexpr double share_for_mesh = 0.05;  ///< and no more than this of what is to be explained
+constexpr double mesh_allowance = 0.003; ///< relative to the largest pressure, for the mesh
+constexpr double share_for_mesh = 0.05;  ///< and at most this share of the error to be explained
 constexpr double scatter_allowance = 1.6;
 constexpr double share_left = 0.3;
 constexpr double as_little = 1.2;
 constexpr std::size_t fewest_nodes_told = 8;
 constexpr std::size_t most_nodes = 1000;
-constexpr double edge_share = 0.02; ///< of the suspect's contact
+constexpr double edge_share = 0.02; ///< relative to the suspect's contact
 constexpr double roundoff = 1e-12;
 
-/// How data stand to the values of a suspect.
 struct Fit {
-    double left = 0;        ///< rms of data less suspect, of its largest value
-    double noise = 0;       ///< rms scatter of that from node to node
-    double scale = 1;       ///< of the suspect's values that fits the data best
-    double scale_error = 0; ///< standard error of that by the scatter where it stands
+    double left = 0;        ///< rms of data minus suspect, relative to its largest value
+    double noise = 0;       ///< rms scatter of that difference from node to node
+    double scale = 1;       ///< the factor of the suspect's values that fits the data best
+    double scale_error = 0; ///< its standard error from the local scatter
     std::size_t nodes = 0;
-    bool largest_told = false; ///< the largest of all errors is at a node that counts here
+    bool largest_told = false; ///< the largest of all errors is at a node that counts
 
     [[nodiscard]] bool is_scatter(double allowance) const {
         return left <= scatter_allowance * noise + allowance &&
@@ -37,15 +36,15 @@ struct Fit {
     }
 };
 
-/// What is left of a node, and the suspect's value there, of the largest value.
+/// The remaining error at a node, and the suspect's value there, relative to the largest value.
 struct LeftOver {
     double off = 0;
     double value = 0;
 };
 
-/// The scatter of what is left, and the standard error that it gives the scale. White noise has
-/// second differences of sqrt(6) times its size. Only nodes that follow each other. Noise may be
-/// even, or go with the pressure: the larger error of the two.
+/// The scatter of the remaining error, and the resulting standard error of the scale. White noise
+/// has second differences of sqrt(6) times its size. Only consecutive nodes are used. Noise may be
+/// constant or proportional to the pressure: the larger error of the two is taken.
 void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
     double sum = 0;
     double weighted = 0;
@@ -67,7 +66,6 @@ void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
     }
 }
 
-/// Data at the nodes looked at.
 struct Observed {
     NodesLookedAt nodes;
     std::vector<double> values;
@@ -98,12 +96,12 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     if (!(squares > 0)) {
         return {};
     }
-    // The data's sign is their own: a mistake may make a pressure that pulls, on the whole.
+    // The sign of the data is free: a mistake may make the pressure mainly tensile.
     const double sign = products < 0 ? -1 : 1;
     std::vector<std::optional<LeftOver>> left; // of nodes inside the suspect's contact
     double square = 0;
     std::size_t all = 0;
-    std::array<double, 2> worst{}; // of nodes beside an edge, and of those that count
+    std::array<double, 2> worst{}; // of nodes near an edge, and of those that count
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const double x = data.nodes[i].x;
         const bool within = told(i) && x < suspect.a && x > -suspect.b;
@@ -162,7 +160,7 @@ double median_ratio(const Observed& data, const std::vector<double>& right) {
     return *middle;
 }
 
-/// The likeliest first; what leaves clearly more is told apart from the best, and no cause.
+/// Sorts the most likely first; a mistake that leaves clearly more than the best is not a cause.
 void rank(std::vector<Cause>& causes) {
     std::ranges::stable_sort(causes, {}, &Cause::scatter);
     if (causes.empty()) {
@@ -190,7 +188,7 @@ bool explains(const Fit& fit, double allowance, double unexplained) {
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
                             const std::function<void(const TakeSuspect&)>& for_each) {
     Diagnosis diagnosis;
-    const auto as_it_is = fit_of(data, right); // none where hardly a node lies in the exact contact
+    const auto as_it_is = fit_of(data, right); // empty if hardly any node lies in the exact contact
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;

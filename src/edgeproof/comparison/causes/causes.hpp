@@ -11,48 +11,49 @@
 
 namespace edgeproof::comparison {
 
-/// A mistake that explains data which are off.
+/// A mistake that explains wrong data.
 struct Cause {
-    std::string name;   ///< a stable one: "e-for-e-star", "factor-2", ...
-    std::string what;   ///< in words
-    double factor = 1;  ///< data over exact pressure: the median over the nodes looked at
-    double scatter = 0; ///< rms of what it leaves, relative to the largest pressure
-    std::vector<std::string> equally_likely; ///< others that leave as little
+    std::string name;   ///< a fixed name: "e-for-e-star", "factor-2", ...
+    std::string what;   ///< a description
+    double factor = 1;  ///< data over exact pressure: the median over the nodes used
+    double scatter = 0; ///< rms of the remaining error, relative to the largest pressure
+    std::vector<std::string> equally_likely; ///< others that fit equally well
 };
 
-/// What data are of the exact values, with its standard error by their scatter.
+/// The ratio of the data to the exact values, with its standard error from their scatter.
 struct CommonFactor {
     double value = 1;
     double error = 0;
 };
 
-/// What was found of the causes.
 struct Diagnosis {
-    /// What is left without a cause, and the scatter of the data: rms, relative to the largest
-    /// pressure, over nodes two elements and a fiftieth of the contact or more from an edge.
+    /// The error without any cause, and the scatter of the data: rms, relative to the largest
+    /// pressure, over nodes at least two elements and a fiftieth of the contact away from the
+    /// edges.
     double unexplained = 0;
     double noise = 0;
-    bool at_edges_only = false; ///< those nodes agree to three thousandths, as a mesh's do: what is
-                                ///< off is no mistake's
-    bool largest_inside = false; ///< the largest error is one of those nodes', and at no edge
-    std::vector<Cause> causes;   ///< the likeliest first
-    /// Where no cause is known: the factor that explains the data as a cause would.
+    bool at_edges_only = false;  ///< those nodes agree to three thousandths, as in a correct mesh
+                                 ///< solution: the error is not due to a mistake
+    bool largest_inside = false; ///< the largest error is at one of those nodes, not near an edge
+    std::vector<Cause> causes;   ///< the most likely first
+    /// If no cause is found: a factor that explains the data as a cause would.
     std::optional<CommonFactor> factor;
 };
 
-/// Holds data against the pressures that a program with each known mistake would compute
-/// (suspects.hpp). A mistake explains the data where what it leaves is within the data's own
-/// scatter (of second differences from node to node) and an allowance for the mesh, its scale is
-/// one within three standard errors (of even noise or of noise that goes with the pressure,
-/// whichever is larger) and the same, and it leaves less than three tenths of what is left without
-/// it. The allowance is three thousandths, and no more than a twentieth of what is left without the
-/// mistake. Those that leave as little as the best, to a fifth, are equally likely: the data do not
-/// tell them apart. Data that carry too few digits, or are binary32, and agree but for that, have
-/// that cause. None is proved. Throws Interrupted.
+/// Compares data with the pressures that a program with each known mistake would compute
+/// (suspects.hpp). A mistake explains the data if three conditions hold: the remaining error is
+/// within the data's own scatter (of second differences from node to node) plus an allowance for
+/// the mesh; the scale of the suspect's values is one within three standard errors (of constant
+/// noise or of noise proportional to the pressure, whichever is larger) plus the allowance; and the
+/// remaining error is less than three tenths of the original one. The allowance is three
+/// thousandths, and at most a twentieth of the original error. Mistakes whose remaining error is
+/// within a fifth of the best are equally likely: the data do not distinguish them. Data that carry
+/// too few digits, or are binary32, and otherwise agree, have that cause. No cause is proved.
+/// Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
                                  const DataContact& contact, SuspectContacts& suspects,
                                  const ExactContact& exact);
-/// The same of the shear traction, where the pressure is right.
+/// Diagnoses the shear traction, if the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                                        SuspectContacts& suspects, const ExactContact& exact);
 

@@ -10,15 +10,15 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr int most_rounded_digits = 9;
-constexpr double half_unit = 0.51; ///< of the last digit: what binary64 adds is little
+constexpr double half_unit = 0.51; ///< of the last digit, with a little for binary64
 constexpr double beside_edge = 0.02;
 constexpr double units_of_binary32 = 16;
-/// Rounding makes even errors, of an rms of 1/sqrt(3) of the largest; noise of the data's own adds
-/// to them, and is less.
+/// Rounding errors are uniformly distributed, with an rms of 1/sqrt(3) of the largest; the data's
+/// own noise, which is smaller, adds to them.
 constexpr double rms_with_noise = 0.65;
 constexpr double largest_with_noise = 2;
 
-/// All errors that count are as rounding by `allowed` of a node makes them.
+/// True if rounding by `allowed` at each node explains all errors that count.
 template <class Allowed>
 bool explains(const AlignedResult& data, const ExactContact& exact, const Allowed& allowed) {
     double largest = 0;

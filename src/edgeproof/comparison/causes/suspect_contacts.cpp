@@ -16,7 +16,7 @@ const ExactContact* SuspectContacts::with(const std::string& mistake,
         scene::Scene other = scene_;
         change(other);
         contact = std::make_unique<ExactContact>(other);
-    } catch (const Error&) { // it has none
+    } catch (const Error&) { // the changed scene has no contact
     }
     return solved_.emplace(mistake, std::move(contact)).first->second.get();
 }

@@ -23,7 +23,7 @@ void suspect_factors(const SuspectMaker& make) {
     // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
     both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
     both_ways("unit-g", "9.80665", 9.80665);
-    // 6894.757 Pa are one psi; 145.038 psi one MPa.
+    // One psi is 6894.757 Pa; one MPa is 145.038 psi.
     both_ways("unit-psi", "145.038", 1e6 / 6894.757293168);
     for (const double ten : {1.0, 1e-3, 1e3}) {
         both_ways("unit-psi", fmt::format("{:g}", 6894.757293168 * ten), 6894.757293168 * ten);
@@ -33,7 +33,7 @@ void suspect_factors(const SuspectMaker& make) {
     }
     const ExactContact& exact = make.exact();
     const auto scale = [&](const char* name, double k) {
-        const double origin = make.nodes().data.origin; // what was found of it is undone here
+        const double origin = make.nodes().data.origin; // undoes the shift that was found
         make.add(name, fmt::format("x is {:g} times too large", k), exact.a().value * k - origin,
                  exact.b().value * k + origin, [&](std::size_t i) {
                      return make.pressure(exact, (make.nodes()[i].x + origin) / k);

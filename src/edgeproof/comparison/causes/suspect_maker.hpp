@@ -4,7 +4,7 @@
 
 namespace edgeproof::comparison {
 
-/// Makes suspects of one scene at the nodes looked at. Keeps references to all that it is given.
+/// Makes suspects of one scene at the nodes used. Keeps references to all arguments.
 class SuspectMaker {
 public:
     SuspectMaker(const NodesLookedAt& nodes, SuspectContacts& contacts, const ExactContact& exact,
@@ -16,17 +16,17 @@ public:
     [[nodiscard]] const ExactContact& exact() const { return exact_; }
 
     using Value = std::function<double(std::size_t)>;
-    /// Its value at each node looked at, on the contact -b < x < a.
+    /// Adds a suspect with `value` at each node used, on the contact -b < x < a.
     void add(const std::string& name, const std::string& what, double a, double b,
              const Value& value) const;
-    /// On the exact contact.
+    /// Adds a suspect on the exact contact.
     void add(const std::string& name, const std::string& what, const Value& value) const;
-    /// The pressure of the same scene with something else in it; nothing where that has no contact.
+    /// Adds the pressure of the changed scene, if that has a contact.
     void add_scene(const std::string& name, const std::string& what,
                    const std::function<void(scene::Scene&)>& change) const;
     /// The pressure of another contact; NaN on a corner.
     [[nodiscard]] static double pressure(const ExactContact& contact, double x);
-    /// The exact pressure so many rows behind a node looked at; NaN where there is none.
+    /// The exact pressure `rows` rows after a node used; NaN if there is no such row.
     [[nodiscard]] double exact_pressure(std::size_t i, std::ptrdiff_t rows = 0) const;
 
 private:
@@ -39,6 +39,6 @@ private:
 void suspect_factors(const SuspectMaker& make); ///< p or x times a number
 void suspect_scenes(const SuspectMaker& make);  ///< other materials, sizes, angles, loads
 void suspect_places(const SuspectMaker& make);  ///< other places, means over elements
-void suspect_terms(const SuspectMaker& make);   ///< terms of an expansion in place of p
+void suspect_terms(const SuspectMaker& make);   ///< terms of an expansion instead of p
 
 } // namespace edgeproof::comparison

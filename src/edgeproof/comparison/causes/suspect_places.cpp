@@ -14,7 +14,7 @@
 namespace edgeproof::comparison {
 namespace {
 
-/// The shift that fits best, by its derivative: a small one. Nothing where it is none.
+/// Finds the best small shift by the derivative of p. Returns nothing if the shift is not small.
 std::optional<double> small_shift(const SuspectMaker& make) {
     const ExactContact& exact = make.exact();
     const double length = exact.length();
@@ -49,7 +49,7 @@ std::optional<double> small_shift(const SuspectMaker& make) {
     return shift;
 }
 
-/// The shift of a fiftieth of a + b or more that fits best.
+/// Finds the best shift of at least a fiftieth of a + b.
 std::optional<double> large_shift(const SuspectMaker& make) {
     std::vector<RoughPoint> points;
     for (std::size_t i = 0; i < make.nodes().size(); ++i) {
@@ -76,12 +76,12 @@ void suspect_shift(const SuspectMaker& make) {
     }
 }
 
-/// The place that a program took for x, as the data have it.
+/// Adds suspects in which a program confused the coordinate x, as in the data.
 void suspect_maps(const SuspectMaker& make) {
     const ExactContact& exact = make.exact();
     const double a = exact.a().value;
     const double b = exact.b().value;
-    const double origin = make.nodes().data.origin; // what was found of it is undone here
+    const double origin = make.nodes().data.origin; // undoes the shift that was found
     const auto map = [&](const char* name, const std::string& what, double right, double left,
                          const auto& place) {
         make.add(name, what, right - origin, left + origin, [&](std::size_t i) {
@@ -105,7 +105,7 @@ void suspect_maps(const SuspectMaker& make) {
         [=](double x) { return a - b - x; });
 }
 
-/// Nodal values that are means, as programs make of elements.
+/// Adds nodal values that are means over elements.
 void suspect_means(const SuspectMaker& make) {
     const auto of_rows = [&](const std::string& what, double before, double here, double behind) {
         make.add("element-mean", what, [&](std::size_t i) {
@@ -120,7 +120,7 @@ void suspect_means(const SuspectMaker& make) {
     of_rows("p of a node is averaged over its two elements", 0.25, 0.5, 0.25);
     of_rows("the element's mean stands at its left node", 0, 0.5, 0.5);
     of_rows("the element's mean stands at its right node", 0.5, 0.5, 0);
-    // By Gauss's three points; beside an edge that is rough, and not looked at.
+    // The mean by Gauss's three points; this is inaccurate near an edge, where nodes are not used.
     const auto& all = make.nodes().data.nodes;
     make.add("element-mean", "p is the mean over the width of a node", [&](std::size_t i) {
         const std::size_t at = make.nodes().nodes[i];

@@ -51,7 +51,7 @@ void suspect_moduli(const SuspectMaker& make) {
 
 using Parameters = std::map<std::string, formula::Exact>;
 
-/// Of the profile; of a punch that a moment tilts, what it has beside its tilt.
+/// The parameters of the profile; for a punch that a moment tilts, those other than its tilt.
 Parameters parameters_of(const scene::Scene& scene) {
     if (scene.profile) {
         return scene.profile->parameters();
@@ -62,7 +62,7 @@ Parameters parameters_of(const scene::Scene& scene) {
                : Parameters{{"t", punch.t}, {"R", punch.R}};
 }
 
-/// The profile with each parameter put through `change`.
+/// Adds the profile with `change` applied to each parameter.
 void suspect_profile(const SuspectMaker& make, const char* name, const std::string& what,
                      const std::function<Expr(std::string_view, const Expr&)>& change) {
     const Parameters parameters = parameters_of(make.scene());
@@ -90,7 +90,7 @@ void suspect_profile(const SuspectMaker& make, const char* name, const std::stri
         case Profile::Kind::tilted_flat_and_rounded:
             s.profile = Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
             return;
-        default: // nothing is suspected of a profile of another kind
+        default: // there are no suspects for other kinds of profiles
             return;
         }
     });

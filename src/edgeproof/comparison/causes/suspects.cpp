@@ -78,7 +78,7 @@ void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contact
     factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
     const auto with = [&](const char* name, const std::string& what,
                           const std::function<void(contact::ShearSpec&)>& change) {
-        // None where it slides, or slips the other way.
+        // There is none if it slides, or slips in the other direction.
         const ExactContact* const contact =
             contacts.with(name + (": " + what), [&](scene::Scene& other) { change(*other.shear); });
         if (contact != nullptr) {

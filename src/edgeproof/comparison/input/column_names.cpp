@@ -74,7 +74,6 @@ constexpr std::array known_names{
     KnownName{"tau", ColumnRole::shear, 4},
 };
 
-/// Columns beside these that programs write.
 constexpr std::array<std::string_view, 28> other_names{"node",
                                                        "nodelabel",
                                                        "nodenumber",
@@ -103,7 +102,7 @@ constexpr std::array<std::string_view, 28> other_names{"node",
                                                        "copen",
                                                        "gap",
                                                        "status"};
-constexpr std::size_t most_words_of_a_name = 4; // "True distance along path"
+constexpr std::size_t most_words_of_a_name = 4; // for example "True distance along path"
 constexpr std::size_t most_words_of_a_header = 64;
 
 char lower(char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); }
@@ -131,7 +130,7 @@ bool is_known(const std::string& written) {
     return role_of(plain).has_value() || std::ranges::find(other_names, plain) != other_names.end();
 }
 
-/// A word that no prose has.
+/// True for a word that does not occur in prose.
 bool is_symbol(std::string_view word) {
     return word.find_first_of("0123456789._:") != std::string_view::npos;
 }
@@ -182,7 +181,7 @@ std::optional<std::vector<std::string>> names_of_words(const std::vector<std::st
         std::string last;
         std::size_t before = 0;
     };
-    // ways[k][i]: the first i words as k names.
+    // ways[k][i]: the ways to divide the first i words into k names.
     std::vector<std::vector<Way>> ways(count + 1, std::vector<Way>(words.size() + 1));
     ways[0][0].ways = 1;
     for (std::size_t k = 0; k < count; ++k) {

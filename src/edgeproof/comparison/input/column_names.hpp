@@ -10,31 +10,30 @@
 
 namespace edgeproof::comparison {
 
-/// What a column of a result file holds.
 enum class ColumnRole { place, pressure, shear };
 
-/// The name of a column taken apart: "CPRESS [MPa]", "x / mm", "x_mm".
+/// The parts of a column's name, such as "CPRESS [MPa]", "x / mm", "x_mm".
 struct ColumnName {
-    std::string plain; ///< lower case, letters and digits alone
+    std::string plain; ///< lower case, letters and digits only
     std::optional<scene::Unit> unit;
-    std::string unread; ///< what stands in brackets and is no unit
+    std::string unread; ///< text in brackets that is not a unit
 };
 [[nodiscard]] ColumnName read_column_name(std::string_view written);
 
-/// The role that programs give a column of this plain name, and how plainly: 1 is plainest.
+/// The role of a column with this plain name in usual programs; rank 1 is the most certain.
 struct NamedRole {
     ColumnRole role;
     int rank;
 };
 [[nodiscard]] std::optional<NamedRole> role_of(std::string_view plain_name);
 
-/// The words of a header that blanks cut as `count` names, some of them of several words ("Node
-/// Label", "x mm"). Nothing where there is more than one way, or a word that is no name known: a
-/// title is no header.
+/// Divides the words of a header into `count` names, some of them of several words ("Node Label",
+/// "x mm"). Returns nothing if there is more than one way, or if a word belongs to no known name: a
+/// title is not a header.
 [[nodiscard]] std::optional<std::vector<std::string>>
 names_of_words(const std::vector<std::string>& words, std::size_t count);
 
-/// What a user says of the columns: "x=1,p=3", "x=COORD1,p=CPRESS,q=CSHEAR1".
+/// The user's choice of columns: "x=1,p=3", "x=COORD1,p=CPRESS,q=CSHEAR1".
 struct ColumnChoice {
     std::optional<std::string> x;
     std::optional<std::string> p;

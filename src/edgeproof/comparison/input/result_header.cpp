@@ -37,7 +37,7 @@ private:
             cells, [this](const Cell& c) { return number_of(c, separator_).has_value(); }));
     }
 
-    /// The names of a line before the rows, cut as the rows are or in another way.
+    /// Returns the names in a line before the rows, separated as the rows are or in another way.
     [[nodiscard]] std::vector<Cell> names_in(const ResultLine& line) const {
         std::string text = line.text;
         if (line.comment) {
@@ -91,7 +91,7 @@ private:
         return roles;
     }
 
-    /// The line nearest above the rows that names columns of theirs.
+    /// Finds the line closest above the rows that names their columns.
     void find_header() {
         for (std::size_t i = first_row_; i-- > 0;) {
             auto names = names_in(lines_[i]);
@@ -197,7 +197,7 @@ private:
             return at_column(*found->second.index);
         }
         if (size_ == 2) {
-            // The other one may be named, or chosen.
+            // The other column may be named, or chosen.
             const auto other =
                 roles.find(role == ColumnRole::place ? ColumnRole::pressure : ColumnRole::place);
             std::size_t index = usual;
@@ -237,7 +237,7 @@ private:
                          fmt::format("give a number from 1 to {}, or a name of its header", size_));
     }
 
-    /// Behind names, in a row of their own, or in a comment "units: mm, MPa".
+    /// Finds units after names, in a row of their own, or in a comment "units: mm, MPa".
     void find_units() {
         for (std::size_t i = 0; i < first_row_; ++i) {
             const std::string& text = lines_[i].text;
@@ -321,7 +321,7 @@ private:
     TableHeader found_;
     std::vector<Cell> header_;
     std::size_t header_line_ = 0;
-    std::optional<std::size_t> near_header_; ///< a line of as many cells, of names not known
+    std::optional<std::size_t> near_header_; ///< as many cells, but unknown names
 };
 
 } // namespace

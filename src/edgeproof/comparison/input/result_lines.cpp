@@ -60,7 +60,7 @@ Cell cell_of(std::string_view text) {
 
 struct NumberCounts {
     std::size_t rows = 0; ///< lines of two numbers or more
-    long score = 0;       ///< numbers less other cells, in those lines
+    long score = 0;       ///< numbers minus other cells, in those lines
 };
 
 NumberCounts count_numbers(const std::vector<ResultLine>& lines, Separator separator) {
@@ -88,7 +88,7 @@ NumberCounts count_numbers(const std::vector<ResultLine>& lines, Separator separ
     return counts;
 }
 
-/// The number of cells that the last line of text before the first row of numbers has.
+/// The number of cells in the last line of text before the first row of numbers.
 std::optional<std::size_t> header_size(const std::vector<ResultLine>& lines, Separator separator) {
     std::optional<std::size_t> size;
     for (const ResultLine& line : lines) {
@@ -103,7 +103,8 @@ std::optional<std::size_t> header_size(const std::vector<ResultLine>& lines, Sep
     return {};
 }
 
-/// "0,5, 1,2": the commas that a blank follows separate, or all do.
+/// Decides for rows such as "0,5, 1,2" if only commas followed by a blank are separators, or all
+/// commas.
 Separator which_commas(const std::vector<ResultLine>& lines, const std::string& file) {
     for (const ResultLine& line : lines) {
         const auto all = split_row(line.text, Separator::comma);
@@ -129,7 +130,7 @@ Separator which_commas(const std::vector<ResultLine>& lines, const std::string& 
     return Separator::comma;
 }
 
-/// "1.5-104": Fortran leaves the letter out where the exponent has three digits.
+/// Adds the exponent letter to "1.5-104": Fortran omits it if the exponent has three digits.
 std::optional<std::string> with_exponent_letter(const std::string& text) {
     const std::size_t sign = text.find_last_of("+-");
     if (sign == std::string::npos || sign == 0 || text.size() - sign != 4 ||
@@ -248,7 +249,7 @@ Separator find_separator(const std::vector<ResultLine>& lines, const std::string
     NumberCounts most;
     for (const Separator separator : all_separators) {
         if (separator == Separator::comma_and_blank) {
-            continue; // told from the comma below
+            continue; // distinguished from the comma below
         }
         const NumberCounts counts = count_numbers(lines, separator);
         if (counts.rows > 0 && (!best || counts.score > most.score)) {

@@ -29,7 +29,7 @@ std::string shown_cell(std::string_view text) {
     return "'" + shortened(printable(text), longest_shown_cell) + "'";
 }
 
-/// Sums and differences of such numbers are finite in double precision.
+/// Sums and differences of numbers up to this limit are finite in double precision.
 const Rational& largest_number() {
     static const Rational most(Integer(pow(Integer(10), 300U)));
     return most;
@@ -85,7 +85,7 @@ private:
         return number_of(cell, separator_).has_value();
     }
 
-    /// Of several lengths of rows, the one that most of the first hundred have.
+    /// If rows have several lengths, the most frequent one of the first hundred is used.
     void find_first_row() {
         std::map<std::size_t, std::size_t> sizes;
         std::size_t seen = 0;
@@ -131,7 +131,7 @@ private:
         };
         if (numbered_ && !cells.empty() && !cells[0].text.empty() && !is_number(cells[0]) &&
             !is_nan_or_infinite(cells[0]) && x_.index != 0 && p_.index != 0) {
-            skip(line); // "Total", "Minimum" in place of a node's number
+            skip(line); // "Total", "Minimum" instead of a node's number
             return;
         }
         if (!unusable(x_) && !unusable(p_) && !(q_ && unusable(*q_))) {
@@ -151,7 +151,7 @@ private:
                        "leave out places where the program has no value");
             }
         }
-        // A line of text: a title, a header again, a total.
+        // A line of text: a title, a repeated header, a total.
         if (numbers == 0 || (cells.size() != size_ && has_new_text(cells))) {
             skip(line);
             return;
@@ -170,7 +170,7 @@ private:
                "write a decimal such as 1.5e-3, or take the row out");
     }
 
-    /// Text where the rows have numbers.
+    /// True if there is text where the rows have numbers.
     [[nodiscard]] bool has_new_text(const std::vector<Cell>& cells) const {
         const auto row = split_row(lines_[first_row_].text, separator_);
         for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -260,7 +260,7 @@ private:
                                                  : "the rows are not in the order of x");
             std::ranges::stable_sort(rows, by_x);
         }
-        if (is_even()) { // a grid of few decimals is exact, and no rounding
+        if (is_even()) { // a grid of few decimals is exact, without rounding
             for (ResultRow& row : rows) {
                 row.x_rounding = 0;
             }

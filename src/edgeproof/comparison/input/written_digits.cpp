@@ -12,15 +12,14 @@
 namespace edgeproof::comparison {
 namespace {
 
-/// How a decimal is written.
 struct DecimalForm {
     bool exact = false; ///< hexadecimal
     bool with_exponent = false;
     bool zero = true;
     int significant = 0; ///< digits from the first that is not 0
-    int carried = 0;     ///< of those, up to the last that is not 0
-    int leading = 0;     ///< the power of ten of that one
-    int decimals = 0;    ///< behind the point, where there is no exponent
+    int carried = 0;     ///< digits from there to the last that is not 0
+    int leading = 0;     ///< the power of ten of the first digit that is not 0
+    int decimals = 0;    ///< after the point, if there is no exponent
     int carried_decimals = 0;
 };
 
@@ -41,7 +40,7 @@ DecimalForm form_of(std::string_view text) {
         text = text.substr(0, letter);
     }
     const std::size_t point = std::min(text.find('.'), text.size());
-    int place = static_cast<int>(point) - 1; // power of ten of the digit at hand
+    int place = static_cast<int>(point) - 1; // power of ten of the current digit
     for (const char c : text) {
         if (c == '.') {
             continue;
@@ -87,14 +86,14 @@ std::vector<double> column_rounding(const std::vector<std::string_view>& column)
 CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
     CarriedDigits digits;
     const std::vector<double> half = column_rounding(column);
-    constexpr double tells = 20; // a decimal taken by chance lies so near one time in ten
+    constexpr double tells = 20; // a random decimal is this close with a probability of one in ten
     constexpr std::size_t enough = 8;
     std::size_t told = 0;
     digits.binary32 = true;
     for (std::size_t i = 0; i < column.size(); ++i) {
         const double value = conformance::written_number(column[i]).value.convert_to<double>();
         DecimalForm form = form_of(column[i]);
-        constexpr int digits_of_binary64 = 15; // those beyond tell how a decimal became binary
+        constexpr int digits_of_binary64 = 15; // more digits only show the conversion to binary
         if (form.significant > digits_of_binary64) {
             form = form_of(fmt::format("{:.{}e}", value, digits_of_binary64 - 1));
         }

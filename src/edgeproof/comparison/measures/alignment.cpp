@@ -123,7 +123,7 @@ private:
         find_shear_sign();
     }
 
-    /// Programs give q on either body: the scene's direction is the one that agrees more.
+    /// Programs write q of either body: the direction with the better agreement is chosen.
     void find_shear_sign() {
         double agreement = 0;
         for (const Node& node : result_.nodes) {
@@ -141,8 +141,8 @@ private:
         }
     }
 
-    /// How far an exact value moves when x is moved by half a unit of its last digit. A grid of few
-    /// decimals is taken to be exact: its step is no rounding.
+    /// The change of an exact value when x changes by half a unit of its last digit. A grid of few
+    /// decimals is taken to be exact: its step is not a rounding error.
     template <class Value>
     [[nodiscard]] double moved_by_rounding(std::size_t i, const Real& x,
                                            const ExactContact::Place& here,

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_order = 0.1;
 constexpr double greatest_order = 8;
 
-/// The slope of log |error| over log h. An error of 0 is exactly right: it has no logarithm.
+/// The slope of log |error| over log h. An error of 0 has no logarithm and is left out.
 std::optional<double> slope_of(const std::vector<MeshValue>& errors) {
     std::vector<std::pair<double, double>> points;
     for (const MeshValue& e : errors) {
@@ -24,7 +24,7 @@ std::optional<double> slope_of(const std::vector<MeshValue>& errors) {
     return fit ? std::optional(fit->exponent) : std::nullopt;
 }
 
-/// p of (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), whose right side grows with p.
+/// Solves (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p) for p; the right side grows with p.
 std::optional<double> order_of_triple(const MeshValue& v1, const MeshValue& v2,
                                       const MeshValue& v3) {
     const double ratio = (v1.value - v2.value) / (v2.value - v3.value);
@@ -46,7 +46,7 @@ std::optional<double> order_of_triple(const MeshValue& v1, const MeshValue& v2,
     return 0.5 * (lower + upper);
 }
 
-/// Finest last; of meshes of one width the last.
+/// Sorts the finest mesh last; of meshes with the same width keeps the last.
 std::vector<MeshValue> by_width(std::vector<MeshValue> values) {
     std::ranges::stable_sort(values,
                              [](const MeshValue& s, const MeshValue& t) { return s.h > t.h; });

@@ -6,36 +6,35 @@
 
 namespace edgeproof::comparison {
 
-/// A quantity as meshes of several widths have it.
 struct MeshValue {
     double h = 0; ///< width of an element
     double value = 0;
 };
 
-/// What the values of finer and finer meshes tell. Everything here is an estimate.
+/// The convergence of a quantity with finer meshes. All values are estimates.
 struct Convergence {
     std::string quantity; ///< "a", "P", "c0", "peak", ...
     double exact = 0;
     /// The slope of log |value - exact| over log h, by least squares over all meshes.
     std::optional<double> order;
-    /// By the last three meshes alone, without the exact value: p of value = limit + C h^p.
+    /// The exponent p in value = limit + C h^p for the last three meshes, without the exact value.
     std::optional<double> own_order;
     std::optional<double> extrapolated;
-    /// How far the extrapolated value may be off: the grid convergence index of `roache1998`, 1.25
-    /// times what is left of the finest mesh's error, 3 times where the meshes do not show that
+    /// The estimated error of the extrapolated value: the grid convergence index of `roache1998`,
+    /// 1.25 times the remaining error of the finest mesh, or 3 times if the meshes do not show that
     /// their orders agree.
     double extrapolation_error = 0;
-    /// Four meshes or more, and the orders of the last two triples agree to a fifth.
+    /// True for four meshes or more, if the orders of the last two triples agree to a fifth.
     bool trusted = false;
-    std::string why_not; ///< trusted, or extrapolated
-    /// Whether the extrapolated value comes to the exact one within its own estimate.
+    std::string why_not; ///< the reason why it is not trusted, or not extrapolated
+    /// True if the extrapolated value agrees with the exact one within its own estimate.
     std::optional<bool> agrees;
 };
 
-/// The values from the coarsest mesh to the finest.
+/// Analyses the values; the coarsest mesh comes first.
 [[nodiscard]] Convergence converge(std::string quantity, std::vector<MeshValue> values,
                                    double exact);
-/// The same of an error, which goes to 0 by itself: no extrapolation.
+/// Analyses an error, whose limit is 0: no extrapolation.
 [[nodiscard]] Convergence converge_error(std::string quantity, std::vector<MeshValue> errors);
 
 } // namespace edgeproof::comparison

@@ -12,10 +12,9 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double most_off = 0.1;    ///< of what the rules make of the exact pressure
-constexpr double widest_gap = 0.25; ///< between neighbours inside, of a + b
+constexpr double most_off = 0.1;    ///< error of the rules for the exact pressure
+constexpr double widest_gap = 0.25; ///< between neighbours inside, relative to a + b
 
-/// Looks at the nodes of one result.
 class Coverage {
 public:
     Coverage(const AlignedResult& data, const DataContact& of_exact, const ExactContact& exact)
@@ -55,7 +54,7 @@ private:
         }
     }
 
-    /// The trapezoids of the exact pressure, corners left out.
+    /// The force by trapezoids of the exact pressure, without corners.
     [[nodiscard]] double exact_force_at_nodes() const {
         double force = 0;
         const Node* last = nullptr;
@@ -69,7 +68,7 @@ private:
         }
         return data_.half ? 2 * force : force;
     }
-    /// The widest interval between neighbours that lies inside the contact, in part at least.
+    /// The widest interval between neighbours, limited to the contact.
     [[nodiscard]] double gap() const {
         double widest = 0;
         for (std::size_t i = 1; i < data_.nodes.size(); ++i) {
@@ -79,7 +78,7 @@ private:
         }
         return widest;
     }
-    /// How far from the middle the half begins, where that is more than an element.
+    /// The distance of the beginning of the half from the middle, if that is more than an element.
     [[nodiscard]] std::optional<double> missing_middle() const {
         if (!data_.half) {
             return {};

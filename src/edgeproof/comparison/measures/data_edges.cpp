@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pressing_fraction = 0.002;
 
-/// Of nodes that lie more than two elements outside the exact contact.
+/// The rms pressure of nodes that lie more than two elements outside the exact contact.
 double scatter_outside(const AlignedResult& data, double element) {
     double sum = 0;
     std::size_t n = 0;
@@ -22,7 +22,7 @@ double scatter_outside(const AlignedResult& data, double element) {
     return n > 2 ? std::sqrt(sum / static_cast<double>(n)) : 0;
 }
 
-/// Nodes seen from an edge inwards: distances grow with the index.
+/// The nodes from an edge inwards: distances grow with the index.
 struct Inwards {
     std::vector<double> d; ///< along x, outermost first, from any origin
     std::vector<double> p;
@@ -41,11 +41,11 @@ Inwards inwards(const AlignedResult& data, contact::Edge edge) {
     return out;
 }
 
-/// Where p^2 vanishes outside d[i], between there and `limit`.
+/// The zero of p^2 outside d[i], between there and `limit`.
 double vanishing_point(const Inwards& nodes, std::size_t i, double limit) {
     const double x0 = nodes.d[i];
     const double y0 = nodes.p[i] * nodes.p[i];
-    std::vector<std::pair<double, double>> next; // of other places, all pressed
+    std::vector<std::pair<double, double>> next; // at other places, all loaded
     for (std::size_t j = i + 1; j < nodes.d.size() && next.size() < 2; ++j) {
         const double x = nodes.d[j] - x0;
         const bool new_place = next.empty() ? x > 0 : x > next.back().first;
@@ -79,7 +79,7 @@ std::optional<double> edge_of(const Inwards& nodes, double threshold) {
     double limit = 0;
     if (i > 0) {
         limit = nodes.d[i - 1];
-    } else { // the data end on a node that presses
+    } else { // the data end on a loaded node
         std::size_t j = 1;
         while (j + 1 < nodes.d.size() && nodes.d[j] == nodes.d[0]) {
             ++j;
@@ -89,7 +89,7 @@ std::optional<double> edge_of(const Inwards& nodes, double threshold) {
     return vanishing_point(nodes, i, limit);
 }
 
-/// The width of the interval that holds the edge, or of the one nearest to it.
+/// The width of the interval that contains the edge, or of the closest one.
 double element_at(const AlignedResult& data, double edge) {
     double width = 0;
     double nearest = 0;
@@ -146,7 +146,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     if (!(found.largest > 0)) {
         return found;
     }
-    constexpr double most_of_scatter = 0.05; // a second contact is no scatter
+    constexpr double most_of_scatter = 0.05; // a second contact is not scatter
     const double scatter = 4 * scatter_outside(data, std::max(found.element[0], found.element[1]));
     const double threshold = std::max(pressing_fraction * found.largest,
                                       std::min(scatter, most_of_scatter * found.largest));

@@ -9,7 +9,7 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr std::size_t fewest_spare = 3; ///< nodes more than terms
+constexpr std::size_t fewest_spare = 3; ///< the number of nodes minus the number of terms
 
 struct NearNodes {
     std::vector<double> u;
@@ -137,7 +137,7 @@ std::optional<LeastSquares> least_squares(const std::vector<std::vector<double>>
 
 namespace {
 
-/// The fit of a window, with the spread that one term less shows.
+/// Fits a window; the spread includes the effect of omitting one term.
 std::optional<EdgeFit> fit_window(const NearNodes& near, std::size_t terms) {
     if (near.u.size() < terms + fewest_spare) {
         return {};

@@ -10,11 +10,11 @@
 
 namespace edgeproof::comparison {
 
-/// A coefficient by the data: an estimate, with the spread that the fit has.
+/// A coefficient fitted to the data: an estimate, with the spread of the fit.
 struct FittedCoefficient {
     double value = 0;
     double spread = 0;
-    double of_exact = 0; ///< what the same fit makes of the exact pressure at the same nodes
+    double of_exact = 0; ///< the result of the same fit for the exact pressure at the same nodes
 };
 
 /// c_0 and c_1 of p = c_0 u^(1/2) + c_1 u^(3/2) + ... by least squares over nodes near an edge.
@@ -22,25 +22,25 @@ struct EdgeFit {
     FittedCoefficient c0;
     FittedCoefficient c1;
     std::size_t nodes = 0;
-    std::size_t terms = 0; ///< the higher ones are nuisance
-    double from = 0;       ///< u of the nodes used
+    std::size_t terms = 0; ///< the higher ones are only auxiliary
+    double from = 0;       ///< the range of u of the nodes used
     double to = 0;
-    bool own_edge = false; ///< u counts from the data's edge
+    bool own_edge = false; ///< u is measured from the data's edge
 };
 
-/// u counts from the exact edge; where `own_edge`, the data's distance outwards from there, is
-/// given, from the data's. `leave_out`: nodes nearer to the edge than this are left to the mesh. Of
-/// windows from there up to 1/10 ... 9/10 of the expansion's radius of convergence, and of three to
-/// five terms, the fit with the least spread of c_0; none with less than three nodes more than
-/// terms. The spread is the standard error of the residuals together with what one term less
-/// changes, which tells of the terms left out.
+/// u is measured from the exact edge, or, if `own_edge` is given (the data's edge, outwards from
+/// the exact one), from the data's edge. `leave_out`: nodes closer to the edge than this are not
+/// used. Tries windows from there up to 1/10 ... 9/10 of the expansion's radius of convergence, and
+/// three to five terms, and returns the fit with the least spread of c_0; none if there are fewer
+/// than three nodes more than terms. The spread combines the standard error of the residuals with
+/// the change when one term is omitted, which estimates the effect of the truncated terms.
 [[nodiscard]] std::optional<EdgeFit> fit_edge(const AlignedResult& data, const ExactContact& exact,
                                               contact::Edge edge, double leave_out,
                                               const std::optional<double>& own_edge = {});
 
-/// The coefficients of least squares |y - sum of c_k column_k|^2, and their standard errors;
-/// Householder's QR of columns scaled to unit length. Nothing where the columns are dependent to
-/// double precision, or not fewer than the rows.
+/// The coefficients of least squares |y - sum of c_k column_k|^2, and their standard errors, by
+/// Householder's QR of columns scaled to unit length. Returns nothing if the columns are dependent
+/// to double precision, or are not fewer than the rows.
 struct LeastSquares {
     std::vector<double> coefficients;
     std::vector<double> standard_errors;

@@ -20,7 +20,7 @@ namespace {
 constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
 constexpr std::size_t coefficients = 3;
-/// Of a and b at `contact_digits`, of a + b.
+/// The error of a and b at `contact_digits`, relative to a + b.
 constexpr double edge_error = 1e-37;
 constexpr double closed_form_error = 1e-20;
 
@@ -31,7 +31,7 @@ contact::Profile profile_of(const scene::Scene& scene) {
                                .profile;
 }
 
-/// Whether g' changes its formula there: the origin of a parabola is a knot in name only.
+/// True if g' changes its formula there: the origin of a parabola is a knot without a change.
 bool bends(const contact::Profile& profile, std::size_t knot) {
     const auto& before = profile.pieces()[knot].linear;
     const auto& behind = profile.pieces()[knot + 1].linear;
@@ -58,7 +58,7 @@ struct ExactContact::Solved {
                                                    scene.load,
                                                    contact::DoubleWordPressure::contact_bits));
             } catch (const BudgetError&) {
-                // An edge that is not told from a corner: the batch rule does without.
+                // Bits do not separate an edge from a corner: the batch rule is used instead.
             }
         }
         scene::Scene asked = scene;
@@ -94,7 +94,7 @@ struct ExactContact::Solved {
         }
     }
 
-    /// Nothing where that does not have the digits: beside a corner, say.
+    /// Returns nothing if the closed form does not have the digits, for example near a corner.
     [[nodiscard]] std::optional<Real> closed_form(const Real& from_right,
                                                   const Real& from_left) const {
         if (!words) {
@@ -114,7 +114,7 @@ struct ExactContact::Solved {
 
     contact::NormalContact contact;
     contact::BatchPressure batch;
-    /// In closed form, where there is one.
+    /// The closed form, if there is one.
     std::optional<contact::DoubleWordPressure> words;
     double length = 0;
     Real right; ///< a
@@ -138,8 +138,9 @@ ExactContact::ExactContact(const scene::Scene& scene)
     if (std::ranges::any_of(s.knots, &ContactKnot::corner)) {
         return;
     }
-    // Where p is largest: samples, dense beside knots, where p may rise steeply; then the best of
-    // them between its neighbours. At the maximum p is flat, so its place costs p no digits.
+    // Finds the largest p from samples, which are dense near knots, where p may rise steeply; then
+    // refines the best sample between its neighbours. At the maximum p is flat, so an error of its
+    // place has little effect.
     std::vector<double> samples;
     constexpr int even = 160;
     for (int i = 1; i < even; ++i) {
@@ -239,7 +240,7 @@ std::optional<double> ExactContact::traction(const Real& x, const Place& place) 
     const Real right = solved_->right - x;
     const Real left = solved_->left + x;
     const bool singular = solved_->shear->singular();
-    const Real at_edge = length() * 1e-12; // a place in binary64 is on the edge no nearer than that
+    const Real at_edge = length() * 1e-12; // the resolution of a place in binary64
     if (singular && std::min(Real(abs(right)), Real(abs(left))) < at_edge) {
         return {};
     }

@@ -19,20 +19,20 @@ struct ContactKnot {
     bool corner = false; ///< g' jumps: p is infinite there
 };
 
-/// A value of the contact: to double precision and how it was computed.
+/// A value of the contact in double precision, with the name of its route.
 struct ExactValue {
     double value = 0;
-    std::string route; ///< "closed-form", "... (estimate)" where no bound is proved
+    std::string route; ///< "closed-form", or "... (estimate)" if no bound is proved
 };
 
-/// The exact solution of a scene, to be held against: sizes, loads and coefficients to 20 digits by
-/// the scene's own routes, and pressures at any place to 20 digits, in closed form (double words)
-/// where there is one, else by the batch rule, whose error is bounded by Bernstein's ellipse but
-/// for roundoff. One object belongs to one thread.
+/// The exact solution of a scene for comparison: sizes, loads and coefficients to 20 digits by the
+/// scene's own routes, and pressures at any place to 20 digits, in closed form (double words) if
+/// there is one, else by the batch rule, whose error, apart from roundoff, is bounded by
+/// Bernstein's ellipse. One object belongs to one thread.
 class ExactContact {
 public:
-    /// Keeps no reference to the scene. Throws what run_scene and NormalContact throw for a load
-    /// that no contact carries, or an outer slope that ends inside it, and what ExactShear throws.
+    /// Keeps no reference to the scene. Throws as run_scene and NormalContact do for a load that no
+    /// contact carries, or an outer slope that ends inside it, and as ExactShear does.
     explicit ExactContact(const scene::Scene& scene);
     ~ExactContact();
     ExactContact(ExactContact&&) noexcept;
@@ -48,25 +48,25 @@ public:
     /// The radius in u within which the expansion at an edge converges.
     [[nodiscard]] double convergence_radius(contact::Edge edge) const;
     [[nodiscard]] const std::vector<ContactKnot>& knots() const;
-    /// How pressures are computed: "in closed form" (nearly all), or "by the batch rule".
+    /// Returns the method for pressures: "in closed form" (nearly all), or "by the batch rule".
     [[nodiscard]] std::string pressure_route() const;
 
-    /// What relative errors are of: the largest pressure, or, where that is infinite (a corner of
+    /// The reference of relative errors: the largest pressure, or, if that is infinite (a corner of
     /// g' inside the contact), the mean one, P/(a + b).
     struct Scale {
         double value = 0;
-        double x = 0; ///< where the largest pressure is
+        double x = 0; ///< the place of the largest pressure
         bool mean = false;
     };
     [[nodiscard]] const Scale& scale() const;
 
-    /// The pressure at x: 0 outside the contact, nothing on a corner. `from_right`, `from_left`
+    /// The pressure at x: 0 outside the contact, empty on a corner. `from_right` and `from_left`
     /// are a - x and x + b, without cancellation.
     struct Place {
         double from_right = 0;
         double from_left = 0;
         std::optional<double> p;
-        /// Of the same p, unrounded: what a difference is taken from.
+        /// The same p, unrounded, for differences.
         Real exact_p;
         [[nodiscard]] bool inside() const { return from_right > 0 && from_left > 0; }
         [[nodiscard]] contact::Edge nearer() const {
@@ -77,13 +77,13 @@ public:
     [[nodiscard]] Place at(const Real& x) const;
     [[nodiscard]] double pressure(double x) const; ///< the scale's value on a corner
 
-    /// The shear of a scene that has one.
+    /// The shear, if the scene has it; otherwise null.
     [[nodiscard]] const ExactShear* shear() const;
-    /// The exact q at the place of x: 0 outside; nothing where it is infinite (an edge under full
-    /// stick, a corner where q goes with p), and without shear.
+    /// The exact q at the place of x: 0 outside; empty where it is infinite (an edge under full
+    /// stick, a corner where q is proportional to p), and without shear.
     [[nodiscard]] std::optional<double> traction(const Real& x, const Place& place) const;
 
-    /// Digits that places are to be given with.
+    /// The digits with which places are to be given.
     static constexpr unsigned place_digits = 60;
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned traction_digits = 20;
 constexpr unsigned zone_digits = 40;
-constexpr unsigned slip_digits = 16; ///< of PartialSlip, which takes a quadrature a place
+constexpr unsigned slip_digits = 16; ///< for PartialSlip, which needs a quadrature for each place
 
 } // namespace
 

@@ -7,15 +7,15 @@
 
 namespace edgeproof::comparison {
 
-/// The exact shear traction of a scene at many places, to 20 digits less those that cancel where
-/// Q and sigma_0 act against each other. Under full stick in closed form; on the path `together`
+/// The exact shear traction of a scene at many places, to 20 digits minus those that cancel if Q
+/// and sigma_0 act against each other. Under full stick in closed form; on the path `together`
 /// (Q/P) p; in partial slip f (p - p*) with the batch rule for the pressure p* of the stick zone
-/// (docs/partial-slip.md), or, where a bulk tension draws the stick zone of a symmetric profile out
-/// of the middle, by PartialSlip. An estimate. One object belongs to one thread.
+/// (docs/partial-slip.md), or, if a bulk tension moves the stick zone of a symmetric profile out of
+/// the middle, by PartialSlip. An estimate. One object belongs to one thread.
 class ExactShear {
 public:
     /// Keeps a reference to the scene, which has shear. `whole`: the contact; `force`: P. Throws
-    /// InputError, told with its line, where the contact slides or the stick zone reaches an edge.
+    /// InputError, with the line, if the contact slides or the stick zone reaches an edge.
     ExactShear(const scene::Scene& scene, const contact::Profile& profile,
                const contact::Extent<Real>& whole, const Real& force);
     ~ExactShear();
@@ -24,11 +24,11 @@ public:
 
     /// q at a place inside the contact where the pressure is p.
     [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
-    /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: what
-    /// errors of q are relative to, as q itself may be infinite at the edges.
+    /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: the
+    /// reference of relative errors of q, since q itself may be infinite at the edges.
     [[nodiscard]] double scale() const;
     [[nodiscard]] double force() const; ///< Q
-    /// q grows without bound towards the edges: no partial slip.
+    /// True if q grows without bound towards the edges: no partial slip.
     [[nodiscard]] bool singular() const;
 
 private:

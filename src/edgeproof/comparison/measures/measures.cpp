@@ -14,13 +14,13 @@ namespace {
 
 constexpr double most_digits = 16;
 
-/// What is held of a node: its pressure, or its traction.
+/// The value of a node that is compared: its pressure, or its traction.
 struct HeldValue {
     std::optional<double> exact;
     double error = 0;
     double rounding = 0;
 
-    /// Infinite where it has no finite value: such an error is never small.
+    /// Infinite if the value is not finite: such an error is never small.
     [[nodiscard]] double counted() const {
         const double left = std::abs(error) - rounding;
         return std::isfinite(left) ? std::max(0.0, left) : std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ HeldValue held_traction(const Node& node) {
                       : HeldValue{};
 }
 
-/// `whole`: the norm is of the exact value at all nodes, not of those counted alone.
+/// `whole`: the norm of the exact value includes all nodes, not only those counted.
 Errors errors_of(const AlignedResult& data, double scale,
                  const std::function<bool(const Node&)>& counts,
                  HeldValue (*held)(const Node&) = held_pressure, bool whole = true) {
@@ -102,7 +102,7 @@ EdgeZone parse_edge_zone(std::string_view text) {
 }
 
 bool is_counted(const Node& node, const EdgeZone& zone, const DataContact& contact) {
-    // A node on the zone's own end counts, however its place is rounded.
+    // A node on the boundary of the zone is counted in spite of rounding.
     constexpr double almost = 1 - 1e-9;
     const double right = zone.at(contact::Edge::right, contact) * almost;
     const double left = zone.at(contact::Edge::left, contact) * almost;

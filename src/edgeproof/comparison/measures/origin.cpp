@@ -12,13 +12,13 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double least_shift = 0.02;     ///< of a + b
+constexpr double least_shift = 0.02;     ///< relative to a + b
 constexpr double loaded_fraction = 0.02; ///< of the largest pressure of the data
 constexpr std::size_t most_fitted = 300;
-constexpr double search_width = 1e-9; ///< of a + b
+constexpr double search_width = 1e-9; ///< relative to a + b
 
-/// The sum of squares of p less the exact one times what fits best, of the data moved by `origin`:
-/// a wrong factor of p is no reason to look for another origin.
+/// The sum of squares of p minus the best multiple of the exact one, for an origin of the data at
+/// `origin`. The multiple is free, so that a wrong factor of p does not change the origin.
 double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin) {
     std::vector<double> right;
     double products = 0;
@@ -55,7 +55,7 @@ double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& ex
     double s2 = upper - golden * (upper - lower);
     double f1 = mismatch(points, exact, s1);
     double f2 = mismatch(points, exact, s2);
-    // Far from 0 doubles are further apart than the width asked for.
+    // Far from 0, doubles are further apart than the requested width.
     constexpr int most_steps = 60;
     for (int k = 0; k < most_steps && upper - lower > search_width * exact.length(); ++k) {
         if (f1 < f2) {
@@ -75,7 +75,7 @@ double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& ex
     return 0.5 * (lower + upper);
 }
 
-/// The power of ten that is a 10^-5 to 10^-4 of the length.
+/// Returns the power of ten between 10^-5 and 10^-4 of the length.
 Rational round_step(double length) {
     Rational step(1, 100000);
     for (double unit = 10; unit <= length; unit *= 10) {
@@ -90,16 +90,16 @@ Rational round_step(double length) {
 Integer floor(const Rational& q) {
     const Integer n = numerator(q);
     const Integer d = denominator(q);
-    Integer quotient = n / d; // towards zero
+    Integer quotient = n / d; // rounded towards zero
     return quotient * d > n ? Integer(quotient - 1) : quotient;
 }
 
-/// An origin that a program may have, where the one found is as good as it.
+/// An origin that programs often use; preferred if the fitted one agrees with it.
 struct UsualOrigin {
     double origin;
     std::string_view what;
 };
-constexpr double same_origin = 1e-4; ///< of a + b
+constexpr double same_origin = 1e-4; ///< relative to a + b
 
 } // namespace
 
@@ -117,7 +117,7 @@ std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
     while (!loaded(*last)) {
         --last;
     }
-    constexpr double high = 0.4; // an end of the data at such a pressure is no edge
+    constexpr double high = 0.4; // an end of the data at such a pressure is not an edge
     Support s;
     s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
     s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
@@ -136,7 +136,7 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
     if (half) {
         start = *half == contact::Edge::right ? points.front().x : points.back().x;
     } else if (!support.left_falls || !support.right_falls) {
-        // The data end inside the contact: the edge that they show is laid on the exact one.
+        // The data end inside the contact: the one edge in them is aligned with the exact one.
         start = support.right_falls  ? support.right - right
                 : support.left_falls ? support.left - left
                                      : 0;
@@ -146,10 +146,10 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
     }
     double found = refined_origin(points, exact, start);
     if (!std::isfinite(found) || std::abs(found) < least_shift * length) {
-        return {}; // the middle was misled by the data's own edges
+        return {}; // the data's own edges had shifted the middle
     }
     if (!(mismatch(points, exact, found) <= 0.5 * mismatch(points, exact, 0))) {
-        return {}; // no better than the origin that stands
+        return {}; // no better than the present origin
     }
     const std::array usual{
         UsualOrigin{-left, ": x counts from the left edge of the contact"},
@@ -168,8 +168,8 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
     }
     origin.exact = Real(found);
     if (origin.what.empty()) {
-        // A round number as near as the search can distinguish is meant; else its last digit is
-        // uncertain.
+        // A round number within the resolution of the search is chosen; otherwise the last digit of
+        // the origin is uncertain.
         const Rational step = round_step(length);
         const Rational units = exact_rational(found) / step;
         const Rational round = step * Rational(floor(units + Rational(1, 2)));

@@ -14,25 +14,25 @@ struct RoughPoint {
     double p;
 };
 
-/// Where the data press, roughly.
+/// The loaded interval of the data, roughly.
 struct Support {
     double left = 0;
     double right = 0;
-    bool left_falls = false; ///< p goes down to nothing there, as it does at an edge
+    bool left_falls = false; ///< p falls to zero there, as at an edge
     bool right_falls = false;
 };
-/// Nothing where no node presses. `points`: by x.
+/// Returns nothing if no node is loaded. `points`: by x.
 [[nodiscard]] std::optional<Support> support_of(const std::vector<RoughPoint>& points);
 
-/// Where the scene's origin lies in the x of data, by the data.
+/// The scene's origin in the x of the data.
 struct FoundOrigin {
-    Real exact;             ///< a round number, or a usual place, where it is as near as that
-    double uncertainty = 0; ///< of x, where it is neither
+    Real exact;             ///< a round number or a usual place, if the fit agrees with it
+    double uncertainty = 0; ///< of x, otherwise
     std::string_view what;  ///< the usual place: ": x counts from the left edge of the contact"
 };
-/// By the middle of what the data press, refined by least squares of p over all nodes. Nothing
-/// where it is less than a fiftieth of a + b from 0, or does not fit clearly better than 0.
-/// `half`: the half of a symmetric contact that the data hold.
+/// Starts from the middle of the loaded interval and refines it by least squares of p over all
+/// nodes. Returns nothing if the origin is less than a fiftieth of a + b from 0, or does not fit
+/// clearly better than 0. `half`: the half of a symmetric contact that the data contain.
 [[nodiscard]] std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points,
                                                    const Support& support,
                                                    const std::optional<contact::Edge>& half,

@@ -18,7 +18,7 @@ constexpr unsigned digits_beyond = 15;
 constexpr int binary64_bits = 53;
 constexpr long least_exponent = -1074;
 
-/// Sizes of a contact, enough to tell where a point lies and how large M may be.
+/// The dimensions of a contact that determine the position of a point and the scale of M.
 struct Sizes {
     double a = 0;
     double b = 0;
@@ -28,7 +28,7 @@ struct Sizes {
 
 double number(const scene::BoundedValue& v) { return v.value.midpoint().convert_to<double>(); }
 
-/// a, b and P of every contact that is asked about.
+/// Computes a, b and P of every contact in the questions.
 std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options) {
     Questions sizes;
     sizes.file = questions.file;
@@ -82,13 +82,12 @@ Regime regime_of(const Question& q, const Sizes& sizes) {
     return u > length / 2 ? Regime::far_field : Regime::interior;
 }
 
-/// Of a point that has no reference.
+/// True if a point has no reference because it lies outside the contact.
 bool is_outside(const Question& q, const Sizes& sizes) {
     const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
     return q.u && !(u > 0 && u < sizes.a + sizes.b);
 }
 
-/// The unit in the last place of the binary64 of x.
 Real ulp(const Real& x) {
     long exponent = least_exponent;
     if (x != 0) {
@@ -97,8 +96,8 @@ Real ulp(const Real& x) {
     return ldexp(Real(1), static_cast<int>(exponent));
 }
 
-/// -log10(relative), 0 at least and `most` at most. Binary64 tells it but beside a tenth of a
-/// digit, which is what is shown.
+/// Returns -log10(relative), at least 0 and at most `most`. Binary64 suffices except near a tenth
+/// of a digit, the precision of the printed value.
 double digits_of(const Real& relative, unsigned most) {
     constexpr double beside = 1e-9;
     if (relative == 0) {
@@ -113,7 +112,7 @@ double digits_of(const Real& relative, unsigned most) {
     return std::clamp(digits, 0.0, static_cast<double>(most));
 }
 
-/// Answers held against references of so many digits.
+/// Compares answers with references of a given number of digits.
 class Holding {
 public:
     Holding(const Target& target, unsigned digits) : target_(target), digits_(digits) {
@@ -134,13 +133,14 @@ public:
         const Ball& exact = reference.value.value;
         const long bits = std::max(exact.bits(), formula::bits_for(digits_ + 20));
         const Ball error = abs(Ball(Ball(answer.value, bits) - exact));
-        // What the reference itself leaves open is not counted against the answer.
+        // The uncertainty of the reference is not counted as an error of the answer.
         const Real off = error.lower() > 0 ? error.lower() : Real(0);
         const bool zero = contains_zero(exact);
         const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
         const Real relative = off / size;
         result.digits = digits_of(relative, digits_);
-        // Of a ball around a power of two the unit is that of the power, not the half of it below.
+        // For a ball around a power of two, the unit is that of the power, not the half of it
+        // below.
         const Real reach = zero ? size : Real(abs(exact).upper());
         result.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
         result.relative = relative.convert_to<double>();
@@ -156,7 +156,6 @@ private:
     Real allowed_;
 };
 
-/// Which cases to find the conditioning of.
 std::vector<std::size_t> to_condition(const Agreements& agreements, bool all) {
     std::vector<std::size_t> which;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
@@ -168,7 +167,7 @@ std::vector<std::size_t> to_condition(const Agreements& agreements, bool all) {
     return which;
 }
 
-/// `all`: the conditioning of all, not only of those that miss the target.
+/// `all`: the conditioning of all cases, not only of those that miss the target.
 Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answers,
                         const Target& target, const ReferenceOptions& options, bool all) {
     Agreements result;
@@ -249,7 +248,7 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
     auto found = references_or_why(questions, options);
     if (!found.empty() && std::none_of(found.begin(), found.end(),
                                        [](const ReferenceOrWhy& r) { return r.reference; })) {
-        (void)references(questions, options); // throws the first
+        (void)references(questions, options); // throws the first error
     }
     return held_against(std::move(found), answers, target, options,
                         questions.list.size() <= most_conditioned);

@@ -23,7 +23,7 @@ class Echo {
 public:
     Echo(const io::Csv& csv, Questions& questions) : csv_(csv), to_(questions) {
         for (const std::string_view key : parameter_keys()) {
-            // P, M and alpha are parameters here; as quantities they stand in their own column.
+            // P, M and alpha are parameters here; as quantities they are in the column quantity.
             if (const auto at = csv.column(key)) {
                 keys_.emplace_back(std::string(key), *at);
             }
@@ -79,7 +79,7 @@ private:
         for (const auto& [key, at] : keys_) {
             (all_ += row.cells[at]) += '\n';
         }
-        if (last_ && last_->first == all_) { // rows of one contact stand together
+        if (last_ && last_->first == all_) { // rows of one contact usually follow one another
             return last_->second;
         }
         const auto [found, is_new] = known_.emplace(all_, to_.contacts.size());
@@ -98,7 +98,7 @@ private:
     [[nodiscard]] formula::Exact point_of(const io::Csv::Row& row) const {
         const std::string text = u_ ? row.cells[*u_] : "";
         try {
-            // A point outside the contact is a row without a reference, no reason to stop.
+            // A point outside the contact is a row without a reference, but not an error.
             formula::Exact u = formula::Exact::parse(text);
             return u;
         } catch (const Error& error) {
@@ -142,8 +142,8 @@ AnswerColumns columns_of(const io::Csv& csv) {
     return {*id, *value};
 }
 
-/// How many questions were asked by the note "questions: N"; nothing of another note. Throws
-/// InputError where N is no whole number, as nothing is then known of rows that are missing.
+/// Returns the number of questions in a note "questions: N"; nothing for another note. Throws
+/// InputError if N is not a whole number, since missing rows could then not be detected.
 std::optional<std::size_t> asked_by_note(const io::Csv& csv, std::size_t i) {
     constexpr std::string_view begins = "questions:";
     const std::string& note = csv.notes[i];
@@ -163,8 +163,8 @@ std::optional<std::size_t> asked_by_note(const io::Csv& csv, std::size_t i) {
     return asked;
 }
 
-/// Points for decimal commas where commas do not separate: a spreadsheet of such a country writes
-/// all numbers so. Ids and texts stay as they are.
+/// Replaces decimal commas by points if the separator is not a comma, as in spreadsheets of some
+/// countries. The ids are not changed.
 void put_decimal_points(const io::Csv& head, std::size_t id, io::Csv::Row& row) {
     if (head.separator == ',') {
         return;
@@ -176,7 +176,7 @@ void put_decimal_points(const io::Csv& head, std::size_t id, io::Csv::Row& row) 
     }
 }
 
-/// A row that can be read, of as many cells as the header has, or a fault.
+/// True for a readable row with as many cells as the header; otherwise adds a fault.
 bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>& faults) {
     const std::size_t needed = csv.header.cells.size();
     if (row.fault.empty() && row.cells.size() == needed) {
@@ -195,8 +195,7 @@ bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>
     return false;
 }
 
-/// Whether a repeated number is the one that was asked, but for its rounding, in single precision
-/// at worst.
+/// True if a repeated number equals the number asked up to rounding, at worst to single precision.
 bool same_number(const formula::Exact& echoed, const formula::Exact& asked) {
     constexpr double rounding = 1e-6;
     const Real difference = abs(Real(echoed.to<Real>() - asked.to<Real>()));
@@ -366,7 +365,7 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
                                      std::to_string(answer.line));
             continue;
         }
-        answers.out_of_order += i < next ? 1 : 0; // its id says what it answers
+        answers.out_of_order += i < next ? 1 : 0; // the id identifies the question
         next = std::max(next, i + 1);
         answer = read_answer(row.cells[columns.value]);
         answer.line = row.line;

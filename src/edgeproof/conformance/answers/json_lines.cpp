@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads `id` and `value` of one object: a number as its own text, so that no digit is lost.
+/// Reads `id` and `value` of one object. A number is kept as text, so that no digit is lost.
 class JsonRow : public nlohmann::json_sax<nlohmann::json> {
 public:
     std::string id;
@@ -49,8 +49,8 @@ public:
     }
 
 private:
-    /// A value of the object itself, not of one within it. False: there is no object, or it has
-    /// the value twice.
+    /// Takes a value of the object itself; values nested in it are ignored. Returns false if there
+    /// is no object, or if it has the value twice.
     bool take(const std::string& text) {
         if (depth_ != 1) {
             return depth_ > 1;
@@ -74,7 +74,7 @@ bool read(const std::string& line, JsonRow& row) {
     return nlohmann::json::sax_parse(line, &row) && row.has_id && row.has_value;
 }
 
-/// NaN, Infinity and -Infinity, which Python writes and JSON does not have, in quotes.
+/// Puts quotes around NaN, Infinity and -Infinity, which Python writes and JSON does not allow.
 std::string with_quotes(std::string line) {
     for (const std::string word : {"-Infinity", "Infinity", "NaN"}) {
         for (std::size_t at = 0; (at = line.find(word, at)) != std::string::npos;) {

@@ -14,7 +14,7 @@ namespace {
 constexpr long most_binary_exponent = 332'192; // 2^332192 < 10^100000
 constexpr std::size_t most_hexadecimal_digits = 100'000;
 
-// <cctype> asks the locale.
+// <cctype> depends on the locale.
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hexadecimal_digit(char c) { return is_decimal_digit(c) || (c >= 'a' && c <= 'f'); }
 bool is_word(char c) { return is_decimal_digit(c) || (c >= 'a' && c <= 'z') || c == '_'; }
@@ -27,7 +27,7 @@ std::string in_lower_case(std::string_view text) {
     return out;
 }
 
-/// Takes a text apart from its front.
+/// Splits a text from its front.
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : rest_(text) {}
@@ -43,7 +43,7 @@ public:
         rest_.remove_prefix(taken.size());
         return taken;
     }
-    /// -1, or 1 for a plus or no sign.
+    /// Returns -1, or 1 for a plus or no sign.
     int sign() { return take("-") ? -1 : (take("+"), 1); }
     [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
@@ -68,7 +68,7 @@ std::optional<WrittenDigits> digits_with_a_point(Scanner& scanner, const Is& is)
     return digits.all.empty() ? std::nullopt : std::optional(digits);
 }
 
-/// What follows the letter of an exponent: a sign or none, and digits up to the end.
+/// Reads the part after the letter of an exponent: an optional sign, and digits up to the end.
 std::optional<long> exponent_to_the_end(Scanner& scanner) {
     const int sign = scanner.sign();
     const std::string_view digits = scanner.take_all(is_decimal_digit);
@@ -94,14 +94,14 @@ std::optional<Rational> hexadecimal_value(Scanner& scanner) {
     if (!scanner.at_end()) {
         return {};
     }
-    // A leading zero would not make it octal, but an empty number is none.
+    // The leading zero does not make the number octal, and prevents an empty number.
     const Integer whole("0x0" + digits->all);
     exponent -= 4 * static_cast<long>(digits->behind_point);
     const Integer power = Integer(1) << static_cast<unsigned>(std::abs(exponent));
     return exponent < 0 ? Rational(whole, power) : Rational(whole * power);
 }
 
-/// The grammar is checked here; the value is that of `plain`, an E for the exponent.
+/// Checks the grammar; the value is that of `plain`, which has E for the exponent.
 std::optional<Rational> decimal_value(Scanner& scanner, std::string plain) {
     if (!digits_with_a_point(scanner, is_decimal_digit)) {
         return {};
@@ -117,7 +117,7 @@ std::optional<Rational> decimal_value(Scanner& scanner, std::string plain) {
     std::replace(plain.begin(), plain.end(), 'd', 'e');
     try {
         return parse_decimal(plain);
-    } catch (const InputError&) { // too long, or beyond the range
+    } catch (const InputError&) { // too long, or out of range
         return {};
     }
 }

@@ -8,27 +8,27 @@
 
 namespace edgeproof::conformance {
 
-/// What a text that another program wrote for a number is.
+/// The interpretation of a text that another program wrote for a number.
 struct WrittenNumber {
     enum class Kind { number, nan, infinite, other };
     Kind kind = Kind::other;
-    Rational value; ///< exactly what is written, for Kind::number
+    Rational value; ///< the exact value of the text, for Kind::number
 };
 
-/// The one grammar of numbers in answers, the whole text or nothing; letters of either case:
+/// The grammar of numbers in answers, for the whole text; letters of either case:
 ///
 ///     number      = [sign] (decimal | hexadecimal)
 ///     decimal     = digits-with-a-point [(E | D) [sign] digits]
 ///     hexadecimal = 0x hex-digits-with-a-point [P [sign] digits]
-///     digits-with-a-point: at least one digit and at most one point, before, between or behind
+///     digits-with-a-point: at least one digit and at most one point, before, between or after them
 ///     nan         = [sign] nan [(letters, digits, _)]
 ///     infinite    = [sign] (inf | infinity)
 ///
-/// One sign at most, no blanks. A number beyond 10^(+-100000) or of more than 100,000 digits is
+/// At most one sign, no blanks. A number beyond 10^(+-100000) or of more than 100,000 digits is
 /// Kind::other. Never throws.
 [[nodiscard]] WrittenNumber written_number(std::string_view text);
 
-/// The text with a point for the comma, where it is such a decimal but for the comma.
+/// Replaces the comma by a point, if the text is then a decimal of the grammar.
 [[nodiscard]] std::optional<std::string> with_decimal_point(std::string_view text);
 
 } // namespace edgeproof::conformance

@@ -14,7 +14,7 @@ namespace edgeproof::conformance {
 namespace {
 
 constexpr std::size_t hopeless_questions = 3;
-// What a run may write, and what is kept of it: generous to long answers, and bounded.
+// Limits of the output of a run: large enough for long answers, but bounded.
 constexpr std::size_t bytes_of_a_run = 1'000'000;
 constexpr std::size_t bytes_an_answer = 128'000;
 constexpr std::size_t most_bytes = 200'000'000;
@@ -35,7 +35,7 @@ io::Csv rows_of(const std::string& output, Lines lines, const std::string& name,
         const std::size_t cells = csv.header.cells.size();
         csv.header.cells = {"id", "value"};
         for (io::Csv::Row& row : csv.rows) {
-            // A row that is not whole must not look as if it were.
+            // An incomplete row must not look complete.
             row.cells = row.cells.size() == cells ? std::vector{row.cells[*id], row.cells[*value]}
                                                   : std::vector{row.cells.front()};
         }
@@ -107,7 +107,7 @@ private:
             several_ || runs_ > 1 ? program_name + ", run " + std::to_string(runs_) : program_name;
         const std::string ending = run.ending();
         if (!ending.empty()) {
-            // It may have ended within a number: what is left of that is another number.
+            // It may have ended within a number; an incomplete number would be wrong.
             run.output.resize(run.output.rfind('\n') + 1); // npos + 1 is 0
         }
         Answers answers;
@@ -141,7 +141,7 @@ private:
         answered_ = answered_ || some;
         keeps_back_ = keeps_back_ || (some && batch.size() == 1 && suspect_ == batch.front());
         if (ending.empty()) {
-            return; // what is left is missing
+            return; // the remaining answers are missing
         }
         last_ending_ = ending;
         if (left.empty()) {
@@ -165,10 +165,11 @@ private:
         return call;
     }
 
-    /// What a run that ended badly has not answered is asked again, in smaller batches.
+    /// Asks the questions left by a failed run again, in smaller batches.
     void divide(const Batch& left, bool some) {
         if (!answered_ && ended_by_ == 0 && left.size() > hopeless_questions) {
-            // Does it answer anything at all? The first, the last and the middle one tell.
+            // The first, the last and the middle question show if the program answers anything at
+            // all.
             const std::size_t middle = left.size() / 2;
             halve(Batch(left.begin() + 1, left.begin() + static_cast<long>(middle)),
                   Batch(left.begin() + static_cast<long>(middle) + 1, left.end() - 1));
@@ -177,8 +178,9 @@ private:
             }
             return;
         }
-        // One that writes as it goes was ended by the first without an answer. One that keeps its
-        // answers back tells nothing: from when that is seen on, halves.
+        // A program that writes each answer immediately was crashed by the first unanswered
+        // question. A program that buffers its answers gives no such hint: once this is known,
+        // batches are halved.
         const bool as_it_goes = some && !keeps_back_;
         const std::size_t first = as_it_goes ? 1 : (left.size() + 1) / 2;
         const auto middle = left.begin() + static_cast<long>(first);
@@ -200,7 +202,7 @@ private:
     bool several_ = false;
     bool answered_ = false;
     std::size_t runs_ = 0;
-    std::size_t ended_by_ = 0; ///< questions that ended it, asked alone
+    std::size_t ended_by_ = 0; ///< questions that crashed it, asked alone
     std::optional<std::size_t> suspect_;
     bool keeps_back_ = false;
     std::string last_ending_;

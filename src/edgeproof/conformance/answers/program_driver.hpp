@@ -10,38 +10,39 @@
 
 namespace edgeproof::conformance {
 
-/// In what a program is spoken to, and answers: CSV with a header line, or a JSON object a line.
+/// The format of questions and answers: CSV with a header line, or one JSON object per line.
 enum class Lines { csv, json };
 
 struct ProgramDriverOptions {
-    std::string command; ///< of the shell
+    std::string command; ///< for the shell
     Lines lines = Lines::csv;
-    double seconds = 600;    ///< that one run may take
-    std::size_t batch = 500; ///< questions that one run is asked
-    std::size_t runs = 200;  ///< the program is started at most so often
-    /// Questions done with, of how many.
+    double seconds = 600;    ///< the longest time of one run
+    std::size_t batch = 500; ///< questions per run
+    std::size_t runs = 200;  ///< the most starts of the program
+    /// Called with the number of finished questions, and their total.
     std::function<void(std::size_t, std::size_t)> progress = {};
-    /// The questions as text for Lines::csv.
     std::function<std::string(const Questions&)> write_csv = {};
-    /// Is given what the program writes to its standard error.
+    /// Called with the text that the program writes to its standard error.
     std::function<void(std::string_view)> said = {};
 };
 
-/// What a program answers, whatever it does; only id and value of each row are read. It is started
-/// for each batch. Where a run ends badly, what it answered until then counts, but for a line that
-/// it did not end, and the rest is asked again in smaller batches, down to one, whether or not its
-/// answers had been written when it ended: so each question that ends the program is found, and is
-/// State::died, and none of the others suffers. After three single questions that ended it where
-/// none was ever answered it is given up, as it is after options.runs: what is left is missing, and
-/// a fault says so. What is kept of a run is bounded by the questions it is asked. Throws
-/// Interrupted; Error where no program can be started at all.
+/// Returns the answers of a program, however it behaves; only id and value of each row are read.
+/// The program is started for each batch. If a run fails, its answers so far are kept, except for
+/// an incomplete last line. The remaining questions are asked again in smaller batches, down to
+/// one, whether or not the program had written its answers when it ended. So each question that
+/// crashes the program is found and becomes State::died, without loss of the other answers. The
+/// driver gives up after three single questions that crashed it without any answer so far, and
+/// after options.runs; the remaining answers are missing, and a fault reports it. Output is bounded
+/// by the number of questions of a run. Throws Interrupted; Error if no program can be started at
+/// all.
 [[nodiscard]] Answers ask_program_in_batches(const Questions& asked,
                                              const ProgramDriverOptions& options);
 
-/// The questions as JSON lines: an object each, every value a string, empty ones left out.
+/// Returns the questions as JSON lines: an object each, with text values, without empty ones.
 [[nodiscard]] std::string json_lines(const Questions& questions);
-/// JSON lines as rows of id and value, numbers with every digit as written (and Python's NaN and
-/// Infinity); what is no such object, or has an id or a value twice, is a row of one cell.
+/// Reads JSON lines as rows of id and value; numbers keep all digits as written (including Python's
+/// NaN and Infinity). A line that is not such an object, or has an id or a value twice, becomes a
+/// row of one cell.
 [[nodiscard]] io::Csv
 parse_json_lines(std::string_view text, const std::string& file,
                  std::size_t most_rows = std::numeric_limits<std::size_t>::max());

@@ -16,7 +16,7 @@ namespace {
 
 using namespace convention_rule;
 
-/// The references of the failing rows, at the other edge; nothing where one has none.
+/// The references of the failing rows at the other edge, as far as they exist.
 std::map<std::size_t, Ball> mirrored_references(const Answers& answers,
                                                 const std::vector<std::size_t>& failing,
                                                 ReferenceOptions options) {
@@ -36,22 +36,22 @@ std::map<std::size_t, Ball> mirrored_references(const Answers& answers,
     std::map<std::size_t, Ball> balls;
     const auto values = references_where_any(mirrored, options);
     for (std::size_t k = 0; k < of.size(); ++k) {
-        if (values[k]) { // else a corner, seen from the other edge
+        if (values[k]) { // otherwise it is a corner, seen from the other edge
             balls.emplace(of[k], values[k]->value.value);
         }
     }
     return balls;
 }
 
-/// Failing rows that have something in common.
+/// Failing rows with a common property.
 struct Group {
     std::string name;   ///< "p", "p, left edge", "c_1"
     std::string family; ///< "p", "c_k"
     std::vector<FailingRow> rows;
 };
 
-/// Each failing row belongs to its quantity (c_k and s_k together, and each), at both edges and at
-/// its own.
+/// Assigns each failing row to its quantity (c_k and s_k together, and separately), at both edges
+/// and at its own edge.
 class Groups {
 public:
     void add(const Question& q, const FailingRow& row) {
@@ -65,7 +65,7 @@ public:
             add(name, family, row);
         }
     }
-    /// The widest first; of the same rows, the name that says most of them.
+    /// Sorts the largest group first; among groups of the same rows, the most specific name first.
     [[nodiscard]] std::vector<Group> sorted() && {
         const auto says = [](const std::string& name) {
             return name.size() + (name.ends_with("_k") ? 0 : 1);
@@ -87,7 +87,7 @@ private:
     std::vector<Group> groups_;
 };
 
-/// Rows that are off, not only of too few digits.
+/// Returns the rows with wrong values, not only with too few digits.
 std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements) {
     std::vector<std::size_t> failing;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
@@ -101,7 +101,7 @@ std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements
     return failing;
 }
 
-/// What explains several quantities is said once.
+/// Merges equal conventions of several quantities.
 std::vector<Convention> said_once(const std::vector<Convention>& found) {
     std::vector<Convention> merged;
     for (const Convention& c : found) {
@@ -147,7 +147,7 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     }
     const std::vector<Group> groups = std::move(gathered).sorted();
     std::set<std::size_t> explained;
-    std::vector<std::pair<std::string, Convention>> by_factor; // and the family
+    std::vector<std::pair<std::string, Convention>> by_factor; // with the family
     const auto look = [&](bool named) {
         for (const Group& group : groups) {
             const bool known =
@@ -204,7 +204,7 @@ std::vector<std::string> unexplained(const Answers& answers, const Agreements& a
     for (const Convention& c : conventions) {
         explained += "; " + c.of;
     }
-    std::map<std::string, std::pair<std::size_t, bool>> families; // rows, and whether explained
+    std::map<std::string, std::pair<std::size_t, bool>> families; // rows, explained
     for (const std::size_t i : rows_that_fail(answers, agreements)) {
         const Question& q = answers.questions.list[i];
         auto& [rows, known] = families[family_of(q)];

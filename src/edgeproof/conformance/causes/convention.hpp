@@ -8,30 +8,30 @@
 
 namespace edgeproof::conformance {
 
-/// What one convention, another than ours, would explain: still a failure, but one with a way out.
+/// A different convention that would explain failures; they still fail, but can be corrected.
 struct Convention {
-    std::string of;       ///< the quantities that it explains: "p", "p, left edge", "c_1", "p; P"
+    std::string of;       ///< the quantities explained: "p", "p, left edge", "c_1", "p; P"
     std::string relation; ///< "2 times ours"
-    double digits = 0;    ///< to which that holds in the worst of the rows explained
-    std::size_t rows = 0; ///< explained
+    double digits = 0;    ///< the digits of the relation in the worst of the rows explained
+    std::size_t rows = 0; ///< rows explained
     std::size_t failing = 0;
-    std::string hint; ///< what may be behind it and what to do
-    /// Other relations that leave as little: the answers do not tell them apart.
+    std::string hint; ///< the possible cause and its correction
+    /// Other relations that fit equally well: the answers do not distinguish them.
     std::vector<std::string> also = {};
-    double held = 0; ///< digits to which nine of ten rows hold it
+    double held = 0; ///< the digits of the relation in nine of ten rows
 };
 
-/// Looks in the failing rows for numbers of few digits, for questions read otherwise
+/// Searches the failing rows for numbers of few digits, for questions interpreted differently
 /// (unit_mistake.hpp), and for a uniform factor (2, 1/2, pi, units of other systems, ... or any
-/// other), a sign, and the edges taken for one another (factor_mistake.hpp): quantity by quantity,
-/// at both edges, else at one. A convention counts when at least 3 failing rows, and 9 of 10, hold
-/// it to within their own scatter, that scatter is below 3 %, and less than a quarter is left of
-/// what is off without it. One that explains several quantities is said once, of all of them.
+/// other), a sign, and exchanged edges (factor_mistake.hpp): for each quantity at both edges, else
+/// at one. A convention is accepted if at least 3 failing rows, and 9 of 10, follow it within their
+/// own scatter, this scatter is below 3 %, and it leaves less than a quarter of the error. A
+/// convention that explains several quantities is reported once.
 [[nodiscard]] std::vector<Convention> infer_conventions(const Answers& answers,
                                                         const Agreements& agreements,
                                                         const ReferenceOptions& options);
 
-/// The quantities of failing rows, three or more of each, that none of the conventions explains.
+/// Returns the quantities with three or more failing rows that none of the conventions explains.
 [[nodiscard]] std::vector<std::string> unexplained(const Answers& answers,
                                                    const Agreements& agreements,
                                                    const std::vector<Convention>& conventions);

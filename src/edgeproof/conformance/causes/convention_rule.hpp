@@ -7,30 +7,30 @@
 #include <cstddef>
 #include <vector>
 
-/// When a convention counts (convention.hpp), whatever kind it is of. What answers and a convention
-/// agree to is measured in digits, and the scatter of the answers themselves sets how many are
-/// asked for: an answer of three digits is held to three.
+/// The rules for accepting a convention (convention.hpp) of any kind. The agreement of answers with
+/// a convention is measured in digits. The scatter of the answers determines the digits required:
+/// answers of three digits need to agree to three.
 namespace edgeproof::conformance::convention_rule {
 
 inline constexpr std::size_t least_rows = 3;
 inline constexpr double least_share = 0.9;
 inline constexpr unsigned most_digits = 40;
-/// What agrees to so many digits is the same.
+/// Values that agree to this number of digits are regarded as equal.
 inline constexpr double same_digits = 6;
-/// Nine rows of ten agree to 3 %: scatter beyond that hides what is behind it.
+/// Nine rows of ten must agree to 3 %: larger scatter would hide the cause.
 inline constexpr double least_digits = 1.5;
-/// A convention leaves less than a quarter of what is off without it.
+/// A convention must leave less than a quarter of the error without it.
 inline constexpr double least_gain = 0.6;
-/// Conventions that leave as little as the best, to a quarter, are not told apart.
+/// Conventions whose errors are within a quarter of the best are not distinguished.
 inline constexpr double as_good = 0.1;
 
-/// So many rows of so many that fail.
+/// True if this number of rows suffices to explain the failing ones.
 [[nodiscard]] inline bool enough(std::size_t rows, std::size_t failing) {
     return rows >= least_rows &&
            static_cast<double>(rows) >= least_share * static_cast<double>(failing);
 }
 
-/// To which the two agree, at most `most_digits`.
+/// The number of digits to which the two agree, at most `most_digits`.
 [[nodiscard]] inline double digits_between(const Real& value, const Real& other) {
     const Real off = abs(Real(value / other - 1));
     return off == 0 ? most_digits
@@ -38,7 +38,7 @@ inline constexpr double as_good = 0.1;
                                  static_cast<double>(most_digits));
 }
 
-/// The digits that all rows but a tenth of them have; 0 for none.
+/// The digits that at least nine of ten rows have; 0 without rows.
 [[nodiscard]] inline double held_by_most(std::vector<double> digits) {
     if (digits.empty()) {
         return 0;
@@ -47,8 +47,8 @@ inline constexpr double as_good = 0.1;
     return digits[static_cast<std::size_t>((1 - least_share) * static_cast<double>(digits.size()))];
 }
 
-/// The digits at which a single row follows a convention that most rows hold to `held` digits: of
-/// scatter, one row in ten has up to three times what the others have.
+/// The digits required of a single row for a convention that most rows follow to `held` digits: one
+/// row in ten may scatter up to three times as much as the others.
 [[nodiscard]] inline double follows_from(double held) {
     constexpr double three_times = 0.5;
     return std::min(same_digits, held - three_times);

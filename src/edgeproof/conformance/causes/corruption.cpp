@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t digits_of_a_double = 15;
 constexpr std::size_t most_attempts = 1000;
 
-// They stand for quotes that a cell must not have, until it is written.
+// Placeholders for invalid quotes in a cell until the text is written.
 const std::string quote_begins = "\x01";
 const std::string quote_ends = "\x02";
 
@@ -51,7 +51,7 @@ public:
         u_ = right.column("u");
     }
 
-    /// Tries until something is really wrong.
+    /// Repeats until a change has an effect.
     Corruption corrupt(std::size_t kind) {
         const auto& [name, change] = kinds()[kind % kinds().size()];
         for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
@@ -75,7 +75,7 @@ private:
     std::size_t below(std::size_t n) { return random_.below(n); }
     std::size_t row(const io::Csv& csv) { return below(csv.rows.size()); }
     static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-    /// Every digit of it; "inf" where a change leads beyond the range.
+    /// Returns all digits; "inf" if a change leads out of range.
     static std::string text(double x) {
         return std::isfinite(x) ? exact_text(exact_rational(x)) : fmt::format("{}", x);
     }
@@ -86,7 +86,7 @@ private:
         return right_.rows[r].cells[id_] + ": " + right_.rows[r].cells[value_] + " to " +
                csv.rows[r].cells[value_];
     }
-    /// A row with a value that is not zero, put through f; nothing where f changes nothing.
+    /// Applies f to a random value that is not zero; returns an empty text if f changes nothing.
     std::string one(io::Csv& csv, const std::function<std::string(const std::string&)>& f) {
         const std::size_t r = row(csv);
         std::string& v = value(csv, r);
@@ -106,7 +106,7 @@ private:
         }
         return any ? "every value" : "";
     }
-    /// Places of the digits that count.
+    /// Returns the positions of the significant digits.
     static std::vector<std::size_t> digits(const std::string& v) {
         std::vector<std::size_t> places;
         for (std::size_t i = 0; i < v.size() && v[i] != 'e'; ++i) {
@@ -150,7 +150,7 @@ private:
         std::swap(value(csv, r), value(csv, other));
         return value(csv, r) == value(csv, other) ? "" : told(csv, r);
     }
-    /// The values of the same question at the two edges.
+    /// Exchanges the values of the same question at the two edges.
     std::string other_edge(io::Csv& csv) {
         const std::size_t r = row(csv);
         const std::string& id = right_.rows[r].cells[id_];
@@ -167,7 +167,6 @@ private:
         }
         return {};
     }
-    /// All values of one quantity times a factor.
     std::string quantity(io::Csv& csv, double factor) {
         const std::size_t chosen = row(csv);
         if (!quantity_ || number(value(csv, chosen)) == 0) {
@@ -202,7 +201,8 @@ private:
         csv.rows.insert(csv.rows.begin() + static_cast<long>(r), again);
         return right_.rows[r].cells[id_];
     }
-    /// Cut anywhere behind the header, but for the last line's end and its digits beyond the 15th.
+    /// Cuts the text anywhere after the header, except within its last five characters, where the
+    /// cut might not change a value.
     std::string truncated(io::Csv& csv) {
         const std::size_t size = csv_text(csv).size();
         const std::size_t header = header_text(csv).size();

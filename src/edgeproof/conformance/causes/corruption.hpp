@@ -9,22 +9,22 @@
 
 namespace edgeproof::conformance {
 
-/// A file of answers that is wrong, and how it came to be.
+/// A file of wrong answers, and its error.
 struct Corruption {
     std::string kind; ///< "one digit of one value", ...
-    std::string what; ///< which row and what was there
+    std::string what; ///< the row and its previous content
     std::string text; ///< the file
 };
 
-/// `count` files made wrong from the right one, kind by kind in turn, from a seed: the same ones on
-/// every machine. Each differs from the right file in what it answers: of a digit, one of the first
-/// 15 is changed, which no double within half a unit in its last place survives; edges and rows are
-/// exchanged only where their values differ. The file must have the columns id and value, and two
-/// rows of different values. Throws InputError where it has not.
+/// Returns `count` wrong files made from a correct one; the kinds of errors take turns. The seed
+/// determines the files on every machine. Each file differs in its answers: a changed digit is one
+/// of the first 15, so that the value differs by more than half a unit in the last place of a
+/// double; edges and rows are exchanged only if their values differ. The file must have the columns
+/// id and value, and two rows with different values; otherwise throws InputError.
 [[nodiscard]] std::vector<Corruption> corruptions(const io::Csv& right, std::uint64_t seed,
                                                   std::size_t count);
 
-/// The table as text again, without its notes.
+/// Returns the table as text, without its notes.
 [[nodiscard]] std::string csv_text(const io::Csv& csv);
 
 } // namespace edgeproof::conformance

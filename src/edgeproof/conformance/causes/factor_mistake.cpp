@@ -85,14 +85,14 @@ std::string in_words(const Factor& factor, bool negative) {
     return fmt::format("{}{} times ", negative ? "-" : "", text);
 }
 
-/// Rows held to one factor.
 struct Held {
     std::size_t rows = 0;
-    double worst = 0; ///< digits, of the rows that follow
+    double worst = 0; ///< in digits, of the rows that follow the factor
     double most = 0;  ///< digits that nine of ten have
 };
 
-/// Ratios of answers to ours, or to ours at the other edge; rows without one follow nothing.
+/// Ratios of the answers to the references, or to those at the other edge; rows without a ratio do
+/// not follow any factor.
 class Ratios {
 public:
     Ratios(std::vector<Real> ratios, std::size_t rows) : ratios_(std::move(ratios)), rows_(rows) {
@@ -107,13 +107,13 @@ public:
     }
     [[nodiscard]] bool one_number() const { return spread_ >= least_digits; }
     [[nodiscard]] const Real& median() const { return median_; }
-    /// Whether the median may stand for the factor: within four of its standard errors, or half the
-    /// scatter, which need not be of independent errors.
+    /// True if the median is compatible with the factor: within four of its standard errors, or
+    /// half the scatter, since errors need not be independent.
     [[nodiscard]] bool allow(const Real& factor) const {
         const double off = std::pow(10, -digits_between(median_, factor));
         return off <= std::max({std::pow(10, -same_digits), 4 * standard_error(), scatter() / 2});
     }
-    /// The median, to the digits that it has.
+    /// Returns the median with its significant digits.
     [[nodiscard]] std::string median_text() const {
         constexpr double most_printed = 10;
         const double digits = -std::log10(standard_error() + std::pow(10, -most_printed));
@@ -138,9 +138,9 @@ public:
 
 private:
     [[nodiscard]] double scatter() const { return std::pow(10, -spread_); }
-    /// Of the median, relative, were the errors independent.
+    /// The relative standard error of the median, assuming independent errors.
     [[nodiscard]] double standard_error() const {
-        constexpr double deviations_in_the_spread = 1.645; // that nine of ten are within
+        constexpr double deviations_in_the_spread = 1.645; // nine of ten are within
         constexpr double of_a_median = 1.25;
         return of_a_median * scatter() / deviations_in_the_spread /
                std::sqrt(static_cast<double>(ratios_.size()));
@@ -152,7 +152,7 @@ private:
     double spread_ = 0;
 };
 
-/// The digits of half the rows as they stand.
+/// The digits that half the rows have without a factor.
 double digits_of_half(const std::vector<FailingRow>& rows) {
     std::vector<double> digits;
     for (const FailingRow& row : rows) {
@@ -163,12 +163,11 @@ double digits_of_half(const std::vector<FailingRow>& rows) {
     return *middle;
 }
 
-/// The factors with names that the ratios allow, the nearest first.
 struct Allowed {
     Real value;
     std::string words;
     const char* hint;
-    double digits; ///< of the median to it
+    double digits; ///< agreement with the median
 };
 std::vector<Allowed> allowed_by(const Ratios& ratios) {
     std::vector<Allowed> allowed;

@@ -10,16 +10,17 @@
 
 namespace edgeproof::conformance {
 
-/// A failing row: the answer over the reference, and over what stands at the other edge.
+/// A failing row: the ratio of the answer to the reference, and to the reference at the other edge.
 struct FailingRow {
     std::size_t question;
     Real ratio;
     std::optional<Real> mirrored;
 };
 
-/// Whether the rows are ours times one number but 1, of the same edge or of the other one. The
-/// number is the median ratio; the scatter about it says which factors with a name it may be, and
-/// of those the nearest is named, others beside it. `named`: a factor with a name; else any.
+/// Checks if the answers are the references, at the same or at the other edge, times one number
+/// other than 1. The number is the median ratio; its scatter determines which named factors are
+/// possible. The nearest of these is reported, and the others are listed. `named`: only a factor
+/// with a name; else any.
 [[nodiscard]] std::optional<Convention>
 infer_factor(const std::string& of, const std::vector<FailingRow>& rows, bool named);
 

@@ -7,7 +7,7 @@
 namespace edgeproof::conformance {
 
 void FailingRows::add(const Answers& answers, const Agreements& agreements) {
-    std::map<std::size_t, std::size_t> contacts; // of the block, kept
+    std::map<std::size_t, std::size_t> contacts; // from the block to those kept
     answers_.questions.file = answers.questions.file;
     agreements_.digits = agreements.digits;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {

@@ -8,20 +8,20 @@
 
 namespace edgeproof::conformance {
 
-/// Of answers that come block by block those that tell by which convention they were computed, were
-/// it another: the rows that fail, the first `most` of them.
+/// Collects the rows that fail, at most the first `most`, from answers in blocks; conventions are
+/// inferred from these rows.
 class FailingRows {
 public:
     static constexpr std::size_t most = 10'000;
 
     void add(const Answers& answers, const Agreements& agreements);
-    /// There are more than are kept.
+    /// True if there are more than are kept.
     [[nodiscard]] bool cut() const { return seen_ > answers_.given.size(); }
     [[nodiscard]] std::size_t seen() const { return seen_; }
     [[nodiscard]] std::size_t kept() const { return answers_.given.size(); }
-    /// infer_conventions() of those that are kept.
+    /// Calls infer_conventions() for the rows kept.
     [[nodiscard]] std::vector<Convention> conventions(const ReferenceOptions& options) const;
-    /// unexplained() of those.
+    /// Calls unexplained() for the rows kept.
     [[nodiscard]] std::vector<std::string>
     unexplained_by(const std::vector<Convention>& conventions) const;
 

@@ -13,10 +13,10 @@ namespace edgeproof::conformance {
 namespace {
 
 constexpr double least_digits_kept = 5.5;
-constexpr unsigned binary32_digits = 9; // that tell every binary32 from its neighbours
+constexpr unsigned binary32_digits = 9; // identify every binary32
 constexpr unsigned full_digits = 15;
 
-/// Significant digits of a decimal as it is written; 0 for anything else.
+/// Counts the significant digits of a decimal as written; 0 for any other text.
 unsigned digits_written(const std::string& text) {
     unsigned digits = 0;
     for (const char c : text) {
@@ -31,11 +31,11 @@ unsigned digits_written(const std::string& text) {
     return digits;
 }
 
-/// Whether the answer is a binary32, or one written with the few digits that tell it.
+/// True if the answer is a binary32, or one written with the few digits that identify it.
 bool is_single(const Answer& answer) {
     const auto near = answer.value.convert_to<float>();
     if (static_cast<double>(near) == answer.value.convert_to<double>()) {
-        // A short decimal such as 0.5 says nothing.
+        // A short decimal such as 0.5 is no evidence.
         return digits_written(answer.text) == 0 || digits_written(answer.text) > 4;
     }
     const unsigned digits = digits_written(answer.text);
@@ -43,7 +43,7 @@ bool is_single(const Answer& answer) {
     return digits > 0 && digits <= binary32_digits && read_answer(text).value == answer.value;
 }
 
-/// Whether the reference, rounded to as many digits as the answer has, is the answer.
+/// True if the reference, rounded to the number of digits of the answer, is the answer.
 bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
     const Rounded rounded = round_ball(reference.value.value, digits);
     return rounded.complete && read_answer(rounded.text).value == answer.value;

@@ -16,7 +16,7 @@ namespace {
 
 using namespace convention_rule;
 
-constexpr std::size_t most_rows_of_a_family = 60; // enough to tell which readings to hold to all
+constexpr std::size_t most_rows_of_a_family = 60; // enough to select readings to test on all
 constexpr unsigned reading_digits = 30;
 
 using Parameters = std::vector<Parameter>;
@@ -30,7 +30,7 @@ std::string* find(Parameters& parameters, std::string_view key) {
     return nullptr;
 }
 
-/// Puts each of the parameters that there are through `form`, where % stands for the text.
+/// Replaces each of the existing parameters by `form`, with its text in place of %.
 bool replaced(Parameters& parameters, const std::vector<std::string_view>& keys,
               const std::string& form) {
     bool any = false;
@@ -46,7 +46,7 @@ bool replaced(Parameters& parameters, const std::vector<std::string_view>& keys,
     return any;
 }
 
-/// The moduli and Poisson's ratios, as one modulus.
+/// Replaces the moduli and Poisson's ratios by one modulus.
 bool modulus(Parameters& parameters, const std::string& form) {
     const std::string* const e1 = find(parameters, "E1");
     const std::string* const nu1 = find(parameters, "nu1");
@@ -69,11 +69,11 @@ bool modulus(Parameters& parameters, const std::string& form) {
     return true;
 }
 
-/// A way to read a question that is not ours.
+/// An alternative interpretation of a question.
 struct Reading {
     const char* relation;
     const char* hint;
-    /// Changes the question into what it was taken for; false: it would be the same.
+    /// Changes the question to that interpretation; false if this does not change it.
     std::function<bool(Parameters&, Question&)> change;
 };
 
@@ -146,14 +146,15 @@ const std::vector<Reading>& readings() {
     return all;
 }
 
-/// Rows of one family, held against what a reading makes of their questions.
+/// Rows of one family, compared with the references of an interpretation.
 class Rows {
 public:
     void add(double agreement, double effect) {
         agreement_.push_back(agreement);
         effect_.push_back(effect);
     }
-    /// What the reading explains: rows that it moves by four times their scatter about it.
+    /// Returns the convention, if it explains those rows that it changes by four times their
+    /// scatter.
     [[nodiscard]] std::optional<Convention> explained() const {
         Convention c;
         c.held = held_by_most(agreement_);
@@ -161,7 +162,7 @@ public:
         std::size_t moved = 0;
         for (std::size_t k = 0; k < effect_.size(); ++k) {
             if (effect_[k] > std::min(same_digits, c.held - least_gain)) {
-                continue; // the same, however it is read
+                continue; // the same in either interpretation
             }
             ++moved;
             if (agreement_[k] >= follows_from(c.held)) {
@@ -173,8 +174,8 @@ public:
     }
 
 private:
-    std::vector<double> agreement_; ///< digits of the answer to what the reading gives
-    std::vector<double> effect_;    ///< digits of that to ours
+    std::vector<double> agreement_; ///< digits to which the answer agrees with the interpretation
+    std::vector<double> effect_;    ///< digits to which that agrees with the reference
 };
 using Families = std::map<std::string, Rows>;
 
@@ -198,7 +199,7 @@ public:
              [&](const std::vector<std::size_t>& which) { return held_to(reading, which); });
     }
 
-    /// The answer is ours over the length of the contact, or times it.
+    /// Tests if the answers are the references divided or multiplied by the length of the contact.
     void look_at_lengths() {
         for (const int power : {-1, 1}) {
             keep(power < 0 ? "ours over a + b" : "ours times a + b",
@@ -210,8 +211,8 @@ public:
         }
     }
 
-    /// The best of each family, and those that are as good. What fits the sample of a family is
-    /// held to every failing row of it, so that the counts are true.
+    /// Returns the best candidate of each family, with equally good ones. A candidate that fits the
+    /// sample of a family is compared with every failing row of it, so that the counts are exact.
     [[nodiscard]] std::vector<Convention> best() const {
         std::vector<Convention> found;
         for (const auto& [family, candidates] : candidates_) {
@@ -269,7 +270,7 @@ private:
                     continue;
                 }
                 q.contact = *known->second;
-            } catch (const Error&) { // no such contact
+            } catch (const Error&) { // not a valid contact
                 continue;
             }
             otherwise.list.push_back(std::move(q));

@@ -7,17 +7,18 @@
 
 namespace edgeproof::conformance {
 
-/// Looks whether the answers listed (by index) would be right had the numbers of their questions
-/// been read otherwise: degrees for radians, a width for a half-width, a diameter for a radius, x
-/// for u, the modulus of one body for that of both, the gap's constant for the slope's, the sign of
-/// a force; or a force for a mean pressure given. Quantity by quantity.
+/// Checks if the answers listed (by index) would be right with another interpretation of the
+/// numbers in their questions: degrees for radians, a width for a half-width, a diameter for a
+/// radius, x for u, the modulus of one body for the composite one, the constant of the gap for that
+/// of the slope, the sign of a force; or a mean pressure given instead of a force. Each quantity is
+/// checked separately.
 [[nodiscard]] std::vector<Convention> infer_unit_mistakes(const Answers& answers,
                                                           const Agreements& agreements,
                                                           const std::vector<std::size_t>& failing,
                                                           ReferenceOptions options);
 
-/// Looks whether answers that miss the target are numbers in single precision, or were cut to a few
-/// digits when they were written. Quantity by quantity.
+/// Checks if answers that miss the target are in single precision, or were written with few digits.
+/// Each quantity is checked separately.
 [[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
                                                            const Agreements& agreements);
 

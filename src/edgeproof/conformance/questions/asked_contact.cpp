@@ -52,7 +52,7 @@ std::size_t place_of(std::string_view key) {
     return static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
 }
 
-/// As a scene's file would have it.
+/// The entry as in a scene file.
 io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t line) {
     for (const char c : p.text) {
         if (static_cast<unsigned char>(c) < 0x20) {
@@ -114,8 +114,8 @@ AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::st
     std::stable_sort(parameters.begin(), parameters.end(), [](const auto& x, const auto& y) {
         return place_of(x.key) < place_of(y.key);
     });
-    // Each key has a line of its own, in the order of columns, so that of several wrong keys the
-    // first one is told; `lines` has the file's line for each.
+    // Each key has a line of its own, in the order of columns, so that the first of several wrong
+    // keys is reported; `lines` has the file's line for each.
     std::vector<io::TomlTable> tables;
     std::vector<std::size_t> lines;
     for (const std::string_view section : {"profile", "load", "shear"}) {

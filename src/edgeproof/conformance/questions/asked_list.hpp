@@ -11,7 +11,7 @@
 
 namespace edgeproof::conformance {
 
-/// Distances from an edge: listed, or a range of them with the line that gives it.
+/// Distances from an edge: a list, or a range with its line.
 struct AskedPoints {
     std::vector<scene::AskedPoint> listed;
     std::optional<scene::PointRange> range = {};
@@ -23,24 +23,23 @@ struct AskedPoints {
     }
 };
 
-/// What one contact of a recipe is asked, in the order of the rows; ids are without the contact's
-/// part. A question at a point is made when it is asked for: what is kept does not grow with the
-/// points of a range.
+/// The questions for one contact of a recipe, in the order of the rows; ids lack the part of the
+/// contact. A question at a point is made on demand, so that memory does not grow with the points
+/// of a range.
 class AskedList {
 public:
     AskedList() = default;
     explicit AskedList(AskedPoints points) : points_(std::move(points)) {}
-    /// Each in turn behind those that there are.
     void add(const std::vector<Question>& questions);
-    /// At every point: `at_each`, whose ids are what follows the point's.
+    /// Appends the questions `at_each` for every point; their ids are the part after the point.
     void add_at_points(const std::string& before_point, const std::vector<Question>& at_each);
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] Question at(std::size_t i) const;
-    /// The same without a point.
+    /// The question i without its point.
     [[nodiscard]] const Question& pattern(std::size_t i) const;
-    /// All, but of a range, whose points differ as they ascend, those at the first: what has to be
-    /// looked at to find what is asked twice, or cannot be asked.
+    /// Returns all questions, but for a range only those at the first point: enough to find
+    /// duplicates and questions that cannot be asked.
     [[nodiscard]] std::vector<Question> telling() const;
     [[nodiscard]] const AskedPoints& points() const { return points_; }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr unsigned neighbour_digits = 34;
 
-/// Half a unit in the last place of the binary64 of x, up or down; nothing for zero.
+/// Returns x plus or minus half a unit in the last place of its binary64; nothing for zero.
 std::optional<formula::Exact> neighbour(const formula::Exact& x, int side) {
     const double near = std::abs(x.to<Real>().convert_to<double>());
     if (near == 0 || !std::isfinite(near)) {
@@ -32,7 +32,7 @@ std::optional<formula::Exact> neighbour(const formula::Exact& x, int side) {
     return formula::Exact(x.expr() + formula::Expr::number(half));
 }
 
-/// The text of a parameter with its nth number moved; nothing where there is none to move.
+/// Returns the text of a parameter with its nth number changed; nothing if that is zero.
 std::optional<std::string> moved_text(const Parameter& p, std::size_t n, int side) {
     std::vector<std::string> items =
         is_list_key(p.key) ? list_items(p.text) : std::vector<std::string>{p.text};
@@ -48,7 +48,7 @@ std::optional<std::string> moved_text(const Parameter& p, std::size_t n, int sid
     return text;
 }
 
-/// One number of a contact: which parameter, and which item of it.
+/// One number of a contact: the index of the parameter, and of the item in it.
 struct Number {
     std::size_t parameter;
     std::size_t item;
@@ -69,21 +69,21 @@ std::vector<Number> numbers_of(const AskedContact& contact) {
     return numbers;
 }
 
-/// Where the modulus only scales: a is given and there is no shear.
+/// True if the modulus is only a scale factor: a is given and there is no shear.
 bool scales(const AskedContact& contact, const Parameter& p) {
     return p.key == "contact_modulus" &&
            contact.scene.load.kind == contact::Load::Kind::right_edge && !contact.scene.shear &&
            !contact.scene.punch;
 }
 
-/// Questions about neighbours, and what each is a neighbour of.
+/// Questions with changed numbers, and the origin of each.
 class Neighbours {
 public:
     Neighbours(const Questions& questions, int side) : questions_(questions), side_(side) {
         asked_.file = questions.file;
     }
-    /// The question with the nth of its numbers moved; those of its contact come first, then u and
-    /// the tolerance.
+    /// Adds the question with the nth of its numbers changed; the order is the numbers of the
+    /// contact, u, the tolerance.
     void add(std::size_t question, std::size_t n) {
         Question q = questions_.list[question];
         const AskedContact& contact = questions_.contacts[q.contact];

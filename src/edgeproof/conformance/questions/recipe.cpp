@@ -185,10 +185,10 @@ Asked read_asked(const io::TomlSection& scene) {
     return asked;
 }
 
-/// What one contact is asked, in the order of the rows.
+/// The questions for one contact, in the order of the rows.
 AskedList asked_of_one(const Asked& asked) {
     AskedList list(asked.u);
-    /// Those of the quantities for which `is` holds, each made over from `like`.
+    /// Makes questions for the quantities with `is(row)`, each a copy of `like`.
     const auto questions = [&](const std::string& from, const scene::AskedValue& like,
                                const auto& is) {
         std::vector<Question> found;

@@ -8,7 +8,7 @@
 
 namespace edgeproof::conformance {
 
-/// What a reference table is made from: contacts with grids of parameters, and what is asked of
+/// The description of a reference table: contacts with grids of parameters, and the questions for
 /// each.
 ///
 ///     title = "Wedge, Hertz and beyond"
@@ -27,11 +27,11 @@ namespace edgeproof::conformance {
 ///     a = "1"
 ///     contact_modulus = "1"
 ///
-/// The id of a question is the scene's name, the parameters that are given as a grid, the edge, u
-/// and the quantity ("hertz:m=2:right:u=0.1:p"): it stays the same when the recipe grows. Order:
-/// scenes as in the file; grids with the last key running fastest; in each contact first what has
-/// no point, then edge by edge: coefficients, extents by tolerance, and point by point; quantities
-/// as listed.
+/// The id of a question consists of the scene's name, the parameters given as a grid, the edge, u
+/// and the quantity ("hertz:m=2:right:u=0.1:p"); it does not change when the recipe grows. Order:
+/// scenes as in the file; grids with the last key varying fastest; for each contact first the
+/// quantities without an edge, then for each edge coefficients, extents by tolerance, and the
+/// points; quantities as listed.
 struct Recipe {
     std::string file;
     std::string title;
@@ -39,9 +39,9 @@ struct Recipe {
     Questions questions;
 };
 
-/// Throws InputError with file and line for whatever is malformed: unknown keys and names, empty
-/// grids, ids that occur twice, a question that the contact has no answer to, more than a million
-/// questions (recipe_grid.hpp takes more).
+/// Throws InputError with file and line for malformed input: unknown keys and names, empty grids,
+/// ids that occur twice, a question that the contact cannot answer, more than a million questions
+/// (recipe_grid.hpp allows more).
 [[nodiscard]] Recipe read_recipe(const std::filesystem::path& file);
 [[nodiscard]] Recipe parse_recipe(std::string_view text, const std::string& file);
 

@@ -19,7 +19,8 @@ constexpr std::size_t most_at_once = 1'000'000;
 constexpr std::size_t small_contacts = 16; ///< rows of contacts that share a piece
 constexpr std::size_t most_rows_of_a_grid = 10'000'000'000;
 
-/// Which value of each axis contact number `contact` has; the last axis runs fastest.
+/// Returns the indices of the values of contact number `contact` on each axis; the last axis varies
+/// fastest.
 std::vector<std::size_t> at_contact(const std::vector<GridAxis>& axes, std::size_t contact) {
     std::vector<std::size_t> at(axes.size());
     for (std::size_t i = axes.size(); i-- > 0;) {
@@ -95,7 +96,7 @@ void RecipeGrid::add(GridScene scene) {
             part.piece_of[i] = p;
         }
     }
-    // Bookkeeping a piece is not to be what a table of small contacts is made of.
+    // Small contacts share a piece, so that the work per piece does not dominate.
     part.contacts_in_a_piece =
         each > most_in_a_piece ? 0 : std::max<std::size_t>(1, small_contacts / each);
     rows_ += part.contacts * each;
@@ -104,8 +105,8 @@ void RecipeGrid::add(GridScene scene) {
     parts_.push_back(std::move(part));
 }
 
-/// Ids are those of the scene, of its axes and of a contact's own questions, so that what must be
-/// distinct are the values of each, and the names.
+/// The ids consist of the scene's name, the values of its axes and a contact's own part, so that
+/// these must be distinct.
 void RecipeGrid::check_names(const GridScene& scene) const {
     for (const Part& part : parts_) {
         if (scene.name.starts_with(part.scene.name + ":") ||

@@ -14,7 +14,7 @@
 
 namespace edgeproof::conformance {
 
-/// A parameter of a recipe's scene and the values that it takes.
+/// A parameter of a recipe's scene and its values.
 struct GridAxis {
     std::string key;
     std::vector<std::string> values;
@@ -22,23 +22,24 @@ struct GridAxis {
     bool grid = false; ///< part of the id
 };
 
-/// A scene of a recipe: every contact of its grid is asked the same.
+/// A scene of a recipe; every contact of its grid has the same questions.
 struct GridScene {
     std::string name;
     std::size_t line = 0;
     std::vector<GridAxis> axes;
-    AskedList asked;            ///< of one contact
+    AskedList asked;            ///< for one contact
     std::size_t asked_line = 0; ///< of the quantities
 };
 
-/// A recipe whose grids are not expanded: what stands in a row is told by the row's number, so that
-/// nothing here grows with the number of rows but with what the recipe itself lists.
+/// A recipe whose grids are not expanded: the number of a row determines its content, so that
+/// memory grows with the text of the recipe, but not with the number of rows.
 ///
-/// The rows are cut into pieces that are answered one by one: some questions of one contact, or
-/// several contacts with few questions each. They are cut alike however they are answered.
+/// The rows are divided into pieces that are computed one by one: some questions of one contact, or
+/// several contacts with few questions each. The division does not depend on the number of threads
+/// or processes.
 class RecipeGrid {
 public:
-    /// Throws InputError with file and line as read_recipe() does. Every value of a grid is tried
+    /// Throws InputError with file and line as read_recipe() does. Every value of a grid is tested
     /// once; combinations of them are not.
     [[nodiscard]] static RecipeGrid read(const std::filesystem::path& file);
     [[nodiscard]] static RecipeGrid parse(std::string_view text, const std::string& file);
@@ -53,17 +54,17 @@ public:
         Questions questions;
         std::vector<std::size_t> rows; ///< ascending
     };
-    /// Throws InputError where a combination of parameters is no contact.
+    /// Throws InputError if a combination of parameters is not a valid contact.
     [[nodiscard]] Piece piece(std::size_t number) const;
     [[nodiscard]] std::size_t piece_of(std::size_t row) const;
-    /// All of them. Throws InputError where there are more than a million.
+    /// Returns all questions. Throws InputError for more than a million.
     [[nodiscard]] Questions questions() const;
 
-    /// As Questions has them.
+    /// The same as in Questions.
     [[nodiscard]] std::vector<std::string> columns() const;
     [[nodiscard]] bool has_tolerances() const;
     [[nodiscard]] std::set<scene::Quantity> quantities() const;
-    /// Tells what is asked, and how many digits of it, from anything else.
+    /// Identifies the questions and their number of digits.
     [[nodiscard]] std::uint64_t fingerprint() const;
 
 private:
@@ -74,7 +75,7 @@ private:
         std::size_t first_piece = 0;
         std::size_t contacts_in_a_piece = 0;       ///< 0: a contact has several pieces
         std::vector<std::vector<std::size_t>> cut; ///< of the questions of one contact
-        std::vector<std::size_t> piece_of;         ///< inverse to it
+        std::vector<std::size_t> piece_of;         ///< the inverse of `cut`
     };
     void add(GridScene scene);
     void check_names(const GridScene& scene) const;
@@ -86,10 +87,10 @@ private:
     [[nodiscard]] std::shared_ptr<const AskedContact> contact(const Part& part,
                                                               std::size_t number) const;
 
-    /// The contact that was asked for last: its pieces follow one another.
+    /// The last contact used: its pieces follow one another.
     struct LastContact {
         std::mutex mutex;
-        std::size_t row = 0; ///< its first
+        std::size_t row = 0; ///< its first row
         std::shared_ptr<const AskedContact> contact;
     };
     std::string file_;
@@ -101,7 +102,6 @@ private:
     std::size_t pieces_ = 0;
 };
 
-/// The scenes of a recipe, as its file lists them.
 struct RecipeText {
     std::string title;
     scene::Digits digits;

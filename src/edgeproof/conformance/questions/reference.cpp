@@ -18,7 +18,6 @@
 namespace edgeproof::conformance {
 namespace {
 
-/// The values that a piece asks for.
 std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
     std::vector<scene::AskedValue> values;
     values.reserve(piece.size());
@@ -34,7 +33,6 @@ scene::Scene scene_of(const Questions& questions, const Piece& piece) {
     return scene;
 }
 
-/// The answers to one piece.
 class Answering {
 public:
     Answering(const Questions& questions, const Piece& piece, const scene::Digits& digits)
@@ -70,7 +68,7 @@ public:
     }
 
 private:
-    /// What the piece asks at a point: all of it has a value there, or nothing of it.
+    /// The values of the piece at a point: either all of them exist, or none.
     struct Point {
         scene::BoundedValue x;
         std::map<scene::Quantity, scene::BoundedValue> values;
@@ -91,7 +89,7 @@ private:
         };
         return points_.emplace(key, at_point_of(q, all)).first->second;
     }
-    /// f() at the point of a question.
+    /// Calls f() for the point of a question; errors name the point.
     template <class F>
     [[nodiscard]] std::invoke_result_t<F> at_point_of(const Question& q, const F& f) const {
         try {
@@ -110,7 +108,7 @@ private:
     std::map<std::pair<contact::Edge, std::string>, Point> points_;
 };
 
-/// The answer to question i of a piece; where there is none, an error with the question's line.
+/// Returns the answer to question i of a piece, or throws an error with the question's line.
 Reference placed_answer(std::optional<Answering>& answering, const Questions& questions,
                         const Piece& piece, const scene::Digits& digits, std::size_t i) {
     return io::at_place(questions.file, questions.list[i].line, [&] {
@@ -121,7 +119,7 @@ Reference placed_answer(std::optional<Answering>& answering, const Questions& qu
     });
 }
 
-/// n questions in pieces: those of a contact that are alike, so many together at most.
+/// Divides n questions into pieces: similar questions of one contact, at most most_in_a_piece each.
 template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const QuestionAt& question_at) {
     std::vector<Piece> pieces;
     std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
@@ -139,7 +137,6 @@ template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const Question
     return pieces;
 }
 
-/// Counts questions, and tells of them.
 class Count {
 public:
     Count(const ReferenceOptions& options, std::size_t total) : options_(options), total_(total) {}
@@ -239,7 +236,7 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
                                            answering.emplace(questions, pieces[p], options.digits);
                                        }
                                        results[i] = answering->answer(i);
-                                   } catch (const Error&) { // there is none
+                                   } catch (const Error&) { // there is no answer
                                    }
                                    count.one();
                                }

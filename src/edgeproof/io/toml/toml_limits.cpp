@@ -61,7 +61,7 @@ private:
         }
     }
 
-    /// Past the string that begins here, of one line or several.
+    /// Skips the string that begins here, on one line or several.
     void skip_string(char quote) {
         const std::string three(3, quote);
         if (!text_.substr(at_).starts_with(three)) {
@@ -69,7 +69,7 @@ private:
             while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n') {
                 at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
             }
-            at_ += at_ < text_.size() && text_[at_] == quote ? 1 : 0; // a newline ends it, too
+            at_ += at_ < text_.size() && text_[at_] == quote ? 1 : 0; // a newline also ends it
             return;
         }
         at_ += three.size();
@@ -96,8 +96,8 @@ private:
     const std::string& file_;
     std::size_t at_ = 0;
     std::size_t line_ = 1;
-    std::size_t open_ = 0; ///< brackets
-    std::size_t dots_ = 0; ///< of the key that is being read
+    std::size_t open_ = 0; ///< open brackets
+    std::size_t dots_ = 0; ///< of the current key
 };
 
 } // namespace

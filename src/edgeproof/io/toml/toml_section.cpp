@@ -19,7 +19,7 @@ struct TomlSection::Source {
     toml::table root;
     std::vector<std::string> lines;
     std::string file;
-    std::map<const toml::node*, std::size_t> made; ///< lines of what was not parsed
+    std::map<const toml::node*, std::size_t> made; ///< lines of nodes that were not parsed
 
     [[nodiscard]] std::size_t line_of(const toml::node& n) const {
         const auto found = made.find(&n);
@@ -54,7 +54,7 @@ template <class Source> void check_characters(const toml::node& n, const Source&
 
 } // namespace
 
-/// What needs toml++ types.
+/// Functions that need types of toml++.
 struct TomlSection::Access {
     const TomlSection& self;
 
@@ -73,8 +73,8 @@ struct TomlSection::Access {
         return self.source_->line_of(n);
     }
 
-    /// The float as it stands in the file. It must read as the double that toml++ made of it: where
-    /// that fails, the place in the line was wrong, and no number is better than another one.
+    /// Returns the text of the float in the file. It must read as the double that toml++ made of
+    /// it: otherwise the position in the line was wrong, and no number is better than a wrong one.
     [[nodiscard]] std::string float_text(const toml::node& n, std::string_view key) const {
         const std::string& line = self.source_->lines.at(line_of(n) - 1);
         const std::size_t from = byte_of_column(line, n.source().begin.column);
@@ -177,7 +177,7 @@ struct TomlSection::Access {
         }
         return static_cast<std::size_t>(value);
     }
-    /// The elements of a list, or the one that stands alone.
+    /// Calls f for the elements of a list, or for a single value.
     template <class F> void for_each(std::string_view key, const F& f) const {
         const toml::node& n = node(key);
         if (const auto* array = n.as_array()) {
@@ -248,7 +248,7 @@ TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::s
 }
 
 void TomlSection::allow(const std::vector<std::string_view>& keys) const {
-    // The first in the file, not in the alphabet.
+    // Finds the unknown key that comes first in the file.
     const toml::key* unknown = nullptr;
     for (const auto& [key, node] : Access{*this}.table()) {
         const bool known = std::find(keys.begin(), keys.end(), key.str()) != keys.end();

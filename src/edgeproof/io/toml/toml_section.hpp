@@ -11,77 +11,76 @@
 
 namespace edgeproof::io {
 
-/// A key of a table that is made in memory.
+/// A key of a table made in memory.
 struct TomlEntry {
     std::string key;
     std::variant<std::string, std::vector<std::string>, bool> value;
-    std::size_t line = 0; ///< that errors name
+    std::size_t line = 0; ///< the line in errors
 };
-/// Such a table.
 struct TomlTable {
     std::string name;
     std::size_t line = 0;
     std::vector<TomlEntry> entries;
 };
 
-/// A table of a TOML file, read strictly. Whatever is not as it should be throws InputError with
-/// the file, the line, what is wrong and what to write instead.
+/// A table of a TOML file, read strictly. Errors throw InputError with the file, the line, the
+/// problem and what to write instead.
 ///
-/// A number means exactly what is written: integers and floats are taken from the text of the
-/// file, never from a double. A float of more than 15 significant digits is refused with the hint
-/// to quote it, since other readers of the file would cut it off.
+/// A number means exactly what is written: integers and floats are read from the text of the file,
+/// never from a double. A float of more than 15 significant digits is refused with the hint to
+/// quote it, since other readers of the file would cut it off.
 class TomlSection {
 public:
-    /// The top of a file. `file` is what errors name. Also refused: a text beyond the limits of
-    /// toml_limits.hpp, and control characters other than tab and newline in a key or a text.
+    /// Returns the top level of a file. `file` is the name in errors. Refuses a text beyond the
+    /// limits of toml_limits.hpp, and control characters other than tab and newline in a key or a
+    /// text.
     [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
 
-    /// The top of a file that holds these tables, without the text of one.
+    /// Returns the top level of a file with these tables; there is no text.
     [[nodiscard]] static TomlSection made(const std::vector<TomlTable>& tables,
                                           const std::string& file);
 
-    /// Refuses any other key.
+    /// Refuses all other keys.
     void allow(const std::vector<std::string_view>& keys) const;
-    /// In the order of the file.
+    /// The keys in the order of the file.
     [[nodiscard]] std::vector<std::string> keys() const;
     [[nodiscard]] bool has(std::string_view key) const;
     [[nodiscard]] bool is_table(std::string_view key) const;
     [[nodiscard]] bool is_list(std::string_view key) const;
-    /// Of the table's own header.
+    /// The line of the table's own header.
     [[nodiscard]] std::size_t line() const;
-    /// Of the key, or of the table where there is no such key.
+    /// The line of the key, or of the table if there is no such key.
     [[nodiscard]] std::size_t line(std::string_view key) const;
     [[nodiscard]] const std::string& file() const;
 
     [[nodiscard]] TomlSection section(std::string_view key) const;
     /// The tables of [[key]] headers, or of a list of inline tables.
     [[nodiscard]] std::vector<TomlSection> sections(std::string_view key) const;
-    /// None where there is no such key.
+    /// Like sections(); empty if there is no such key.
     [[nodiscard]] std::vector<TomlSection> sections_or_none(std::string_view key) const;
-    /// A quoted text.
+    /// Returns a quoted text.
     [[nodiscard]] std::string text(std::string_view key) const;
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
-    /// A quoted text, true or false, or a number as it stands in the file.
+    /// Returns a quoted text, "true" or "false", or a number as written in the file.
     [[nodiscard]] std::string written(std::string_view key) const;
     [[nodiscard]] std::string written_or(std::string_view key, std::string_view otherwise) const;
-    /// A list of such; one alone is a list of one.
+    /// Returns a list of such texts; a single value is a list of one.
     [[nodiscard]] std::vector<std::string> written_list(std::string_view key) const;
-    /// An exact constant: quoted ("pi/16") or a number.
+    /// Returns an exact constant: quoted ("pi/16") or a number.
     [[nodiscard]] formula::Exact exact(std::string_view key) const;
-    /// One of a list, with the line that it stands on.
     struct Item {
         formula::Exact value;
         std::size_t line;
     };
-    /// A list of exact constants; one alone is a list of one.
+    /// Returns a list of exact constants; a single value is a list of one.
     [[nodiscard]] std::vector<Item> exacts(std::string_view key) const;
-    /// The same as they are written, not read yet.
+    /// The text of a constant, not evaluated.
     struct Written {
         std::string text;
         std::size_t line;
     };
     [[nodiscard]] std::vector<Written> numbers_written(std::string_view key) const;
-    /// Whole numbers in least ... most; one alone is a list of one.
+    /// Returns whole numbers in least ... most; a single value is a list of one.
     [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, long least,
                                                   long most) const;
     [[nodiscard]] std::size_t count(std::string_view key, long least, long most) const;
@@ -98,7 +97,7 @@ private:
     TomlSection(std::shared_ptr<const Source> source, const void* table)
         : source_(std::move(source)), table_(table) {}
     std::shared_ptr<const Source> source_;
-    const void* table_; ///< toml::table; toml++ stays out of this header
+    const void* table_; ///< toml::table; toml++ is not included in this header
 };
 
 } // namespace edgeproof::io

@@ -5,15 +5,16 @@
 #include <string_view>
 #include <vector>
 
-/// The text of a TOML file, beside what toml++ made of it.
+/// Functions for the text of a TOML file, in addition to the result of toml++.
 namespace edgeproof::io {
 
 [[nodiscard]] std::vector<std::string> split_lines(std::string_view text);
 [[nodiscard]] std::size_t significant_digits(std::string_view number);
 [[nodiscard]] bool is_number_character(char c);
-/// Where the character at a column (from 1) begins: toml++ counts characters, not bytes.
+/// Returns the byte at which a column (from 1) begins: toml++ counts characters, not bytes.
 [[nodiscard]] std::size_t byte_of_column(std::string_view line, std::size_t column);
-/// Control characters other than tab and newline: they steer the terminal that shows them.
+/// True if the text has control characters other than tab and newline, which would control a
+/// terminal.
 [[nodiscard]] bool has_control(std::string_view text);
 
 } // namespace edgeproof::io

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double digits_of_a_double = 17;
 
-/// A value that is right in all its digits is not shown as having more than were written.
+/// An exact value is shown with no more digits than were written.
 double shown(const conformance::Answer& answer, double digits) {
     const auto written = std::count_if(answer.text.begin(), answer.text.end(), [](char c) {
         return std::isdigit(static_cast<unsigned char>(c)) != 0;

@@ -7,12 +7,12 @@
 
 namespace edgeproof::report {
 
-/// Digits right of p and q against u, and the digits that half a unit in the last place of a
-/// double's inputs leaves. Columns: u, p, q (where there is any), inputs.
+/// Plots the correct digits of p and q against u, with the digits that the rounding of the inputs
+/// to double precision allows. Columns: u, p, q (if there is any), inputs.
 [[nodiscard]] Plot agreement_plot(const Conformance& c);
 
-/// The plot as .svg (gnuplot draws it) or as .csv. Throws InputError for another ending, without a
-/// point to draw, and for .svg where there is no gnuplot.
+/// Writes the plot as .svg (by gnuplot) or as .csv. Throws InputError for another ending, without a
+/// point to draw, and for .svg without gnuplot.
 void write_agreement_figure(const Conformance& result, const std::filesystem::path& file);
 
 } // namespace edgeproof::report

@@ -25,7 +25,7 @@ std::optional<Real> point(double x) {
     return std::isfinite(x) ? std::optional(Real(x)) : std::nullopt;
 }
 
-/// The exact curve's places: even, and dense at the edges.
+/// The places of the exact curve: dense at the edges.
 std::vector<double> curve_places(const comparison::ExactContact& exact) {
     std::vector<double> places;
     constexpr int count = 240;
@@ -43,7 +43,7 @@ std::vector<double> curve_places(const comparison::ExactContact& exact) {
     return places;
 }
 
-/// A name for the figures of a file that no other figure has.
+/// Returns a unique name for the figures of a file.
 std::string file_id(const std::filesystem::path& file, std::set<std::string>& taken) {
     static constexpr std::array<std::string_view, 5> endings{"", "-pressure", "-error", "-shear",
                                                              "-shear-error"};
@@ -69,19 +69,19 @@ std::string length_label(const ComparisonReport& report) {
     return report.units ? unit_label(report.units->length) : std::string();
 }
 
-/// What is drawn of the pressure, or of the shear traction.
+/// The plotted properties of the pressure, or of the shear traction.
 struct Traction {
     std::string symbol;
     std::string id;
     std::string title;
-    std::optional<double> limit; ///< of the exact curve, where that is infinite somewhere
+    std::optional<double> limit; ///< for the exact curve, if that is infinite somewhere
     std::function<std::optional<double>(double)> exact;
     std::function<std::optional<double>(const Node&)> data;
     std::string error_label;
     std::string error_what;
-    /// Of a node inside; nothing where there is none.
+    /// The error of a node inside; nothing if there is none.
     std::function<std::optional<double>(const Node&)> error;
-    std::optional<double> tolerance; ///< of that error
+    std::optional<double> tolerance; ///< for that error
 };
 
 Traction pressure_of(const ComparisonReport& report) {
@@ -123,7 +123,7 @@ Traction shear_of(const ComparisonReport& report) {
         t.of == comparison::Norm::peak ? std::optional(t.q.value_or(t.pressure)) : std::nullopt};
 }
 
-/// The data of a file and the exact curve. `id` names its files.
+/// Plots the data of a file and the exact curve. `id` names its files.
 Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
                    const std::string& id, const Traction& traction) {
     const comparison::ExactContact& exact = *report.exact;
@@ -154,7 +154,7 @@ Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
     }
     for (const Node& node : file.data.nodes) {
         const auto value = traction.data(node);
-        // Far outside there is nothing to see.
+        // Nodes far outside are not shown.
         if (value && node.exact.u() > -0.15 * exact.length()) {
             reach(*value);
             plot.rows.push_back({point(node.x), std::nullopt, point(*value)});
@@ -166,8 +166,8 @@ Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
     return plot;
 }
 
-/// The errors of the nodes inside against u/(a + b), with the edge's elements and, of the pressure,
-/// the window that c_0 is fitted over shaded.
+/// Plots the errors of the nodes inside against u/(a + b). The elements at the edge and, for the
+/// pressure, the window of the fit of c_0 are shaded.
 Plot error_plot(const ComparisonReport& report, const FileComparison& file, const std::string& id,
                 const Traction& traction) {
     const comparison::ExactContact& exact = *report.exact;

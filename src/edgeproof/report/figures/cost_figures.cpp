@@ -28,7 +28,7 @@ bool in_machine(const cost::CostCell& c) {
     return c.arithmetic != "MPFR" && c.arithmetic != "balls";
 }
 
-/// A colour a route; machine arithmetics dashed, MPFR and balls solid.
+/// A colour for each route; machine arithmetics are dashed, MPFR and balls solid.
 Pen pen_of(const cost::CostCell& c) {
     static const std::map<std::string, std::pair<Colour, unsigned>> known{
         {"Barber-Mossakovskii", {Colour::blue, 4}},
@@ -49,8 +49,7 @@ std::string name_of(const cost::CostCell& c) {
     return in_machine(c) ? c.route + ", machine" : c.route;
 }
 
-/// One table for lines that share nothing but the axes: each has its own column, and rows of its
-/// own.
+/// Makes one table for lines that share only the axes: each has its own column and its own rows.
 Plot plot_of(std::string id, std::string title, std::string description, Axis x, Axis y,
              const std::vector<Line>& lines) {
     Plot plot;
@@ -77,7 +76,7 @@ Plot plot_of(std::string id, std::string title, std::string description, Axis x,
     return plot;
 }
 
-/// The cells of a case, one line a route (a machine's arithmetics together), a point a cell.
+/// The cells of a case: one line per route (all machine arithmetics together), one point per cell.
 using Coordinate = std::function<std::optional<double>(const cost::CostCell&)>;
 std::vector<Line> by_cell(const CostReport& report, const std::string& scene, const Coordinate& x,
                           const Coordinate& y, bool machines = true) {
@@ -111,7 +110,7 @@ std::optional<double> evaluations(const cost::CostCell& c) {
     return e ? std::optional(e->median) : std::nullopt;
 }
 
-/// Titles with what the digits do to the cost.
+/// Adds the exponent of the growth with the digits to the titles.
 void add_exponents(std::vector<Line>& lines) {
     for (Line& line : lines) {
         std::vector<std::pair<double, double>> points;
@@ -124,7 +123,7 @@ void add_exponents(std::vector<Line>& lines) {
     }
 }
 
-/// The points of a case at so many digits, against the distance from where they crowd.
+/// The points of a case at one number of digits, against the distance from the critical place.
 std::vector<Line> by_point(const CostReport& report, const cost::CostCase& which, unsigned digits,
                            const std::function<std::optional<double>(const cost::PointCost&)>& y) {
     std::vector<Line> lines;

@@ -7,10 +7,10 @@
 
 namespace edgeproof::report {
 
-/// Of the first case: digits reached against evaluations and against time; growth with the digits
-/// on logarithmic axes, with the fitted exponents; cost against the distance from the edge. Of the
-/// case by a knot, where there is one: cost against the distance from it. Of all: what a proof
-/// costs. Figures without data are left out.
+/// For the first case: digits reached against evaluations and against time; growth with the digits
+/// on logarithmic axes, with the fitted exponents; cost against the distance from the edge. For the
+/// case near a knot, if there is one: cost against the distance from it. For all cases: the cost of
+/// a proof. Figures without data are left out.
 [[nodiscard]] std::vector<Figure> cost_figures(const CostReport& report);
 
 } // namespace edgeproof::report

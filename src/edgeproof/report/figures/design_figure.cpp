@@ -10,8 +10,8 @@
 namespace edgeproof::report {
 namespace {
 
-/// Of the highest reach, between neighbours: drawn as a gap in the line (run_design.cpp puts more
-/// points where it is only steep).
+/// A step between neighbours of more than this share of the highest reach is drawn as a gap in the
+/// line (run_design.cpp adds points where the curve is only steep).
 constexpr double share_of_a_jump = 0.02;
 constexpr unsigned digits_of_a_mark = 6;
 

@@ -7,12 +7,12 @@
 
 namespace edgeproof::report {
 
-/// The reach against the one parameter, with the best value and the one that is printed marked. The
+/// Plots the reach against the one parameter, with marks at the best and at the printed value. The
 /// line is broken where the reach jumps. Columns: the parameter, reach, best, printed.
 [[nodiscard]] Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& result);
 
-/// The plot as .svg (gnuplot draws it) or as .csv. Throws InputError for another ending, and for
-/// .svg where there is no gnuplot.
+/// Writes the plot as .svg (by gnuplot) or as .csv. Throws InputError for another ending, and for
+/// .svg without gnuplot.
 void write_design_figure(const scene::DesignScene& design, const scene::DesignResult& result,
                          const std::filesystem::path& file);
 

@@ -24,7 +24,7 @@ constexpr std::array okabe_ito{GnuplotWords("#000000"), GnuplotWords("#E69F00"),
                                GnuplotWords("#F0E442"), GnuplotWords("#0072B2"),
                                GnuplotWords("#D55E00"), GnuplotWords("#CC79A7")};
 
-/// The name of an SVG's elements, which stands in its JavaScript, too.
+/// Returns the name of an SVG's elements, which is also used in its JavaScript.
 GnuplotText element_name(const io::FileStem& id) {
     std::string name = id.text();
     std::ranges::replace_if(
@@ -61,7 +61,7 @@ void add_data(GnuplotScript& script, const Plot& plot) {
     script.add("END_OF_DATA\n");
 }
 
-/// Grey that lets a dark page through, so that it is a shade on either.
+/// A transparent grey, suitable for light and dark pages.
 void set_bands(GnuplotScript& script, const std::vector<Band>& bands) {
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const Band& band = bands[i];
@@ -77,7 +77,7 @@ void set_bands(GnuplotScript& script, const std::vector<Band>& bands) {
 
 void add_range_end(GnuplotScript& script, const std::string& end) {
     if (end == "*") {
-        script.add("*"); // where the data end
+        script.add("*"); // at the end of the data
     } else {
         script.add("{}", GnuplotNumber(end));
     }
@@ -103,7 +103,7 @@ std::size_t key_lines(const Plot& plot) {
 
 void set_key(GnuplotScript& script, const Plot& plot, PictureKind kind) {
     script.add("set key bottom right reverse Left samplen 3 noenhanced\n");
-    constexpr std::size_t most_inside = 4; // more would lie on the curves
+    constexpr std::size_t most_inside = 4; // more names would overlap the curves
     if (plot.key_below) {
         script.add("set key outside below center horizontal maxcols {} height 0.6 samplen 2 "
                    "width {} font \",12\"\n",
@@ -134,7 +134,7 @@ void add_curve(GnuplotScript& script, const Plot& plot, const Curve& curve) {
     script.add(" title {}", GnuplotText(curve.title));
 }
 
-/// All but the terminal.
+/// Adds all commands except the terminal.
 void add_plot(GnuplotScript& script, const Plot& plot, PictureKind kind) {
     script.add("set title {} noenhanced\n", GnuplotText(plot.title));
     set_key(script, plot, kind);

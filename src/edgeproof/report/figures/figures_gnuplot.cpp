@@ -27,7 +27,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     }
 }
 
-/// What stands between `open` and `close`, with both, is replaced.
+/// Replaces the text from `open` to `close`, including both.
 void replace_element(std::string& text, std::string_view open, std::string_view close,
                      const std::string& with) {
     const std::size_t begin = text.find(open);
@@ -37,8 +37,8 @@ void replace_element(std::string& text, std::string_view open, std::string_view 
     }
 }
 
-/// The last line that is not empty: what gnuplot could not do. The lines before it repeat the
-/// script.
+/// Returns the last line that is not empty, which has gnuplot's error. The lines before it repeat
+/// the script.
 std::string last_line(std::string_view messages) {
     const std::size_t end = messages.find_last_not_of(" \t\r\n");
     if (end == std::string_view::npos) {
@@ -50,9 +50,9 @@ std::string last_line(std::string_view messages) {
     return printable(shortened(line.substr(line.find_first_not_of(" \t")), most_message_bytes));
 }
 
-/// What gnuplot draws by a script. The script goes in and the picture comes out through pipes: no
-/// shell and no file name takes part. Environment: only what finds fonts; no settings of the user
-/// (-d): they change no figure.
+/// Returns gnuplot's output for a script. Script and picture go through pipes, without a shell or a
+/// file name. The environment has only the variables needed to find fonts, and the user's settings
+/// are ignored (-d), so that they do not change a figure.
 std::string drawn(const io::FileStem& id, const GnuplotScript& script,
                   const std::filesystem::path& program) {
     io::ProgramCall call;
@@ -85,7 +85,7 @@ std::optional<std::filesystem::path> find_gnuplot() {
         const std::size_t colon = rest.find(':');
         const std::string_view folder = rest.substr(0, colon);
         rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
-        // An empty entry would be the current folder: a program is never taken from there.
+        // An empty entry would be the current folder, from which programs are never started.
         const std::filesystem::path candidate = std::filesystem::path(folder) / "gnuplot";
         if (!folder.empty() && access(candidate.c_str(), X_OK) == 0 &&
             std::filesystem::is_regular_file(candidate)) {
@@ -159,7 +159,7 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
     for (const char* black : {"color=\"black\" ", "color=\"white\" "}) {
         replace_all(out, black, "");
     }
-    replace_element(out, "fill=\"#ffffff\"", "/>", "fill=\"none\"/>"); // the ground
+    replace_element(out, "fill=\"#ffffff\"", "/>", "fill=\"none\"/>"); // the background
     replace_all(out, "fill=\"black\"", "fill=\"currentColor\"");
     replace_all(out, "fill = 'black'", "fill = 'currentColor'");
     replace_all(out, "stroke='black'", "stroke='currentColor'");

@@ -19,8 +19,8 @@ constexpr std::array<Pen, most_terms> term_pens{Pen{Pen::Colour::purple, 2, {}, 
                                                 Pen{Pen::Colour::green, 1, {}, 2}};
 constexpr std::array term_names{"one term", "two terms", "three terms"};
 
-/// Fractions of the way from the edge to the origin at which a panel is computed: rational, and
-/// the same on every machine.
+/// Fractions of the distance from the edge to the origin for a panel: rational, and therefore the
+/// same on every machine.
 std::vector<Rational> geometric_then_even() {
     std::vector<Rational> w;
     // 10^(-4 + k/20), to five figures.
@@ -40,7 +40,7 @@ std::vector<Rational> geometric_then_even() {
 
 std::vector<Rational> even_steps() {
     std::vector<Rational> w;
-    for (const int k : {1, 2, 5, 10, 20, 50}) { // the square root at the edge is steep
+    for (const int k : {1, 2, 5, 10, 20, 50}) { // at the edge the square root is steep
         w.emplace_back(k, 10'000);
     }
     for (int k = 1; k <= 160; ++k) {
@@ -119,7 +119,7 @@ Plot error_plot(const PanelScene& scene) {
 
 Plot pressure_plot(const PanelScene& scene) {
     Plot plot = table_of(scene, even_steps());
-    // From left to right, as the axis runs.
+    // The rows are ordered from left to right.
     if (scene.edge == contact::Edge::right) {
         plot.rows = {plot.rows.rbegin(), plot.rows.rend()};
     }

@@ -18,9 +18,9 @@ contact::Profile tilted_flat() {
     return contact::Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2"));
 }
 
-// The paper gives no size of the tilted flat-and-rounded contact. At this one most of the shares
-// within 1 % that it quotes come out (left 1, 10 and 15 %, right one term 4 %; not right 43 and
-// 69 %), counted in units of the edge's distance from the origin.
+// The paper does not state the size of the tilted flat-and-rounded contact. This one reproduces
+// most of the quoted shares within 1 % (left 1, 10 and 15 %, right one term 4 %; not right 43 and
+// 69 %), in units of the edge's distance from the origin.
 constexpr const char* tilted_flat_half_width = "3/2";
 constexpr const char* size_note =
     " The paper does not say how large this contact is; a = 3/2 is chosen here, since with it most "

@@ -10,27 +10,26 @@
 
 namespace edgeproof::report {
 
-/// The contact of one panel, and from which edge it is looked at.
 struct PanelScene {
     std::string id;    ///< "fig2a"
     std::string title; ///< "a) wedge, m = 0"
     contact::Profile profile;
     std::string half_width;     ///< a, exactly
-    std::string pressure_unit;  ///< "E*C": what p is divided by, in words
+    std::string pressure_unit;  ///< "E*C": the divisor of p, in words
     std::string pressure_scale; ///< the same as an exact number, in the units of the scene
     contact::Edge edge = contact::Edge::right;
-    /// Where the panel begins and ends, as fractions of the distance from the edge to the origin.
+    /// The end of the panel, as a fraction of the distance from the edge to the origin.
     Rational until = 1;
 };
 
-/// Columns: fraction (u over the distance from the edge to the origin: 1 - x/a at the right edge),
-/// x_over_a, p (in the panel's unit), p1 ... p3 (1, 2, 3 terms), e1 ... e3 (|1 - p_n/p|). Values
-/// are good for `figure_digits`; a row at a corner, where p is infinite, is left out.
+/// Columns: fraction (u divided by the distance from the edge to the origin: 1 - x/a at the right
+/// edge), x_over_a, p (in the panel's unit), p1 ... p3 (1, 2, 3 terms), e1 ... e3 (|1 - p_n/p|).
+/// Values are correct to `figure_digits`; a row at a corner, where p is infinite, is left out.
 [[nodiscard]] Plot error_plot(const PanelScene& scene);
-/// The same columns, over even steps of x, drawn as pressures.
+/// The same columns for even steps of x, drawn as pressures.
 [[nodiscard]] Plot pressure_plot(const PanelScene& scene);
 
-/// A figure to be made: what it is called, and the panels, each made by a call (in any thread).
+/// The description of a figure: its names, and functions that make its panels (in any thread).
 struct FigureRecipe {
     std::string id;
     std::string title;
@@ -38,10 +37,10 @@ struct FigureRecipe {
     std::vector<std::function<Plot()>> plots;
 };
 
-/// Figures 2 to 9 of the paper that the ledger `name` is of; none for a ledger of another source.
+/// Returns figures 2 to 9 of the paper for the ledger `name`; none for a ledger of another source.
 [[nodiscard]] std::vector<FigureRecipe> paper_figures(const std::string& name);
 
-/// The contacts of the paper's figures, one a profile and set of parameters: id, name, scene.
+/// The contacts of the paper's figures, one for each profile and set of parameters.
 struct NamedScene {
     std::string id;
     std::string name;

@@ -17,7 +17,7 @@ namespace {
 using Colour = Pen::Colour;
 
 constexpr std::size_t orders = 8;
-/// Neither palette nor marks repeat; yellow is too faint on white for a line.
+/// Colours for distinct curves; yellow is too faint on white for a line.
 constexpr std::array<Colour, orders> order_colours{
     Colour::black,  Colour::blue,   Colour::vermilion, Colour::green,
     Colour::purple, Colour::orange, Colour::sky_blue,  Colour::black};
@@ -35,7 +35,7 @@ struct Coefficient {
     std::size_t k;
 };
 
-/// "right.c1"
+/// Reads "right.c1".
 std::optional<Coefficient> coefficient_named(std::string_view text) {
     const std::size_t dot = text.find('.');
     const std::string_view side = text.substr(0, dot);
@@ -52,7 +52,7 @@ std::optional<Coefficient> coefficient_named(std::string_view text) {
     return Coefficient{side == "right" ? contact::Edge::right : contact::Edge::left, k};
 }
 
-/// The slope between the two rows nearest to the edge; not a number where a residual is 0.
+/// Returns the slope between the two rows nearest to the edge; "none" if a residual is 0.
 std::string last_slope(const Plot& plot, std::size_t column) {
     const auto& near = plot.rows.back();
     const auto& next = plot.rows[plot.rows.size() - 2];
@@ -70,7 +70,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
                             const formula::Expr& says, const std::optional<formula::Expr>& correct,
                             const Coefficient& which) {
     constexpr unsigned digits = 60;
-    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) of the last
+    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) times the one before
     const audit::EvaluatedScene scene_values(sample.scene, digits);
     const PrecisionScope scope(digits + 10);
     audit::Variables variables;
@@ -189,7 +189,7 @@ std::optional<Plot> erratum_plot(const audit::ClaimResult& result, const audit::
         try {
             correct = expand_definitions(parse_formula(*result.outcome.correct, claim.vocabulary),
                                          claim.vocabulary);
-        } catch (const Error&) { // in words: the mechanics' own coefficient stands for it
+        } catch (const Error&) { // it is in words: the coefficient of the mechanics is used instead
         }
     }
     const audit::AuditContext context(ledger, 50);

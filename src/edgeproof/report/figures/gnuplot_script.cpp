@@ -17,7 +17,7 @@ constexpr std::size_t longest_gnuplot_number = 400;
 GnuplotText::GnuplotText(std::string_view text) {
     quoted_ = '\'';
     for (const char c : printable(shortened(text, longest_gnuplot_text))) {
-        // gnuplot 5.4 does not read a doubled quote at the beginning of a string as a quote.
+        // gnuplot 5.4 does not accept a doubled quote at the beginning of a string.
         quoted_ += c == '\'' ? "’" : c == '`' ? "‘" : std::string(1, c);
     }
     quoted_ += '\'';

@@ -9,11 +9,11 @@
 
 namespace edgeproof::report {
 
-/// A text as a single-quoted string of gnuplot. Nothing is carried out in such a string: neither
+/// A text as a single-quoted string of gnuplot. gnuplot executes nothing in such a string: neither
 /// commands in backquotes, nor macros, nor escapes. Quotes and backquotes become typographic ones,
 /// line breaks become spaces, control characters become `\x1b` and so on, and the middle of a long
-/// text is left out. (The markup of enhanced text
-/// is a matter of the command that uses the string: `noenhanced`.)
+/// text is left out. (Commands that use the string turn off the markup of enhanced text by
+/// `noenhanced`.)
 class GnuplotText {
 public:
     explicit GnuplotText(std::string_view text);
@@ -23,7 +23,7 @@ private:
     std::string quoted_;
 };
 
-/// A decimal number, as its text. Throws Error for any other text.
+/// A decimal number as text. Throws Error for any other text.
 class GnuplotNumber {
 public:
     explicit GnuplotNumber(std::string_view number);
@@ -33,7 +33,7 @@ private:
     std::string text_;
 };
 
-/// A word or several of gnuplot's language, fixed when the program is compiled.
+/// One or more words of gnuplot's language, fixed at compile time.
 class GnuplotWords {
 public:
     explicit consteval GnuplotWords(const char* words) : words_(words) {}
@@ -43,13 +43,13 @@ private:
     const char* words_;
 };
 
-/// What may be put into a command. A std::string is none of these, so that a text of the input
-/// cannot reach gnuplot but as a GnuplotText.
+/// The types that may be inserted into a command. std::string is not one of them, so that input
+/// text can reach gnuplot only as a GnuplotText.
 template <class T>
 concept GnuplotValue = std::integral<T> || std::floating_point<T> || std::same_as<T, GnuplotText> ||
     std::same_as<T, GnuplotNumber> || std::same_as<T, GnuplotWords>;
 
-/// A script for gnuplot: commands that are fixed when the program is compiled, with values.
+/// A script for gnuplot: commands fixed at compile time, with inserted values.
 class GnuplotScript {
 public:
     template <class... Values>

@@ -66,7 +66,8 @@ std::string picture_text(const ScenePicture& picture, std::size_t width) {
     const auto gnuplot = gnuplot_for_picture();
     Plot plot = picture.plots.front();
     for (Curve& curve : plot.curves) {
-        // The key's columns are narrow there, and gnuplot cuts its lines; the exits are told below.
+        // The key's columns are narrow in text, and gnuplot cuts its lines; the exits are listed
+        // below.
         if (curve.title.starts_with("leaves")) {
             curve.title.clear();
         } else if (curve.title.ends_with(" edge")) {

@@ -16,8 +16,8 @@
 namespace edgeproof::report {
 namespace {
 
-constexpr unsigned picture_digits = 24; ///< so that errors are seen down to 1e-20
-constexpr int even_places = 121;        ///< odd: none in the middle, where a corner may be
+constexpr unsigned picture_digits = 24; ///< shows errors down to 1e-20
+constexpr int even_places = 121; ///< odd, so that no place is in the middle, where a corner may be
 constexpr int decades = 6;
 constexpr int places_a_decade = 10;
 constexpr std::array scene_pens{
@@ -57,7 +57,7 @@ private:
     struct OfEdge {
         contact::Edge edge;
         std::vector<Real> c;
-        std::vector<std::optional<Real>> exits; ///< by number of terms, in the order asked
+        std::vector<std::optional<Real>> exits; ///< by number of terms, in the order of the request
     };
     [[nodiscard]] static scene::Digits digits() { return {picture_digits, Rounding::nearest}; }
     [[nodiscard]] static std::vector<scene::AskedValue> asked(const scene::Scene& scene) {
@@ -82,7 +82,7 @@ private:
     [[nodiscard]] Real number(const scene::AskedValue& asked) {
         return values_.value(asked).value.midpoint();
     }
-    /// None on a corner, or where rounding took the point beyond an edge.
+    /// Returns nothing on a corner, or if rounding moved the point beyond an edge.
     [[nodiscard]] std::optional<Real> at(scene::Quantity quantity, contact::Edge edge,
                                          const Real& u) {
         check_interruption();
@@ -161,7 +161,7 @@ private:
             plot.rows.push_back(std::move(row));
         }
         add_exits(plot, first);
-        // A corner's pressure has no end: what most of the contact carries is shown.
+        // The pressure at a corner is infinite: the range shows most of the contact.
         std::ranges::sort(heights);
         const Real top =
             std::min(heights.back(), Real(heights[heights.size() * 9 / 10] * 2)) * 1.15;
@@ -169,7 +169,7 @@ private:
         plot.key_below = true;
         return plot;
     }
-    /// q is infinite at the edges under full stick: it is shown as far down as p goes up.
+    /// Under full stick q is infinite at the edges: its range extends down as far as p extends up.
     [[nodiscard]] static std::string lowest(const Plot& plot, const Real& top) {
         Real least = 0;
         for (const auto& row : plot.rows) {
@@ -177,7 +177,7 @@ private:
         }
         return std::max(least, Real(-top)).str(6);
     }
-    /// A sum is shown as far from its edge as the middle.
+    /// A sum is shown from its edge to the middle.
     void name_sums(Plot& plot) const {
         std::size_t i = 0;
         for (const OfEdge& of : edges_) {

@@ -9,13 +9,14 @@
 
 namespace edgeproof::report {
 
-/// A scene in pictures: the exact pressure (and q, where the scene has a shear) along the contact
-/// with the sums of the first terms, and for each edge that is asked for the relative errors of
-/// these on logarithmic axes, with the tolerance and where each first leaves it.
-/// `progress`: values done, of how many.
+/// Pictures of a scene: the exact pressure (and q, if the scene has shear) along the contact with
+/// the sums of the first terms, and for each requested edge the relative errors of these sums on
+/// logarithmic axes, with the tolerance and the first exits. `progress` is called with the number
+/// of values done, and their total.
 struct ScenePicture {
     std::vector<Plot> plots;
-    /// "right edge, 1 term: within 1% up to u = 0.0123" and so on; "(estimate)" where it is one.
+    /// For example "right edge, 1 term: within 1% up to u = 0.0123"; estimates are marked
+    /// "(estimate)".
     std::vector<std::string> exits;
 };
 /// Throws InputError as run_scene does.
@@ -23,13 +24,13 @@ struct ScenePicture {
 scene_picture(const scene::Scene& scene,
               const std::function<void(std::size_t, std::size_t)>& progress);
 
-/// The picture as a file of that name, by its ending: .svg, .png, .pdf, .html. Throws InputError
-/// for other endings, and where there is no gnuplot.
+/// Returns the picture in the format of the file's ending: .svg, .png, .pdf, .html. Throws
+/// InputError for other endings, and without gnuplot.
 [[nodiscard]] std::string picture_file(const ScenePicture& picture, const std::string& title,
                                        const std::string& file);
-/// Throws InputError for an ending that picture_file does not have.
+/// Throws InputError for an ending that picture_file does not support.
 void check_picture_name(const std::string& file);
-/// The pressures as text, `width` columns wide.
+/// Returns the plot of the pressures as text, `width` columns wide.
 [[nodiscard]] std::string picture_text(const ScenePicture& picture, std::size_t width);
 
 } // namespace edgeproof::report

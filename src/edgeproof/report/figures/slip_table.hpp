@@ -14,13 +14,13 @@
 
 namespace edgeproof::report {
 
-/// The slip of one of the paper's contacts under a shear force alone, in balls, at any number of
-/// bits. Sizes as parts of a do not depend on E*, f or P: E* = f = 1.
+/// The slip of one of the paper's contacts under a shear force alone, in balls with any number of
+/// bits. Relative sizes do not depend on E*, f or P, so that E* = f = 1.
 class PaperSlip {
 public:
     explicit PaperSlip(const NamedScene& scene) : scene_(scene) {}
     [[nodiscard]] const NamedScene& scene() const { return scene_; }
-    /// Throws BudgetError where so few bits do not enclose the contact.
+    /// Throws BudgetError if these bits do not enclose the contact.
     [[nodiscard]] const contact::BallSlip& at(long bits);
 
 private:
@@ -31,15 +31,15 @@ private:
 
 struct SlipTableOptions {
     std::vector<std::string> tolerances{"1%", "5%",
-                                        "10%"}; ///< as scene::parse_tolerance reads them
+                                        "10%"}; ///< in the format of scene::parse_tolerance
     std::vector<std::size_t> terms{1};
     scene::Digits digits{10};
-    std::function<void(std::size_t, std::size_t)> progress = {}; ///< rows done, of how many
+    std::function<void(std::size_t, std::size_t)> progress = {}; ///< rows done, and their total
 };
 
-/// Up to which Q/(f P) n terms of the slip zone's size stay within each tolerance, for all of the
-/// paper's profiles at both edges, under Q alone: proved. Throws InputError for tolerances that are
-/// none, BudgetError where the budget decides one of them not.
+/// Returns the proved Q/(f P) up to which the slip-zone size by n terms stays within each
+/// tolerance, for all of the paper's profiles at both edges, under Q alone. Throws InputError for
+/// malformed tolerances, BudgetError if the budget does not decide one of them.
 [[nodiscard]] Table slip_table(const std::string& paper, const SlipTableOptions& options);
 
 } // namespace edgeproof::report

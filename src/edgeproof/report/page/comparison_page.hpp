@@ -6,8 +6,8 @@
 
 namespace edgeproof::report {
 
-/// One page that needs nothing else: outcome, quantities, errors and, where they are drawn, figures
-/// of each file.
+/// Returns one self-contained page: outcome, quantities, errors and, if drawn, figures of each
+/// file.
 [[nodiscard]] std::string comparison_page(const ComparisonReport& report,
                                           const DrawnComparison& drawn);
 

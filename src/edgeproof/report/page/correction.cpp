@@ -39,12 +39,12 @@ std::string tex_of(const std::string& text, const Claim& claim, const PrintedSou
 
 std::string math(const std::string& tex) { return "$" + tex + "$"; }
 
-/// "eps^(3/2)" as it stands in evidence of expansions.
+/// Typesets "eps^(3/2)" from the evidence of expansions.
 std::string power_tex(const std::string& power, const Claim& claim, const PrintedSource& source) {
     return tex_of(power, claim, source);
 }
 
-/// The claim or the reading of it that a correction speaks of: the last that is refuted.
+/// Returns the claim or the reading to which a correction refers: the last that is refuted.
 std::pair<const Claim*, const audit::Outcome*> spoken_of(const audit::ClaimResult& result) {
     std::pair<const Claim*, const audit::Outcome*> found{&result.claim, &result.outcome};
     for (std::size_t i = 0; i < result.readings.size() && i < result.claim.readings.size(); ++i) {
@@ -79,7 +79,7 @@ std::string value_steps(const Evidence& clearest, const std::string& which, cons
     return out;
 }
 
-/// Which other coefficients vanish where the claim says that this one does.
+/// Names the other coefficients that vanish where the claim states that this one does.
 std::string others_in_words(const audit::Outcome& outcome, const Claim& claim,
                             const PrintedSource& source) {
     std::string out;
@@ -190,7 +190,7 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
                 text->replace(at, 3, "\\,\\%");
             }
         }
-        // "rounds to 49 %: 3 units ...": at the places that are quoted.
+        // The note "rounds to 49 %: 3 units ..." has the value at the quoted number of digits.
         const std::string before = "rounds to ";
         const std::size_t begin = outcome.note.find(before);
         const std::size_t end = outcome.note.find(" %", begin == std::string::npos ? 0 : begin);
@@ -277,7 +277,7 @@ std::string note_tex(const std::string& note, const Claim& claim, const PrintedS
             n = std::max<std::size_t>(n, 1);
             while (i + n < note.size() &&
                    (static_cast<unsigned char>(note[i + n]) & 0xC0U) == 0x80U) {
-                ++n; // a whole character of UTF-8
+                ++n; // a complete character of UTF-8
             }
             out += latex_text(note.substr(i, n));
             i += n;
@@ -287,7 +287,7 @@ std::string note_tex(const std::string& note, const Claim& claim, const PrintedS
             --n;
         }
         std::string word = note.substr(i, n);
-        // A formula begins with a name and runs on over operators without a space.
+        // A formula begins with a name and continues over operators without a space.
         const bool name =
             !source.notation_of(word, "").empty() || claim.vocabulary.symbols.has(word);
         const bool letter = word.size() == 1 && word != "a";

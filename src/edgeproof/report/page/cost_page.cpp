@@ -23,7 +23,7 @@ std::string notes_html(const Table& table) {
     return out;
 }
 
-/// A rule above each row that begins something new in its first column.
+/// Draws a line above each row with a new text in its first column.
 std::string table_html(const Table& table) {
     std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"cost\"><thead><tr>";
     const auto number = [&](std::size_t i) {
@@ -47,7 +47,7 @@ std::string table_html(const Table& table) {
     return out + "</tbody></table></div>\n";
 }
 
-/// What an effect adds, with a bar as long as its time.
+/// The cost of each effect, with a bar proportional to its time.
 std::string effects_html(const CostReport& report) {
     double most = 0;
     for (const cost::EffectCost& e : report.effects) {

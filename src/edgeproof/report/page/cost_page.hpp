@@ -8,14 +8,14 @@
 
 namespace edgeproof::report {
 
-/// share/edgeproof/report/cost.html, as it was when the program was built.
+/// share/edgeproof/report/cost.html when the program was built.
 namespace cost_template {
 extern const std::string_view cost_html;
 } // namespace cost_template
 
-/// Writes cost.html (a page that needs nothing else), cost.csv (routes by digits), points.csv
-/// (every point), cost.json, and figures/ with the data of each figure and, where gnuplot is
-/// installed, its picture. Throws InputError where the folder cannot be written to.
+/// Writes cost.html (a self-contained page), cost.csv (routes by digits), points.csv (every point),
+/// cost.json, and figures/ with the data of each figure and, if gnuplot is installed, its picture.
+/// Throws InputError if the folder is not writable.
 void write_cost_page(const CostReport& report, const std::filesystem::path& folder);
 
 } // namespace edgeproof::report

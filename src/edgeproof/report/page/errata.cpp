@@ -17,7 +17,7 @@ using ById = std::map<std::string, const audit::ClaimResult*, std::less<>>;
 
 bool of_sentence(const audit::Claim& claim) { return is_sentence(claim.printed); }
 
-/// Whether a wrong sentence or figure comes out as printed when it is computed with the line.
+/// True if computing with the line reproduces a wrong sentence or figure of the source.
 bool reaches_conclusion(const audit::ClaimResult& result, const ById& all,
                         std::set<std::string>& seen) {
     if (!seen.insert(result.claim.id).second) {

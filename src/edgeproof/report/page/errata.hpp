@@ -7,26 +7,27 @@
 
 namespace edgeproof::report {
 
-/// What hangs on an erratum, the gravest first.
+/// The consequence of an erratum, the most serious first.
 enum class Weight {
     conclusion, ///< a sentence of the source is wrong
-    figure,     ///< a number that it quotes is wrong
-    carried,    ///< a wrong line that a wrong conclusion or figure was computed with
-    slip,       ///< of print: what comes after was not computed with the line as printed
+    figure,     ///< a quoted number is wrong
+    carried,    ///< a wrong line from which a wrong conclusion or figure was computed
+    slip,       ///< a misprint: later results were not computed from the line as printed
 };
 
-/// One place of the source that is wrong: the refuted claims about one equation or one sentence.
+/// One wrong place of the source: the refuted claims about one equation or one sentence.
 struct Erratum {
     std::vector<const audit::ClaimResult*> parts;
-    std::string number; ///< of the equation; empty for a sentence, or where it is not known
+    std::string number; ///< of the equation; empty for a sentence, or if unknown
     Weight weight = Weight::slip;
 };
 
-/// The refuted claims by place, ordered by weight, then as in the ledger.
+/// Returns the refuted claims by place, ordered by weight, then as in the ledger.
 [[nodiscard]] std::vector<Erratum> errata_of(const audit::AuditResult& result,
                                              const audit::PrintedSource& source);
 
-/// "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are slips of print."
+/// Returns "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are slips of
+/// print."
 [[nodiscard]] std::string errata_count(const std::vector<Erratum>& errata);
 
 /// A later result computed with a line as printed (audit/later_results.hpp).
@@ -38,11 +39,11 @@ struct LaterWords {
 };
 [[nodiscard]] std::vector<LaterWords> later_results_of(const audit::ClaimResult& result);
 
-/// "Eq. (39)", "Section 2.1, line 164", or the claim's id where nothing better is known.
+/// Returns "Eq. (39)", "Section 2.1, line 164", or the claim's id if the place is unknown.
 [[nodiscard]] std::string place_words(const audit::Claim& claim,
                                       const audit::PrintedSource& source);
 
-/// errata.tex: one page to send to a journal, complete in itself.
+/// Returns errata.tex: one complete page for a journal.
 [[nodiscard]] std::string errata_tex(const audit::AuditResult& result,
                                      const audit::PrintedSource& source);
 

@@ -8,7 +8,7 @@
 namespace edgeproof::report {
 namespace {
 
-/// \ref and \cite of the source come out as what they stand for: the file is complete in itself.
+/// Replaces \ref and \cite of the source by their text, so that the file is complete.
 std::string resolved(std::string tex, const audit::PrintedSource& source) {
     for (const std::string_view command : {"\\ref{", "\\cite{"}) {
         for (std::size_t at = 0; (at = tex.find(command, at)) != std::string::npos;) {
@@ -28,7 +28,7 @@ std::string resolved(std::string tex, const audit::PrintedSource& source) {
     return tex;
 }
 
-/// As much of a sentence as tells which it is, cut between words and outside formulas.
+/// Returns the beginning of a sentence, cut between words and outside formulas.
 std::string beginning_of(const std::string& sentence) {
     constexpr std::size_t enough = 110;
     bool in_math = false;
@@ -37,7 +37,7 @@ std::string beginning_of(const std::string& sentence) {
         if (sentence.compare(i, 7, "\\begin{") == 0) {
             return sentence.substr(0, i) + "\\,\\dots";
         }
-        if (sentence[i] == '\\') { // what follows is no brace or dollar of TeX
+        if (sentence[i] == '\\') { // the next character is not a brace or dollar of TeX
             ++i;
             continue;
         }
@@ -50,7 +50,7 @@ std::string beginning_of(const std::string& sentence) {
     return sentence;
 }
 
-/// Macros of the source are put in: a \providecommand would leave what LaTeX has by that name.
+/// Macros of the source are expanded: a \providecommand would keep LaTeX's own macro of that name.
 std::string item_tex(const Erratum& erratum, const audit::PrintedSource& source) {
     const audit::ClaimResult& first = *erratum.parts.front();
     const auto plain = [&](const std::string& tex) {

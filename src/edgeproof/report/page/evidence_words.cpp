@@ -31,8 +31,7 @@ bool all_numbers(std::string_view text) {
            std::isdigit(static_cast<unsigned char>(text.back() == '%' ? '0' : text.back())) != 0;
 }
 
-/// "0.172989720236940..." to so many digits that a reader compares; the others are in
-/// verdicts.json.
+/// Rounds "0.172989720236940..." to the digits that a reader compares; verdicts.json has all.
 std::string rounded_for_reading(const std::string& number) {
     constexpr std::size_t most = 12;
     const std::size_t e = number.find('e');
@@ -58,7 +57,7 @@ std::string number_html(const std::string& number) {
            escape_html(power) + "</sup></span>";
 }
 
-/// "0.17 +- 3.8e-51": a value with its bound.
+/// Typesets "0.17 +- 3.8e-51", a value with its bound.
 std::string text_html(const std::string& text, const Claim& claim, const PrintedSource& source) {
     if (const std::size_t at = text.find(" +- ");
         at != std::string::npos && all_numbers(text.substr(0, at))) {
@@ -79,7 +78,7 @@ std::string text_html(const std::string& text, const Claim& claim, const Printed
 
 std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source);
 
-/// A list of tables with the same keys: one table with a column each.
+/// A list of records with the same keys becomes one table with a column for each key.
 std::string rows_html(const std::vector<EvidenceItem>& list, const Claim& claim,
                       const PrintedSource& source) {
     std::vector<std::string> keys;
@@ -139,7 +138,7 @@ std::string item_html(const EvidenceItem& item, const Claim& claim, const Printe
     return std::visit(Visitor{claim, source}, item.value());
 }
 
-/// Values of a parameter and what was found at each, side by side.
+/// A table of the values of a parameter and the results for each.
 std::string course_html(const Evidence& evidence, const Claim& claim, const PrintedSource& source) {
     const EvidenceItem* taken = evidence.find("values_taken");
     const EvidenceItem* values = evidence.find("values");

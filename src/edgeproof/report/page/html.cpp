@@ -13,7 +13,7 @@
 namespace edgeproof::report {
 namespace {
 
-/// A key of the filter for a section: its place in the list, 0 where sections are not known.
+/// A key of the filter for a section: its index in the list, 0 if sections are not known.
 std::string section_key(const audit::PrintedSource& source, const audit::Claim& claim) {
     const auto next = std::ranges::upper_bound(source.sections, claim.lines.first, {},
                                                [](const auto& section) { return section.first; });
@@ -64,7 +64,6 @@ std::string fact(const char* name, const std::string& value) {
     return value.empty() ? "" : std::string("<dt>") + name + "</dt><dd>" + value + "</dd>\n";
 }
 
-/// Paper, ledger, program: what a referee asks first.
 std::string facts(const audit::AuditResult& result, const PageHead& head) {
     const audit::PrintedSource& source = head.source;
     std::string libraries;

@@ -15,7 +15,7 @@ namespace {
 
 using audit::PrintedSource;
 
-/// A wide thing that scrolls within the page; reachable by keyboard.
+/// A wide element that scrolls within the page, also by keyboard.
 std::string scroll(const std::string& label, const std::string& content) {
     return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" +
            escape_html(label) + "\">" + content + "</div>";
@@ -32,7 +32,8 @@ std::string with_left(const std::string& left, const std::string& right) {
     return left.empty() ? right : left + " = " + right;
 }
 
-/// Printed beside corrected, what differs marked in both; below it a line of LaTeX to copy.
+/// The printed and the corrected formula with their differences marked, and LaTeX code to copy
+/// below.
 std::string sides_html(const Correction& correction, const audit::Claim& claim,
                        const PrintedSource& source) {
     MathNode printed = math_of_tex(with_left(correction.left, correction.printed), source);
@@ -83,7 +84,7 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                         : "would come out otherwise than it is printed there: this line does not "
                           "explain that error";
             std::string what = sentence_html(later.what, source);
-            for (const audit::ClaimResult& r : result.claims) { // "EQ44" of as_if, as in print
+            for (const audit::ClaimResult& r : result.claims) { // "EQ44" becomes its printed number
                 const std::string number = source.number_of(r.claim.id);
                 const std::string row = r.claim.id.substr(0, r.claim.id.find('.'));
                 const std::size_t at = number.empty() ? std::string::npos : what.find(row + ' ');
@@ -147,7 +148,7 @@ std::string verdict_mark(audit::Verdict verdict) {
 std::string lines_words(const audit::Claim& claim) {
     const auto& [first, last] = claim.lines;
     if (first == 0) {
-        return {}; // somebody's own formulas are of no source
+        return {}; // formulas of the user have no source
     }
     return first == last ? "line " + std::to_string(first)
                          : "lines " + std::to_string(first) + "–" + std::to_string(last);

@@ -25,11 +25,10 @@
 namespace edgeproof::report {
 namespace {
 
-/// A plot to be made, and what came of it.
 struct Job {
     std::function<std::optional<Plot>()> make;
     std::optional<Plot> plot;
-    std::string svg; ///< as gnuplot wrote it
+    std::string svg; ///< as written by gnuplot
     std::string problem;
 };
 
@@ -39,7 +38,7 @@ void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot) {
         if (job.plot && gnuplot) {
             job.svg = draw_svg(*job.plot, *gnuplot);
         }
-    } catch (const std::exception& e) { // a figure that fails is no reason to lose the others
+    } catch (const std::exception& e) { // an error in one figure does not affect the others
         job.problem = e.what();
     }
 }
@@ -53,7 +52,7 @@ void run_all(std::vector<Job>& jobs, int threads,
                 check_interruption();
                 run_job(jobs[i], gnuplot);
             }
-        } catch (const Interrupted&) { // thrown below, where no thread is left
+        } catch (const Interrupted&) { // thrown below, when no thread is running
             next = jobs.size();
         }
     };

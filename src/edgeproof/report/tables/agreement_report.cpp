@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_value = 30;
 
-/// Rounded down: digits that are not there are not shown.
+/// Rounded down, so that no missing digit is shown.
 long tenths_of(double digits) { return static_cast<long>(std::floor(digits * 10)); }
 std::string tenths_text(long tenths, unsigned most) {
     return tenths >= 10 * static_cast<long>(most)
@@ -26,7 +26,7 @@ std::string digits_text(double digits, unsigned most) {
     return tenths_text(tenths_of(digits), most);
 }
 
-/// The upper one of two in the middle.
+/// Returns the upper one of two medians.
 long median_of(const std::map<long, std::size_t>& counts) {
     std::size_t all = 0;
     for (const auto& [value, n] : counts) {
@@ -53,7 +53,7 @@ std::string shortened(const std::string& text) {
                                         : fmt::format("{}...", text.substr(0, longest_value));
 }
 
-/// What is wrong with an answer, in a few words.
+/// Returns the fault of an answer, in a few words.
 std::string complaint(const conformance::Answer& answer, const conformance::CaseAgreement& held,
                       unsigned digits) {
     if (!held.no_reference.empty() && answer.line != 0) {

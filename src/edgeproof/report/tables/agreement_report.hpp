@@ -11,37 +11,38 @@
 
 namespace edgeproof::report {
 
-/// Answers held against the references, to be reported.
+/// The comparison of answers with the references, for a report.
 struct Conformance {
     conformance::Answers answers;
     conformance::Target target;
     conformance::Agreements agreements;
     std::vector<conformance::Convention> conventions;
 
-    /// No fault, nothing missing, no convention but ours, and every answer within the target.
+    /// True without faults, missing answers and foreign conventions, if every answer is within the
+    /// target.
     [[nodiscard]] bool pass() const;
-    [[nodiscard]] bool failed(std::size_t i) const; ///< that answer
+    [[nodiscard]] bool failed(std::size_t i) const; ///< True if answer i fails
 };
 
-/// What is reported of answers that are held against references block by block: of a block nothing
-/// is kept but counts, the worst case of each regime, and the complaints that are shown.
+/// The report of answers compared with references block by block. Only counts, the worst case of
+/// each regime, and the complaints to be shown are kept of a block.
 class ConformanceSummary {
 public:
-    /// `errors`: the complaints shown at most.
+    /// `errors`: the most complaints shown.
     ConformanceSummary(const conformance::Target& target, std::size_t errors)
         : target_(target), errors_(errors) {}
 
-    /// The next answers; their target is that of the summary. Those of all blocks count as one.
+    /// Adds answers, compared with the target of the summary. The answers of all blocks form one
+    /// set.
     void add(const conformance::Answers& answers, const conformance::Agreements& agreements);
-    /// `unexplained`: quantities that none of them explains.
+    /// `unexplained`: the quantities that no convention explains.
     void add(const std::vector<conformance::Convention>& conventions,
              const std::vector<std::string>& unexplained);
-    /// A line above the outcome.
     void note(std::string line) { notes_.push_back(std::move(line)); }
 
     [[nodiscard]] bool pass() const;
-    /// For people: failing cases, faults, the table by regime with its worst cases, the
-    /// conventions, and the outcome in the last line.
+    /// Returns the report as text: failing cases, faults, the table by regime with its worst cases,
+    /// the conventions, and the outcome in the last line.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -57,19 +58,18 @@ private:
     struct Tally {
         std::size_t rows = 0;
         std::size_t failed = 0;
-        std::size_t explained =
-            0; ///< short of the target's digits, by what the conditioning explains
+        std::size_t explained = 0;  ///< below the target, but explained by the conditioning
         std::optional<Worst> worst; ///< of the answers that are numbers
-        /// How many of those have so many tenths of a digit, which is how they are shown.
+        /// The distribution of their digits, in tenths as shown.
         std::map<long, std::size_t> tenths;
     };
-    /// Every question is in one of the first four; the faults are of the rows as a whole.
+    /// Every question is in one of the first four counts; faults concern whole rows.
     struct Counts {
-        std::size_t failures = 0; ///< answers that are not within the target
+        std::size_t failures = 0; ///< answers outside the target
         std::size_t missing = 0;
-        std::size_t ended = 0; ///< questions that ended the program
+        std::size_t ended = 0; ///< questions that crashed the program
         std::size_t nothing_to_compare_with = 0;
-        std::size_t answers = 0; ///< rows to questions, whatever stands in them
+        std::size_t answers = 0; ///< rows with an answer of any kind
     };
     void complain(Complaints& to, const std::string& line) const;
     [[nodiscard]] std::string regimes_text() const;
@@ -89,10 +89,9 @@ private:
     std::vector<std::string> notes_;
 };
 
-/// The summary of all at once.
 [[nodiscard]] std::string conformance_text(const Conformance& c, std::size_t errors);
 
-/// JUnit XML: a test case an answer, and one for the faults.
+/// Returns JUnit XML: a test case per answer, and one for the faults.
 [[nodiscard]] std::string conformance_junit(const Conformance& c);
 
 } // namespace edgeproof::report

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// JSON has no infinity.
+/// JSON has no infinity, which becomes null.
 ordered_json number_json(const std::optional<double>& x) {
     return x && std::isfinite(*x) ? ordered_json(*x) : ordered_json(nullptr);
 }

@@ -22,7 +22,7 @@ std::string relative_text(const std::optional<double>& data, double exact) {
     return data && exact != 0 ? fmt::format("{:+.3g} %", 100 * (*data / exact - 1)) : "";
 }
 
-/// Columns as wide as what stands in them; the first to the left, the others to the right.
+/// Returns aligned columns; the first is aligned to the left, the others to the right.
 std::string aligned_rows(const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> width;
     for (const auto& row : rows) {
@@ -143,7 +143,7 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
     }
     const comparison::Diagnosis& d = *diagnosis;
     if (!d.causes.empty()) {
-        // They say it all.
+        // the causes are sufficient
     } else if (d.at_edges_only && d.largest_inside) {
         lines.push_back(fmt::format("away from the edges {} is right to {}, and scatters by {} "
                                     "from node to node: no known mistake is told from that",

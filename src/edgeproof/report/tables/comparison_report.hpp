@@ -7,7 +7,7 @@
 
 namespace edgeproof::report {
 
-/// Results held against the exact contact, to be reported.
+/// The comparison of results with the exact contact, for a report.
 struct ComparisonReport {
     std::string scene; ///< file
     std::string title;
@@ -16,13 +16,13 @@ struct ComparisonReport {
     comparison::Comparison comparison;
 };
 
-/// A row of what data and the exact contact have of one quantity.
+/// A row that compares data and exact contact for one quantity.
 struct HeldQuantity {
     std::string name; ///< "a", "P", "c_0 left", ...
     std::string unit;
     std::optional<double> data;
-    double spread = 0;              ///< of the data's, where a fit gives one
-    std::optional<double> of_exact; ///< what the same rule makes of the exact pressure
+    double spread = 0;              ///< of the data's value, if a fit gives one
+    std::optional<double> of_exact; ///< the result of the same rule for the exact pressure
     double exact = 0;
     std::string route; ///< of the exact value
     std::string note;
@@ -30,19 +30,20 @@ struct HeldQuantity {
 [[nodiscard]] std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
                                                         const comparison::FileComparison& file);
 
-/// "from 1e-3 to 1e-2 of a + b"
+/// For example "from 1e-3 to 1e-2 of a + b".
 [[nodiscard]] std::string distance_text(const comparison::DistanceErrors& d);
-/// What would explain a file that is off, a sentence each.
+/// Returns possible explanations of errors in a file, one sentence each.
 [[nodiscard]] std::vector<std::string> diagnosis_lines(const comparison::FileComparison& file);
-/// What is held against what: "p within 3 % of the peak, ...".
+/// Returns the tolerances as text: "p within 3 % of the peak, ...".
 [[nodiscard]] std::string tolerance_text(const comparison::Tolerances& t);
 
-/// For people: for each file what was found, the quantities, the errors by distance and beside
-/// knots, and why it fails; orders and limits of several; the outcome in the last line.
+/// Returns the report as text: for each file the findings, the quantities, the errors by distance
+/// and near knots, and the reasons of failure; orders and limits of several files; the outcome in
+/// the last line.
 [[nodiscard]] std::string comparison_text(const ComparisonReport& report);
-/// The same as JSON; numbers of the data are binary64, and so are the exact ones beside them.
+/// Returns the report as JSON; all numbers are binary64.
 [[nodiscard]] std::string comparison_json(const ComparisonReport& report);
-/// JUnit XML: a suite a file, a case a quantity held.
+/// Returns JUnit XML: a suite per file, a case per quantity.
 [[nodiscard]] std::string comparison_junit(const ComparisonReport& report);
 
 } // namespace edgeproof::report

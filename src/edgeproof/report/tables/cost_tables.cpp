@@ -16,7 +16,7 @@ namespace {
 using ColumnKind = Column::Kind;
 
 std::string whole(double x) { return fmt::format("{:.0f}", x); }
-/// Digits right, rounded down: 50 are 50 only when they are there.
+/// Correct digits, rounded down: "50" only for at least 50.
 std::string digits_text(double digits) { return whole(std::floor(digits)); }
 std::string seconds_text(double seconds) { return fmt::format("{:.4g}", seconds); }
 

@@ -9,34 +9,33 @@
 
 namespace edgeproof::report {
 
-/// All that `edgeproof cost` has found.
 struct CostReport {
     std::vector<std::pair<std::string, std::string>> machine;
-    std::vector<unsigned> digits; ///< asked for, ascending
+    std::vector<unsigned> digits; ///< the requested digits, ascending
     std::vector<cost::CostCase> cases;
     std::vector<cost::CostCell> cells;
-    std::vector<cost::EffectCost> effects; ///< empty where scenes of the user's were timed
+    std::vector<cost::EffectCost> effects; ///< empty if the user's own scenes were timed
 
-    /// Those that what is not shown at all digits is shown at: 50, or what lies in the middle.
+    /// The number of digits for results shown at one number only: 50, or the middle one.
     [[nodiscard]] unsigned usual_digits() const;
     [[nodiscard]] const cost::CostCase& case_named(const std::string& name) const;
 };
 
-/// "4.21 us", "1.30 ms", "0.83 s".
+/// For example "4.21 us", "1.30 ms", "0.83 s".
 [[nodiscard]] std::string time_text(double seconds);
 
-/// For reading: one row a route and number of digits.
+/// A table for readers: one row per route and number of digits.
 [[nodiscard]] Table cost_table(const CostReport& report, const std::string& scene);
-/// For reading: one number of digits, all scenes.
+/// A table for readers: one number of digits, all scenes.
 [[nodiscard]] Table cost_table_at(const CostReport& report, unsigned digits);
 [[nodiscard]] Table growth_table(const CostReport& report);
 [[nodiscard]] Table bound_table(const CostReport& report);
 [[nodiscard]] Table effect_table(const CostReport& report);
 
-/// For programs: times in seconds, every cell and every point.
+/// Tables for programs: times in seconds, every cell and every point.
 [[nodiscard]] Table cost_cells(const CostReport& report);
 [[nodiscard]] Table cost_points(const CostReport& report);
-/// Both of these, the growth, the bounds, the effects and the machine as one JSON text.
+/// Returns both of these, the growth, the bounds, the effects and the machine as JSON.
 [[nodiscard]] std::string cost_json(const CostReport& report);
 
 } // namespace edgeproof::report

@@ -5,8 +5,8 @@
 
 namespace edgeproof::report {
 
-/// The best values, a row a parameter: what kind of optimum, whether it is proved and by what gap,
-/// and how far printed values fall short.
+/// The best values, one row per parameter: the kind of optimum, whether it is proved and by what
+/// gap, and the loss with the printed values.
 [[nodiscard]] Table design_table(const scene::DesignScene& design,
                                  const scene::DesignResult& result,
                                  const contact::DesignOptions& search);

@@ -20,7 +20,7 @@ constexpr std::string_view checksum_key = "checksum";
 
 std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
 
-/// Of the header and the rows as CSV has them, without notes.
+/// The checksum of the header and the rows as CSV, without notes.
 std::string checksum(const std::vector<std::string>& columns,
                      const std::vector<const std::vector<std::string>*>& rows) {
     std::uint64_t hash = io::fnv1a(csv_line(columns));
@@ -30,7 +30,7 @@ std::string checksum(const std::vector<std::string>& columns,
     return checksum_text(hash);
 }
 
-/// As printf's %.17g has it: read back, it is x.
+/// The format %.17g of printf, which identifies x.
 std::string seventeen_digits(double x) {
     std::array<char, 32> text{};
     const auto end =
@@ -47,7 +47,7 @@ std::vector<std::string> names_of(const std::vector<Column>& columns) {
     return names;
 }
 
-/// x as an exact decimal, where a and u are rational.
+/// Returns x as an exact decimal, if a and u are rational.
 std::string exact_place(const conformance::AskedContact& contact, const conformance::Question& q) {
     const contact::Load& load = contact.scene.load;
     const bool known = load.kind == contact::Load::Kind::right_edge &&

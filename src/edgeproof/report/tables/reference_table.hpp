@@ -12,10 +12,10 @@
 
 namespace edgeproof::report {
 
-/// Cells as a line of CSV, with its end.
+/// Returns cells as a line of CSV, with its end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 
-/// The rows of a reference table, one by one: none is kept.
+/// Makes the rows of a reference table one by one, without storing them.
 class ReferenceRows {
 public:
     explicit ReferenceRows(const conformance::Recipe& recipe);
@@ -23,10 +23,10 @@ public:
     [[nodiscard]] std::vector<std::string> row(const conformance::Questions& questions,
                                                std::size_t i,
                                                const conformance::Reference& reference) const;
-    /// The row as a line of CSV, behind what stands in `text`.
+    /// Appends the row as a line of CSV to `text`.
     void add_line(std::string& text, const conformance::Questions& questions, std::size_t i,
                   const conformance::Reference& reference) const;
-    /// The checksum of the header, to be gone on with line by line (io::fnv1a).
+    /// The checksum of the header, to be continued line by line (io::fnv1a).
     [[nodiscard]] std::uint64_t header_checksum() const;
     /// The table without its rows: head and columns. `checksum`: of the header and the lines.
     [[nodiscard]] Table table(std::size_t rows, std::size_t estimates,
@@ -46,20 +46,20 @@ private:
     std::set<scene::Quantity> quantities_;
 };
 
-/// A recipe's answers as a table, a row a question: id, parameters, edge, u, x, quantity, value,
-/// bound, binary64 (17 digits), route. The checksum is over the
-/// header and the rows as CSV, so that it is the same in every format.
+/// Returns a recipe's answers as a table, one row per question: id, parameters, edge, u, x,
+/// quantity, value, bound, binary64 (17 digits), route. The checksum covers the header and the rows
+/// as CSV, so that it is the same in every format.
 [[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
                                     const std::vector<conformance::Reference>& values);
 
-/// The questions as a table to be answered: id, parameters, quantity, edge, u, x; whoever answers
-/// adds a column `value`. x is left out where it is not rational.
+/// Returns the questions as a table to be answered: id, parameters, quantity, edge, u, x; the other
+/// program adds a column `value`. x is left out if it is not rational.
 [[nodiscard]] Table question_table(const conformance::Questions& questions,
                                    const std::string& title);
 
-/// What differs between a table on disk and the same one made anew, a line each: rows that differ,
-/// are missing, are too many or out of order, a checksum that does not fit. `sample`: the
-/// new table holds some of the rows only. Empty: they agree in every digit.
+/// Returns the differences between a table on disk and a new one, one line each: rows that differ,
+/// are missing, superfluous or out of order, and a wrong checksum. `sample`: the new table has only
+/// some of the rows. Empty if all digits agree.
 [[nodiscard]] std::vector<std::string> table_differences(const io::Csv& old, const Table& made,
                                                          bool sample);
 

@@ -5,7 +5,7 @@
 
 namespace edgeproof::report {
 
-/// The relations that were found, a row each, and whether these are all.
+/// The relations found, one row each, and whether these are all.
 [[nodiscard]] Table relations_table(const audit::RelationQuestion& question,
                                     const audit::AskedRelations& asked);
 

@@ -6,7 +6,8 @@
 
 namespace edgeproof::report {
 
-/// A table in Markdown, a row a mistake and a column a noise; then what was missed, and the sums.
+/// A Markdown table with a row per mistake and a column per noise level; then the misses and the
+/// sums.
 [[nodiscard]] std::string self_test_text(const comparison::SelfTest& test);
 
 } // namespace edgeproof::report

@@ -23,7 +23,6 @@ std::string fact_text(const Fact& fact) {
     return text;
 }
 
-/// Title, facts and notes, each a line after `mark`.
 std::string heading(const Table& table, const std::string& mark) {
     std::string out;
     const auto line = [&](const std::string& text) { out += mark + printable(text) + "\n"; };
@@ -85,10 +84,10 @@ std::string json(const Table& table) {
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The columns of each of several tables, no wider than `most` together (0: one table).
+/// Distributes the columns over tables no wider than `most` (0: one table).
 std::vector<std::vector<std::size_t>> columns_that_fit(const std::vector<std::size_t>& width,
                                                        std::size_t most) {
-    constexpr std::size_t repeated = 2; // what a row is of
+    constexpr std::size_t repeated = 2; // the columns that identify a row
     constexpr std::size_t rule = 3;     // " | "
     std::vector<std::vector<std::size_t>> tables(1);
     std::size_t used = 1;
@@ -158,7 +157,7 @@ std::string markdown(const Table& table, std::size_t most) {
     return out;
 }
 
-/// 1.3e-52 as $1.3\times 10^{-52}$; other text as it is.
+/// Returns 1.3e-52 as $1.3\times 10^{-52}$; other text is not changed.
 std::string latex_number(const std::string& text) {
     if (text.empty()) {
         return text;

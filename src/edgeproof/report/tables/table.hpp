@@ -9,47 +9,46 @@
 
 namespace edgeproof::report {
 
-/// How a table is written.
 enum class TableFormat { csv, json, markdown, latex };
-/// csv, json, md, tex. Nothing for other names.
+/// Reads csv, json, md, tex. Returns nothing for other names.
 [[nodiscard]] std::optional<TableFormat> table_format(std::string_view name);
 
-/// A column; what a cell of it holds decides how it is laid out.
+/// A column; the kind of its cells determines the layout.
 struct Column {
     enum class Kind {
         text,
-        number, ///< in JSON a string too: no digit is lost
-        count   ///< in JSON an integer
+        number, ///< also a string in JSON, so that no digit is lost
+        count   ///< an integer in JSON
     };
     std::string name;
     Kind kind = Kind::number;
-    /// Of a text: exact numbers as they were given ("-pi/16"), which are read again.
+    /// For a text: exact numbers as given ("-pi/16"), which are read again.
     bool exact = false;
 };
 
-/// What holds for the whole table: `# key: value` in CSV, a key in JSON.
+/// A property of the whole table: `# key: value` in CSV, a key in JSON.
 struct Fact {
     std::string key;
     std::string value;
-    std::string bound = {}; ///< where it is a value with a bound and its route
+    std::string bound = {}; ///< for a value with a bound and its route
     std::string route = {};
 };
 
-/// A table as it is printed: every cell is final text, empty where there is none.
+/// A printed table: every cell is final text, possibly empty.
 struct Table {
     std::string title;
     std::vector<Fact> facts;
-    std::vector<std::string> notes; ///< what the columns are, how they are bounded
+    std::vector<std::string> notes; ///< the meaning and the bounds of the columns
     std::vector<Column> columns;
     std::vector<std::vector<std::string>> rows;
 };
 
-/// The same table, the same bytes, by the same program, which is named among the facts. CSV: notes
-/// are lines that begin with #. Markdown: aligned, so that it reads as text. LaTeX: booktabs, for
-/// `\input`.
+/// Writes the table; the same program writes the same bytes. The program is one of the facts. CSV:
+/// notes are lines that begin with #. Markdown: aligned, so that it is readable as text. LaTeX:
+/// booktabs, for `\input`.
 ///
-/// `width`: Markdown no wider than that, as far as one column beside the first two (which say what
-/// a row is of) permits: the other columns in tables below each other. 0: all in one.
+/// `width`: the greatest width of Markdown, as far as the first two columns (which identify a row)
+/// and one other permit; the other columns are placed in further tables below. 0: one table.
 [[nodiscard]] std::string write_table(const Table& table, TableFormat format,
                                       std::size_t width = 0);
 

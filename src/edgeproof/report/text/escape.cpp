@@ -9,13 +9,13 @@
 namespace edgeproof::report {
 namespace {
 
-/// -1/3, +2.5e-7: harmless in a spreadsheet, and read as numbers by scripts.
+/// True for -1/3, +2.5e-7: these are safe in a spreadsheet, and scripts read them as numbers.
 bool is_number(std::string_view text) {
     const std::size_t digits = text.find_first_of("0123456789");
     return digits <= 1 && text.find_first_not_of("+-.0123456789eE/") == std::string_view::npos;
 }
 
-/// Of the cells of a table all but a few are made of these, and stay as they are.
+/// Nearly all cells consist of these characters and are not changed.
 bool is_plain(char c) {
     static constexpr auto plain = [] {
         std::array<bool, 256> known{};
@@ -41,7 +41,7 @@ std::string in_quotes(std::string_view text) {
 } // namespace
 
 void add_csv_cell(std::string& line, std::string_view text) {
-    // A line that begins with # is a note, and blanks at the ends of a cell do not count.
+    // A line that begins with # is a note, and blanks at the ends of a cell are ignored.
     const bool read_otherwise =
         !text.empty() && (text.front() == '#' || text.front() == ' ' || text.back() == ' ');
     if (!read_otherwise && std::all_of(text.begin(), text.end(), is_plain)) {
@@ -68,7 +68,8 @@ std::string csv_text_cell(std::string_view text) {
 }
 
 std::string markdown_text(std::string_view text) {
-    // An interval, [0.1, 0.2], may stand as it is: only a bracket that is followed up is a link.
+    // An interval, [0.1, 0.2], needs no escapes: a bracket makes a link only if "(", "[" or ":"
+    // follows.
     const bool link = text.find("](") != std::string_view::npos ||
                       text.find("][") != std::string_view::npos ||
                       text.find("]:") != std::string_view::npos;

@@ -3,29 +3,28 @@
 #include <string>
 #include <string_view>
 
-/// Somebody else's text (names, ids, notes, formulas, file names) as it may stand in each format
-/// that is written, so that it is read there as text and as nothing else: one function a place.
-/// `escape_html` (html_markup.hpp) and `printable` (precision/message.hpp), which all of them apply
-/// first, are of the same kind, for HTML and a terminal.
+/// Escapes text of other authors (names, ids, notes, formulas, file names) for each output format,
+/// so that it is read there as plain text; one function per format. `escape_html` (html_markup.hpp)
+/// does the same for HTML, and `printable` (precision/message.hpp), which all of them apply first,
+/// for a terminal.
 namespace edgeproof::report {
 
-/// A cell of a CSV row, quoted where it has to be.
+/// Returns a cell of a CSV row, quoted if necessary.
 [[nodiscard]] std::string csv_cell(std::string_view text);
-/// The same, behind what stands in `line`.
 void add_csv_cell(std::string& line, std::string_view text);
-/// The same for a column of text: a cell that begins with =, +, - or @ and is no number gets an
-/// apostrophe in front, or a spreadsheet would take it for a formula and run it.
+/// Returns a cell of a text column: if it begins with =, +, - or @ and is not a number, it gets an
+/// apostrophe in front, since a spreadsheet would execute it as a formula.
 [[nodiscard]] std::string csv_text_cell(std::string_view text);
 
-/// Between the marks of a Markdown line or table row: no mark, tag or link of its own.
+/// Returns text for a line or a table row of Markdown, without marks, tags or links of its own.
 [[nodiscard]] std::string markdown_text(std::string_view text);
-/// A Markdown code span in a table row.
+/// Returns a Markdown code span for a table row.
 [[nodiscard]] std::string markdown_code(std::string_view text);
 
-/// In an attribute or a text of XML.
+/// Returns text for an attribute or a text of XML.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
-/// In a LaTeX paragraph or cell: no command of its own.
+/// Returns text for a LaTeX paragraph or cell, without commands of its own.
 [[nodiscard]] std::string latex_text(std::string_view text);
 
 } // namespace edgeproof::report

@@ -13,7 +13,7 @@ namespace {
 using formula::Expr;
 using Kind = Expr::Kind;
 
-/// A product as what stands above and below its bar, in the order of the text.
+/// The factors above and below the bar of a product, in the order of the text.
 struct Factors {
     std::vector<Expr> above;
     std::vector<Expr> below;
@@ -35,7 +35,7 @@ struct Factors {
     }
 };
 
-/// Numbers, then roots of numbers, then letters, then roots, sums, integrals.
+/// The order of factors: numbers, roots of numbers, letters, other roots, sums, integrals.
 int place_of(const Expr& e) {
     const Kind kind = e.kind();
     const bool root = kind == Kind::call && e.builtin() == formula::Builtin::sqrt;
@@ -63,7 +63,7 @@ Expr product_in_order(std::vector<Expr> factors) {
     return all;
 }
 
-bool in_fraction(const Expr& sum) { // a long sum stands beside the bar: (P'/4a)(X + S)
+bool in_fraction(const Expr& sum) { // a sum is placed next to the fraction: (P'/4a)(X + S)
     return place_of(sum) < 4;
 }
 
@@ -76,8 +76,7 @@ Expr arranged_product(const Expr& e) {
                              [](const Expr& f) { return !in_fraction(f); });
         std::erase_if(factors.above, [](const Expr& f) { return !in_fraction(f); });
     }
-    // A fraction of nothing but 1 above takes the sums back: (2 + 3g)/(3 pi), not 1/(3 pi) (2 +
-    // 3g).
+    // A fraction with only 1 above takes the sums back: (2 + 3g)/(3 pi), not 1/(3 pi) (2 + 3g).
     constexpr std::size_t most = 80; // a longer one breaks into lines only outside a fraction
     const auto text_size = [](const Expr& f) { return to_text(f).size(); };
     if (factors.above.empty() &&
@@ -94,7 +93,6 @@ Expr arranged_product(const Expr& e) {
     return factors.negative ? -all : all;
 }
 
-/// Exponents as fractions.
 Expr with_fraction_exponent(const Expr& e) {
     const Rational* power = e.arg(1).rational();
     if (power == nullptr || denominator(*power) == 1) {
@@ -106,7 +104,7 @@ Expr with_fraction_exponent(const Expr& e) {
     return pow(e.arg(0), *power < 0 ? -fraction : fraction);
 }
 
-/// What an edit put beside a fraction, moved into it; all else stays where the source has it.
+/// Moves a factor that an edit placed next to a fraction into it; the rest keeps its order.
 Expr tidied_edit(const Expr& e) {
     const bool product = e.kind() == Kind::mul;
     if (product && e.arg(1).kind() == Kind::div && in_fraction(e.arg(0)) &&

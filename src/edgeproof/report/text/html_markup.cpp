@@ -6,7 +6,7 @@
 namespace edgeproof::report {
 namespace {
 
-/// Length of the well-formed UTF-8 sequence at the start of `s`; 0 if there is none.
+/// Returns the length of the well-formed UTF-8 sequence at the start of `s`; 0 if there is none.
 std::size_t sequence_length(std::string_view s) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
     const unsigned char head = byte(0);

@@ -6,16 +6,16 @@
 
 namespace edgeproof::report {
 
-/// Text as it may stand in HTML, between tags or inside a quoted attribute. Control characters that
-/// HTML does not admit become spaces; bytes that are no UTF-8 become U+FFFD.
+/// Escapes text for HTML, between tags or in a quoted attribute. Control characters not allowed in
+/// HTML become spaces; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string escape_html(std::string_view text);
 
-/// `{{name}}` in a template replaced by `values[name]`, once and not inside what was put in.
-/// Throws Error for a name without a value.
+/// Replaces `{{name}}` in a template by `values[name]`, once and not in the inserted text. Throws
+/// Error for a name without a value.
 [[nodiscard]] std::string
 fill_template(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
-/// The files of share/edgeproof/report, as they were when the program was built.
+/// The files of share/edgeproof/report when the program was built.
 namespace report_template {
 extern const std::string_view page_html;
 extern const std::string_view page_css;

@@ -28,8 +28,8 @@ MathNode math_element_of(const char* tag, Nodes children) { return {tag, {}, std
 
 constexpr int most_expansions = 200; // of macros: one may call itself
 
-/// Reads tokens into nodes. What ends a list of nodes (a brace, \right, \\, &) is left to whoever
-/// began it.
+/// Reads tokens into nodes. A token that ends a list of nodes (a brace, \right, \\, &) is left to
+/// the function that started the list.
 class MathReader {
 public:
     MathReader(std::string_view tex, const audit::PrintedSource& source)
@@ -43,7 +43,7 @@ public:
                 break;
             }
             const bool new_line = peek() == "\\\\";
-            ++at_; // a line ends, or a brace or fence that nothing opened
+            ++at_; // the end of a line, or an unmatched brace or fence
             if (!new_line) {
                 MathNode rest = math_row(list());
                 Nodes both{std::move(lines.back()), std::move(rest)};
@@ -118,7 +118,7 @@ private:
         return math_element_of("msup", {std::move(base), math_row(std::move(above))});
     }
 
-    /// A group, or one atom.
+    /// Reads a group, or one atom.
     MathNode argument() {
         if (at_end()) {
             return math_row({});
@@ -137,7 +137,7 @@ private:
         return math_row({});
     }
 
-    /// The characters of a group as they stand.
+    /// Reads the characters of a group unchanged.
     std::string words() {
         std::string text;
         if (at_end() || peek() != "{") {
@@ -176,7 +176,7 @@ private:
         for (MathNode& node : list()) {
             nodes.push_back(std::move(node));
         }
-        // A line may end between \left and \right: what is open stays so.
+        // A line may end between \left and \right; then the fence stays open.
         if (!at_end() && peek() == "\\right") {
             ++at_;
             add(fence());
@@ -207,7 +207,7 @@ private:
         }
         return {"mrow", {}, {math_leaf("mo", "{", " stretchy=\"true\""), std::move(rows)}};
     }
-    /// [2mm] behind \\.
+    /// Skips [2mm] after \\.
     void skip_option() {
         if (!at_end() && peek() == "[") {
             while (!at_end() && tokens_[at_++] != "]") {

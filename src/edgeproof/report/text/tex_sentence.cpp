@@ -17,7 +17,7 @@ void put_in_place(std::string& text, std::string_view from, std::string_view to)
     }
 }
 
-/// Signs that TeX has by name in a line of text.
+/// Signs that have a TeX command in text.
 std::string_view text_sign(std::string_view command) {
     return command == "\\textsection"       ? "§"
            : command == "\\textbackslash"   ? "\\"
@@ -26,7 +26,7 @@ std::string_view text_sign(std::string_view command) {
                                             : "";
 }
 
-/// Text between formulas: commands carried out, the rest escaped.
+/// Returns text between formulas: commands are evaluated, the rest is escaped.
 std::string plain_html(std::string_view tex, const audit::PrintedSource& source) {
     const std::vector<std::string> tokens = tex_tokens(tex);
     std::string out;
@@ -96,7 +96,7 @@ bool is_sentence(std::string_view tex) {
     if (tex.find('$') != std::string_view::npos) {
         return true;
     }
-    // Three words with nothing but spaces between them, none of them a command or in braces.
+    // Three words separated only by spaces, none of them a command or in braces, make a sentence.
     std::size_t words = 0;
     for (std::size_t i = 0; i < tex.size();) {
         std::size_t n = 0;

@@ -7,12 +7,12 @@
 
 namespace edgeproof::report {
 
-/// TeX cut into tokens: commands with their backslash, whole numbers and decimals, single
-/// characters (a letter beyond ASCII whole). Runs of white space are one " ".
+/// Splits TeX into tokens: commands with their backslash, whole numbers and decimals, single
+/// characters (a non-ASCII letter is one token). Runs of white space become one " ".
 [[nodiscard]] std::vector<std::string> tex_tokens(std::string_view tex);
 
-/// What the command (without its backslash) stands for: an operator, a letter, a width of space (of
-/// none: ""), or nothing of the kind.
+/// The symbol of the command (given without its backslash): an operator, a letter, or a width of
+/// space ("" for zero width); nothing for other commands.
 [[nodiscard]] std::optional<std::string_view> tex_operator(std::string_view command);
 [[nodiscard]] std::optional<std::string_view> tex_letter(std::string_view command);
 [[nodiscard]] std::optional<std::string_view> tex_space(std::string_view command);

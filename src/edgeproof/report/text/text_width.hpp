@@ -6,7 +6,7 @@
 
 namespace edgeproof::report {
 
-/// Code points of UTF-8, as columns: the texts are ASCII but for what an author puts in.
+/// Returns the number of UTF-8 code points as the number of columns; nearly all texts are ASCII.
 [[nodiscard]] inline std::size_t text_width(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;

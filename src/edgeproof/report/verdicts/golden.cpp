@@ -25,7 +25,7 @@ std::string row(const Cells& cells) {
     return line;
 }
 
-/// As the reader of CSV gives it back.
+/// The cells as the CSV reader returns them.
 Cells cells_of(const audit::ClaimResult& r) {
     return {r.claim.id, std::string(name_of(r.outcome.verdict)),
             printable(r.outcome.correct.value_or(""))};

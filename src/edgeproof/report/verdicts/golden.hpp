@@ -8,15 +8,15 @@
 
 namespace edgeproof::report {
 
-/// Beside LEDGER.toml: LEDGER.expected.csv.
+/// Returns LEDGER.expected.csv in the folder of LEDGER.toml.
 [[nodiscard]] std::filesystem::path golden_file(const std::filesystem::path& ledger);
 
-/// The verdicts and corrections of an audit, as a golden file holds them. It records what was
-/// computed and was then understood; nothing in it is an input.
+/// Returns the verdicts and corrections of an audit in the format of a golden file. Such a file
+/// records results that were checked by a person; it is never an input.
 [[nodiscard]] std::string golden_text(const audit::AuditResult& result);
 
-/// How the results differ from a golden file, a line each; of the file's rows only those that
-/// match `only` count. Throws InputError for a malformed file.
+/// Returns the differences of the results from a golden file, one line each; only rows of the file
+/// that match `only` count. Throws InputError for a malformed file.
 [[nodiscard]] std::vector<std::string> golden_differences(const audit::AuditResult& result,
                                                           const std::filesystem::path& file,
                                                           const std::string& only);

@@ -9,7 +9,7 @@
 namespace edgeproof::report {
 namespace {
 
-/// What fewer samples would have told.
+/// The use of the samples, which shows if fewer would suffice.
 std::string samples_text(const audit::ClaimResult& r, double most) {
     if (!r.outcome.sample_use) {
         return "-";

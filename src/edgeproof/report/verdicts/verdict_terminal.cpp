@@ -15,7 +15,7 @@ std::string padded(const std::string& text, std::size_t width) {
     return n < width ? text + std::string(width - n, ' ') : text;
 }
 
-/// Words laid out in lines of at most `width` columns; a longer word is cut.
+/// Returns lines of at most `width` columns; a longer word is divided.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
     std::vector<std::string> lines;
     std::string line;
@@ -62,7 +62,7 @@ const char* colour_of(audit::Verdict verdict) {
     return "\033[2m";
 }
 
-/// What a row says beside its verdict: the figure, then the remark.
+/// The text of a row in addition to its verdict: the figure, then the note.
 std::string remark(const audit::ClaimResult& r) {
     std::string text;
     if (r.outcome.computed) {
@@ -127,7 +127,7 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
             any = true;
         }
         out += paint(audit::Verdict::refuted, printable(r.claim.id));
-        if (r.claim.lines.first > 0) { // somebody's own formulas are of no source
+        if (r.claim.lines.first > 0) { // formulas of the user have no source
             out += " (lines " + std::to_string(r.claim.lines.first) + "-" +
                    std::to_string(r.claim.lines.second) + ")";
         }

@@ -53,7 +53,7 @@ std::optional<std::string> quoted(const audit::Claim& claim) {
     return claim.text("quoted");
 }
 
-/// "5-7"; nothing for a formula of no source.
+/// Returns "5-7"; nothing for a formula without a source.
 std::string lines_text(const audit::Claim& claim) {
     if (claim.lines.first == 0) {
         return {};

@@ -97,8 +97,7 @@ ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
     return s;
 }
 
-/// A quotient of polynomials: upper bounds of their degrees in each parameter, or nothing where the
-/// formula is not such a quotient.
+/// Upper bounds of the degrees of a quotient of polynomials in each parameter.
 struct Degrees {
     long over;
     long under;
@@ -143,8 +142,8 @@ std::optional<Degrees> degrees_of(const Expr& e) {
     }
 }
 
-/// Whether a quotient of polynomials in the parameters is zero identically: where it is, exactly,
-/// for more values of each than its numerator has roots.
+/// True if a quotient of polynomials in the parameters is identically zero. It is, if it is exactly
+/// zero for more values of each parameter than its numerator can have roots.
 bool identically_zero(const Expr& e, const std::vector<DesignScene::Parameter>& parameters) {
     const auto degrees = degrees_of(e);
     if (!degrees || degrees->over > 40) {
@@ -170,8 +169,7 @@ bool identically_zero(const Expr& e, const std::vector<DesignScene::Parameter>& 
     return true;
 }
 
-/// The number of knots left of the origin for some values of the parameters, and whether the next
-/// is the origin itself.
+/// Returns the number of knots left of the origin at one end of the ranges of the parameters.
 std::size_t knots_before_origin(const std::vector<Expr>& knots,
                                 const std::vector<DesignScene::Parameter>& parameters, bool upper) {
     std::size_t before = 0;
@@ -278,7 +276,7 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
         return all;
     }
     const bool slip = objective == DesignObjective::slip_load;
-    std::optional<Expr> tension; // over Q
+    std::optional<Expr> tension; // divided by Q
     if (slip) {
         tension = of.number_or_none("shear", "bulk_tension");
         if (tension && tension->rational() != nullptr && *tension->rational() == 0) {

@@ -117,14 +117,14 @@ std::size_t terms_in_range(long terms) {
     return static_cast<std::size_t>(terms);
 }
 
-/// What a key of the section says, with the place of what `meaning` refuses.
+/// Interprets the value of a key; errors get its file and line.
 template <class Meaning>
 auto meaning_at(const io::TomlSection& section, std::string_view key, const Meaning& meaning) {
     return io::at_place(section.file(), section.line(key),
                         [&] { return meaning(section.written(key)); });
 }
 
-/// What may be asked in place of [design].
+/// Sets the part of the question that `asked` can replace.
 void set_question(const DesignQuestion& asked, const io::TomlSection* section,
                   DesignScene& design) {
     design.objective = asked.maximise ? objective_named(*asked.maximise)
@@ -143,7 +143,7 @@ void set_question(const DesignQuestion& asked, const io::TomlSection* section,
     }
 }
 
-/// What is said in [design] alone.
+/// Reads the keys that only [design] has.
 void read_design_section(const io::TomlSection& section, DesignScene& design) {
     if (design.objective == DesignObjective::slip_load) {
         for (const char* key : {"of", "unit", "part"}) {
@@ -238,8 +238,8 @@ DesignScene parse_design(std::string_view text, const std::string& file,
     if (section) {
         read_design_section(*section, design);
     }
-    // Both ends make a scene; what is between is convex where they are, or refused when it is
-    // tried.
+    // Both ends must make valid scenes. Values between them are convex if the ends are, or are
+    // refused when they are tried.
     std::vector<Rational> lo;
     std::vector<Rational> hi;
     for (const DesignScene::Parameter& p : design.parameters) {

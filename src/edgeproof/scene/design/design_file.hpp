@@ -11,14 +11,14 @@
 
 namespace edgeproof::scene {
 
-/// What a design makes as large as it can be.
+/// The quantity that a design maximises.
 enum class DesignObjective {
-    first_exit, ///< the first distance at which n terms are off by the tolerance
-    measure,    ///< the length of all places at which they are not
-    slip_load   ///< the Q/(f P) up to which n terms of a slip zone's size are within the tolerance
+    first_exit, ///< the first distance at which the error of n terms is the tolerance
+    measure,    ///< the total length of the places where it is within the tolerance
+    slip_load   ///< the Q/(f P) up to which the slip-zone size by n terms is within the tolerance
 };
 
-/// What is asked in place of what [design] says.
+/// Values that replace those of [design].
 struct DesignQuestion {
     std::optional<std::string> maximise;
     std::optional<std::string> tolerance;
@@ -26,7 +26,7 @@ struct DesignQuestion {
     std::optional<long> terms;
 };
 
-/// A scene in which one or two numbers are ranges, and the question which values are best
+/// A scene in which one or two numbers are ranges; the best values are to be found
 /// (docs/design.md).
 class DesignScene {
 public:
@@ -44,24 +44,25 @@ public:
     formula::Exact tolerance;
     std::vector<contact::Edge> edges{contact::Edge::right};
     contact::ReachUnit unit = contact::ReachUnit::fraction;
-    Rational part = 1; ///< of a + b, that is looked at
+    Rational part = 1; ///< the part considered, as a fraction of a + b
 
     [[nodiscard]] std::vector<contact::ParameterRange> ranges() const;
-    /// The scene for one value of each parameter. Throws InputError where it makes none.
+    /// Returns the scene for one value of each parameter. Throws InputError if these values do not
+    /// make a valid scene.
     [[nodiscard]] Scene at(const std::vector<Rational>& values) const;
-    /// The relative error as a function of the parameters in closed form; null where there is none:
-    /// `why_not` says so, and no proof can be had.
+    /// Returns the relative error as a function of the parameters in closed form. An element is
+    /// null if there is no closed form; then `why_not` gives the reason, and no proof is possible.
     [[nodiscard]] std::vector<std::unique_ptr<contact::ErrorFamily>>
     errors(std::string& why_not) const;
 
 private:
     friend DesignScene parse_design(std::string_view text, const std::string& file,
                                     const DesignQuestion& asked);
-    std::string scene_text_; ///< without [design] and [parameters]; lines are kept
+    std::string scene_text_; ///< without [design] and [parameters]; line numbers are kept
 };
 
-/// A scene without [design] is asked what `asked` says, which then has a tolerance. Throws
-/// InputError with file and line.
+/// Reads a design. If a scene has no [design], `asked` gives the question, including the tolerance.
+/// Throws InputError with file and line.
 [[nodiscard]] DesignScene read_design(const std::filesystem::path& file);
 [[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
                                        const DesignQuestion& asked = {});

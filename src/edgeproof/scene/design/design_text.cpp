@@ -15,7 +15,7 @@ std::string_view trimmed(std::string_view s) {
     return s.substr(from, s.find_last_not_of(" \t\r") - from + 1);
 }
 
-/// "[profile]" is the header of profile; nothing for a line that is none.
+/// Returns "profile" for the header "[profile]"; nothing for other lines.
 std::string header_of(std::string_view line) {
     const std::string_view s = trimmed(line);
     const std::size_t end = s.find(']');
@@ -37,7 +37,7 @@ bool is_name_character(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Each quoted part of a line with its names replaced; comments stay.
+/// Replaces the names in each quoted part of a line; comments are not changed.
 std::string with_quoted_replaced(std::string_view line,
                                  const std::map<std::string, std::string>& values) {
     std::string out;

@@ -8,14 +8,14 @@
 
 namespace edgeproof::scene {
 
-/// A TOML text with the named sections left out; its lines keep their numbers.
+/// Returns a TOML text without the named sections; the line numbers do not change.
 [[nodiscard]] std::string without_sections(std::string_view text,
                                            const std::vector<std::string>& names);
-/// `key = { ... }` of a section with `key = "value"` in its place, and each name of `values` in a
-/// quoted text of [profile], [load] and [shear] with its value in parentheses.
+/// Replaces `key = { ... }` of a section by `key = "value"`, and each name of `values` in a quoted
+/// text of [profile], [load] and [shear] by its value in parentheses.
 [[nodiscard]] std::string with_values(std::string_view text,
                                       const std::map<std::string, std::string>& values);
-/// Names in a formula with what stands for them.
+/// Replaces names in a formula by their values in parentheses.
 [[nodiscard]] std::string with_names_replaced(std::string_view formula,
                                               const std::map<std::string, std::string>& values);
 

@@ -20,8 +20,8 @@ constexpr double steepest_step = 0.02; ///< of the highest reach, between neighb
 constexpr double narrowest_step = 1e-6;
 constexpr long printed_bits = 256;
 
-/// The reach or measure at single values, each as a scene of its own gives it, for what no closed
-/// form is known of.
+/// Computes the reach or measure at single values, each as a scene of its own, if no closed form is
+/// known.
 class SampledScenes {
 public:
     explicit SampledScenes(const DesignScene& design) : design_(design) {}
@@ -88,8 +88,8 @@ std::optional<std::vector<Rational>> printed_values(const DesignScene& design) {
     return values;
 }
 
-/// Points between neighbours that differ by more than `step`: what is left, where they are nearer
-/// than `narrowest`, is a jump.
+/// Adds points between neighbours that differ by more than `step`. If such neighbours are closer
+/// than `narrowest`, there is a jump between them.
 void refine_curve(std::vector<std::pair<double, double>>& curve,
                   const std::function<double(const std::vector<double>&)>& score, double step,
                   double narrowest) {
@@ -181,7 +181,7 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
         for (int k = 0; k <= points; ++k) {
             at.push_back(from + (to - from) * k / points);
         }
-        // Both sides of the best value, where the reach may jump.
+        // Samples on both sides of the best value, where the reach may jump.
         const double best = result.best.value[0].midpoint().convert_to<double>();
         for (const double side : {-1.0, 1.0}) {
             const double x = best + side * 1e-7 * (to - from);

@@ -12,16 +12,15 @@ namespace edgeproof::scene {
 
 inline constexpr unsigned most_design_digits = 1000;
 
-/// What a design found.
 struct DesignResult {
     contact::BestReach best;
-    /// Empty where everything is proved; else why the result is an estimate.
+    /// Empty if everything is proved; otherwise the reason why the result is an estimate.
     std::string missing;
     [[nodiscard]] bool proved() const { return best.proved && missing.empty(); }
-    /// The reach for the values that are printed somewhere, proved where `best` has a proof.
+    /// The reach for the printed values, proved if `best` is proved.
     std::optional<Ball> printed_reach;
     std::optional<Ball> falls_short; ///< 1 - printed_reach/best
-    /// Of one parameter: value and reach (or measure) at samples, for a picture.
+    /// For one parameter: samples of value and reach (or measure), for a picture.
     std::vector<std::pair<double, double>> curve;
 };
 
@@ -30,8 +29,8 @@ struct DesignRunOptions {
     bool curve = false;
 };
 
-/// Throws InputError, with the line, for a value that makes no scene; BudgetError where no reach is
-/// found; Interrupted.
+/// Throws InputError, with the line, for a value that does not make a valid scene; BudgetError if
+/// no reach is found; Interrupted.
 [[nodiscard]] DesignResult run_design(const DesignScene& design, const DesignRunOptions& options);
 
 } // namespace edgeproof::scene

@@ -14,7 +14,7 @@ constexpr long bits_beyond = 16;
 constexpr long binary64_limit_bits = 64;
 constexpr unsigned bound_bits = 64;
 
-/// The largest |x - d| over the ball.
+/// Returns the largest |x - d| over the ball.
 Real farthest(const Ball& x, const Decimal& d) {
     return abs(Ball(x - d.enclosure(x.bits() + bits_beyond))).upper();
 }
@@ -23,7 +23,7 @@ std::string bound_of(const Rational& error) {
     return bound_text(abs(Ball(error, bound_bits)).upper());
 }
 
-/// Of what is printed in place of the number itself: the width of an enclosure.
+/// Returns the width of an enclosure, which is printed in place of the number itself.
 std::string bound_of(const Rounded& r) {
     return bound_of(Rational(r.upper.value() - r.lower.value()));
 }
@@ -55,7 +55,7 @@ bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them) {
     if (x.relative_accuracy_bits() < needed) {
         return false;
     }
-    // An enclosure of what is exactly a short decimal is that decimal, twice.
+    // The enclosure of an exact short decimal repeats that decimal as both ends.
     return digits.rounding == Rounding::enclosure
                ? !has_digits(x, {digits.count, Rounding::down, digits.binary64})
                : !has_them;

@@ -6,14 +6,14 @@
 
 namespace edgeproof::scene {
 
-/// What the TOML files of this program are.
+/// The kinds of TOML files that the program reads.
 enum class FileKind { scene, recipe, ledger, hard_cases };
 
-/// What a file is by its sections; none where they do not tell.
+/// Returns the kind of a file by its sections; nothing if they do not decide.
 [[nodiscard]] std::optional<FileKind> file_kind(const io::TomlSection& top);
 
-/// Throws InputError where the file is plainly of another kind (a scene given for a recipe), naming
-/// both and the commands that take what it is.
+/// Throws InputError if the file is certainly of another kind (a scene given for a recipe). The
+/// message names both kinds and the commands that take the file.
 void expect_file_kind(const io::TomlSection& top, FileKind expected);
 
 } // namespace edgeproof::scene

@@ -15,7 +15,7 @@
 namespace edgeproof::scene {
 namespace {
 
-/// What a formula in a and b is evaluated in.
+/// The arithmetic in which a formula in a and b is evaluated.
 struct EdgesInBalls {
     const Ball& a;
     const Ball& b;
@@ -27,7 +27,7 @@ struct EdgesInBalls {
 
 bool constant(const formula::Expr& e) { return formula::free_symbols(e).empty(); }
 
-/// The number that an expression without names is, with a short text where it is rational.
+/// Returns the value of an expression without names, with a short text if it is rational.
 formula::Exact number_of(const formula::Expr& e) {
     return e.rational() != nullptr ? formula::Exact::of(*e.rational()) : formula::Exact(e);
 }
@@ -113,7 +113,7 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
         value = value / formula::Expr::number(Rational(100)) *
                 (formula::Expr::symbol("a") + formula::Expr::symbol("b"));
     }
-    // b last: where b = a, it stands for the name a.
+    // The name a is replaced last: where b = a, the name b is replaced by a.
     for (const auto& [name, meaning] : names) {
         if (name != "a") {
             value = formula::substitute(value, name, meaning);

@@ -13,30 +13,32 @@
 
 namespace edgeproof::scene {
 
-/// How far a point is from an edge: an exact number, or a formula in a and b, the distances of the
-/// edges from the origin, where those are solved for. Then it is known no better than they are.
+/// The distance of a point from an edge: an exact number, or a formula in a and b, the distances of
+/// the edges from the origin. If a and b are solved for, the distance is only as accurate as they
+/// are.
 class Distance {
 public:
     Distance(formula::Exact u) : number_(std::move(u)) {} // NOLINT: most distances are numbers
-    /// Of the point x, both as formulas in a and b. Throws DomainError for what has no real value.
+    /// The distance of the point x, both as formulas in a and b. Throws DomainError for a formula
+    /// without a real value.
     Distance(formula::Expr u, formula::Expr x);
 
-    /// The distance itself, where it is a number.
+    /// The distance, if it is a number.
     [[nodiscard]] const std::optional<formula::Exact>& number() const { return number_; }
-    /// x, where that is a number although the distance is none.
+    /// The coordinate x, if it is a number although the distance is not.
     [[nodiscard]] const std::optional<formula::Exact>& x() const {
         static const std::optional<formula::Exact> none;
         return formulas_ ? formulas_->known_x : none;
     }
 
-    /// The distance, and x, with a and b in these balls.
+    /// The distance and x for a and b in these balls.
     [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
     [[nodiscard]] Ball x_enclosure(const Ball& a, const Ball& b, long bits) const;
-    /// In exact arithmetic; unknown where the formula is not linear in a and b.
+    /// The distance in exact arithmetic; unknown if the formula is not linear in a and b.
     [[nodiscard]] formula::ExactNumber exactly(const formula::ExactNumber& a,
                                                const formula::ExactNumber& b) const;
 
-    /// As they are written.
+    /// Compares the formulas as they are written.
     friend bool operator==(const Distance& s, const Distance& t) {
         return s.number_ == t.number_ &&
                (s.formulas_ == t.formulas_ ||
@@ -44,7 +46,7 @@ public:
     }
 
 private:
-    /// of_a a + of_b b + rest
+    /// The formula of_a a + of_b b + rest.
     struct Linear {
         formula::Expr of_a;
         formula::Expr of_b;
@@ -52,7 +54,6 @@ private:
     };
     [[nodiscard]] static std::optional<Linear> linear(const formula::Expr& e);
 
-    /// In a and b.
     struct Formulas {
         formula::Expr u;
         formula::Expr x;
@@ -60,23 +61,23 @@ private:
         std::optional<formula::Exact> known_x;
     };
     std::optional<formula::Exact> number_;
-    std::shared_ptr<const Formulas> formulas_; ///< null: it is a number
+    std::shared_ptr<const Formulas> formulas_; ///< null: the distance is a number
 };
 
-/// A point as it is asked for with the names of a scene: "a/2", "50%" (of a + b) from an edge, or a
-/// place x.
+/// A point given with the names of a scene: "a/2", "50%" (of a + b) from an edge, or a coordinate
+/// x.
 class Place {
 public:
     enum class From { edge, origin };
-    /// What a scene's names stand for, a and b included where they are given.
+    /// The values of a scene's names; a and b are included if they are given.
     using Names = std::map<std::string, formula::Expr, std::less<>>;
 
-    /// Throws InputError for a text that is no formula in these names, a and b.
+    /// Throws InputError for a text that is not a formula in these names, a and b.
     [[nodiscard]] static Place parse(std::string_view text, From from, const Names& names);
 
-    /// "a/2", "x = t + 1/10"
+    /// For example "a/2", "x = t + 1/10".
     [[nodiscard]] const std::string& text() const { return text_; }
-    /// Its number, where it needs neither a nor b; of the edge or of the origin.
+    /// The distance from the edge, or x, if it depends on neither a nor b.
     [[nodiscard]] std::optional<formula::Exact> number() const;
     [[nodiscard]] From from() const { return from_; }
     [[nodiscard]] Distance distance(contact::Edge edge) const;
@@ -86,7 +87,7 @@ private:
     std::string text_;
     From from_;
     formula::Expr value_;
-    formula::Expr a_; ///< what it is, or the name
+    formula::Expr a_; ///< the value of a, or the symbol a
     formula::Expr b_;
 };
 

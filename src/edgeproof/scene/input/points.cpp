@@ -43,7 +43,7 @@ PointRange PointRange::geometric(const formula::Exact& from, const formula::Exac
         throw InputError("more than 100,000 points from " + from.text() + " to " + to.text(),
                          "give a smaller per_decade");
     }
-    // A last point of the sweep that all but meets `to` gives way to it.
+    // The last point of the sweep is replaced by `to` if the two nearly coincide.
     const Real end = last * (1 - pow(Real(10), 1 - static_cast<int>(point_digits)));
     auto k = count.convert_to<std::size_t>() + 1;
     while (k > 0 && !(range.between(k) < end)) {
@@ -87,7 +87,7 @@ formula::Exact PointRange::at(std::size_t k) const {
         return formula::Exact::parse(to_decimal(between(k), point_digits));
     }
     const std::size_t n = size_ - 1;
-    if (whole_) { // one fraction reduced
+    if (whole_) { // a single fraction to reduce
         return formula::Exact::of(Rational(Integer(whole_->lower * (n - k) + whole_->upper * k),
                                            Integer(whole_->under * n)));
     }

@@ -9,25 +9,23 @@
 
 namespace edgeproof::scene {
 
-/// Ascending points, each an exact number and the same on every machine. They are made when they
-/// are asked for, from any thread.
+/// Ascending exact points, the same on every machine. Each is computed on demand, from any thread.
 class PointRange {
 public:
-    /// from, ..., to in equal ratios, `per_decade` to a factor of 10: from times a power of 10
-    /// where that is rational, else the decimal of 12 significant digits nearest to
-    /// from 10^(k/per_decade). Both ends are among them, exactly. Throws InputError unless
-    /// 0 < from < to, or for more than 100,000 points.
+    /// Points from, ..., to in equal ratios, `per_decade` per factor of 10: from times a power of
+    /// 10 if that is rational, else the decimal of 12 significant digits nearest to from
+    /// 10^(k/per_decade). Both ends are included, exactly. Throws InputError unless 0 < from < to,
+    /// or for more than 100,000 points.
     [[nodiscard]] static PointRange geometric(const formula::Exact& from, const formula::Exact& to,
                                               std::size_t per_decade);
-    /// `count` >= 2 points from, ..., to at equal distances, exact. Throws InputError unless
-    /// from < to.
+    /// `count` >= 2 points from, ..., to at equal distances, exact. Throws InputError unless from <
+    /// to.
     [[nodiscard]] static PointRange even(const formula::Exact& from, const formula::Exact& to,
                                          std::size_t count);
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] formula::Exact at(std::size_t k) const;
     [[nodiscard]] std::vector<formula::Exact> all() const;
-    /// What it was made from.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -38,8 +36,8 @@ private:
     formula::Exact to_;
     std::size_t per_decade_; ///< 0: at equal distances
     std::size_t size_ = 2;
-    Real first_; ///< from_, in the digits that geometric points are computed with
-    /// Of rational points at equal distances: point k is ((n - k) lower + k upper)/(n under).
+    Real first_; ///< from_, in the digits used for geometric points
+    /// For rational points at equal distances: point k is ((n - k) lower + k upper)/(n under).
     struct Whole {
         Integer lower;
         Integer upper;

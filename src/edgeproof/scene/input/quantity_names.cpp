@@ -17,7 +17,7 @@ std::string indexed(const QuantityRow& row, const std::string& k) {
     return std::string(row.symbol) + (row.index == Index::none ? "" : "_" + k);
 }
 
-/// The index of "c_1" behind "c"; nothing where it is none of this row.
+/// Returns the index in "c_1" after "c"; nothing if the name does not belong to this row.
 std::optional<std::size_t> index_behind(std::string_view name, const QuantityRow& row) {
     const std::size_t from = row.symbol.size() + 1;
     if (!name.starts_with(row.symbol) || name.size() <= from || name[from - 1] != '_') {
@@ -67,8 +67,8 @@ std::string text_of(const AskedValue& asked) {
 }
 
 std::string quantity_advice(std::string_view name) {
-    std::vector<std::string> ways;    // to write a quantity
-    std::vector<std::string> symbols; // that the name may be a slip of the pen for
+    std::vector<std::string> ways;    // the ways to write a quantity
+    std::vector<std::string> symbols; // the names that may have been meant
     std::string meant;
     for (const QuantityRow& row : quantity_rows()) {
         if (row.symbol.empty()) {

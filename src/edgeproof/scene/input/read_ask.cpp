@@ -28,7 +28,7 @@ const GroupRow& group_of(const io::TomlSection& ask, const std::string& name) {
     ask.reject("quantities", "unknown quantity '" + name + "'", one_of(name, names));
 }
 
-/// What f refuses, told with the line of a key.
+/// Runs f; its errors get the line of a key.
 template <class F> auto at_key(const io::TomlSection& ask, std::string_view key, const F& f) {
     return io::at_place(ask.file(), ask.line(key), f);
 }

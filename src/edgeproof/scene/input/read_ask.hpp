@@ -7,14 +7,14 @@
 
 namespace edgeproof::scene {
 
-/// Fills in what is asked of a scene, whose contact is known, from [ask]. `profile`: whose keys are
-/// names that places may use, beside a and b.
+/// Fills in the request of a scene, whose contact is known, from [ask]. Places may use the keys of
+/// `profile` as names, in addition to a and b.
 void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);
 
-/// What a scene that does not name its quantities asks for: whatever it gives the means for.
+/// Sets the quantities of a scene that does not name them: all for which it gives the data.
 void default_quantities(Ask& ask, bool shear, bool friction);
 
-/// The sign of the value of a key, or of what follows from it.
+/// Returns the sign of the value of a key, or of a value derived from it.
 [[nodiscard]] int sign_of(const io::TomlSection& section, std::string_view key,
                           const formula::Exact& value);
 

@@ -13,8 +13,8 @@
 namespace edgeproof::scene {
 namespace {
 
-/// Whether a text names something: a percentage, or a word that is no function and no constant.
-/// The e of 1e-3 is part of a number.
+/// True if a text contains a name: a percentage, or a word that is neither a function nor a
+/// constant. The e of 1e-3 is part of a number.
 bool has_names(std::string_view text) {
     const auto part_of_word = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
@@ -34,7 +34,6 @@ bool has_names(std::string_view text) {
     return !text.empty() && text.back() == '%';
 }
 
-/// Reads the values of one key.
 class PlaceReader {
 public:
     PlaceReader(const io::TomlSection& section, std::string_view key, Place::From from,
@@ -52,7 +51,6 @@ public:
                    ? inside({*number, item.line, {}, item.text})
                    : AskedPoint{formula::Exact(), item.line, place};
     }
-    /// An end of a range.
     [[nodiscard]] formula::Exact number(std::string_view end) const {
         const io::TomlSection::Written item = section_.numbers_written(end).at(0);
         if (!has_names(item.text)) {

@@ -7,12 +7,12 @@
 
 namespace edgeproof::scene {
 
-/// The names that places of a scene may use beside a and b: the parameters of its profile, a and b
-/// themselves as far as they are given, and b as a where they are the same.
+/// The names that places of a scene may use in addition to a and b: the parameters of its profile,
+/// a and b themselves if they are given, and b as a if the two are equal.
 [[nodiscard]] Place::Names names_of(const io::TomlSection& profile, const Scene& scene);
 
-/// u and x of [ask], as far as they are there: lists, or ranges. Throws InputError with the line of
-/// what is none.
+/// Reads u and x of [ask], if present: lists or ranges. Throws InputError with the line of a
+/// malformed value.
 [[nodiscard]] std::vector<AskedPoint> read_places(const io::TomlSection& ask,
                                                   const Place::Names& names);
 

@@ -26,8 +26,8 @@ constexpr auto kinds = std::to_array<std::string_view>({
 
 formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
 
-/// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2).
-/// A negative radius is that of a hollow; together the curvatures are to be positive.
+/// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2). A
+/// negative radius is that of a hollow; the sum of the curvatures must be positive.
 contact::Profile read_cylinders(const io::TomlSection& section, bool two,
                                 std::optional<Radii>& radii) {
     section.allow(two ? std::vector<std::string_view>{"kind", "R", "R1", "R2"}
@@ -64,8 +64,8 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
     return contact::Profile::power_law(C, formula::Exact(whole(1)));
 }
 
-/// Below, the pressure at the apex is that of a wedge to so many digits that no search ends there;
-/// above, the flanks are as steep as walls.
+/// Below this range, the pressure at the apex agrees with that of a wedge to more digits than any
+/// search can resolve; above it, the flanks are practically vertical.
 void check_exponent(const formula::Exact& m) {
     const auto less = [&](const formula::Expr& x, const formula::Expr& y) {
         return formula::Exact(x - y).sign() < 0;
@@ -77,7 +77,7 @@ void check_exponent(const formula::Exact& m) {
     }
 }
 
-/// Runs a maker; what it refuses is told with the line of the parameter that it names.
+/// Runs a maker; its errors get the line of the parameter that they name.
 template <class Make>
 auto located(const io::TomlSection& section, const std::vector<std::string_view>& parameters,
              const Make& make) {
@@ -89,7 +89,7 @@ auto located(const io::TomlSection& section, const std::vector<std::string_view>
             throw;
         }
         const std::string problem = input != nullptr ? input->problem() : error.what();
-        // The parameter that is named first is the one at fault.
+        // The parameter that the message names first is at fault.
         std::size_t line = section.line();
         std::size_t first = std::string::npos;
         for (const std::string_view key : parameters) {

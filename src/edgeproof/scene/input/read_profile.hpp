@@ -5,7 +5,8 @@
 
 namespace edgeproof::scene {
 
-/// Fills in profile or punch of a scene from [profile]; with `tilt_unknown`, alpha must be absent.
+/// Fills in the profile or the punch of a scene from [profile]; with `tilt_unknown`, alpha must be
+/// absent.
 void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene);
 
 } // namespace edgeproof::scene

@@ -58,7 +58,7 @@ Scene make_scene(const SceneEntries& entries) {
     try {
         return parse_scene(scene_text(entries), "");
     } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead()); // its lines are nobody's
+        throw InputError(error.problem(), error.instead()); // the user did not write the lines
     }
 }
 

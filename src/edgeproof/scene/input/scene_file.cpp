@@ -17,15 +17,14 @@ namespace {
 
 formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
 
-/// How the materials of the two bodies bear on the shear.
+/// The effect of the materials of the two bodies on the shear.
 struct Materials {
-    bool alike = true; ///< one material
-    bool uncoupled =
-        true; ///< Dundurs' beta = 0: shear does not part the surfaces, nor p shear them
+    bool alike = true;     ///< both bodies have the same material
+    bool uncoupled = true; ///< Dundurs' beta = 0: p and q are uncoupled
 };
 
-/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 where (1 - 2 nu_1)(1 + nu_1)/E_1 is that of
-/// the other body (J. Dundurs, J. Appl. Mech. 36, 650, 1969): decided by symbols.
+/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 if (1 - 2 nu_1)(1 + nu_1)/E_1 is the same
+/// for both bodies (J. Dundurs, J. Appl. Mech. 36, 650, 1969): decided symbolically.
 formula::Exact composite_modulus(const io::TomlSection& load, Materials& materials,
                                  std::optional<Bodies>& bodies) {
     const auto body = [&](const char* E_key, const char* nu_key) {
@@ -116,7 +115,7 @@ void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) 
     }
 }
 
-/// A contact that ends on the flat carries no load; half a width is an edge where b = a.
+/// A contact that ends on the flat carries no load; half the width is an edge only if b = a.
 void check_reach(const io::TomlSection& load, const Scene& scene) {
     if (load.has("width") && !scene.symmetric()) {
         load.reject("width", "the width is given of a contact whose edges are at unlike distances",
@@ -135,7 +134,7 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
     }
 }
 
-/// The slip zones of unequal size under steep flanks are found by integrals that take endless work.
+/// Slip zones of unequal size under steep flanks need integrals that take too much work.
 void check_exponent_under_tension(const io::TomlSection& shear, const contact::ShearSpec& spec,
                                   const Scene& scene) {
     const formula::Expr most = formula::Expr::number(Rational(1000));
@@ -235,7 +234,7 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
     }
 }
 
-/// Nobody wrote lines of it: errors name none, nor do those of its points.
+/// Errors in an [ask] given on the command line, and errors of its points, have no line numbers.
 void read_asked_instead(std::string_view asked, const io::TomlSection& profile, Scene& scene) {
     const std::vector<AskedPoint> points = std::exchange(scene.ask.u, {});
     const std::size_t line = scene.ask_line;

@@ -6,11 +6,10 @@
 
 namespace edgeproof::scene {
 
-/// What partial slip refuses, told with the line of the friction or of the bulk tension.
-/// |Q| >= f P: `force` is P.
+/// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);
-/// The stick zone would reach beyond an edge (or that edge: `reached`): sigma_0 has to lie between
-/// the two.
+/// Refuses a scene whose stick zone would extend beyond an edge (or reaches it: `reached`), with
+/// the line of the bulk tension: sigma_0 has to lie between the two limits.
 [[noreturn]] void refuse_tension(const Scene& scene, contact::Edge edge, bool reached,
                                  const Real& least, const Real& most);
 

@@ -82,7 +82,7 @@ std::optional<Unit> plain_unit(std::string_view name) {
     return {};
 }
 
-/// "N/mm^2", "N/mm2", "N/mm**2", and with the superscript two.
+/// Reads "N/mm^2", "N/mm2", "N/mm**2", and the form with a superscript two.
 std::optional<Unit> force_over_area(std::string_view name) {
     const std::size_t slash = name.find('/');
     if (slash == std::string_view::npos) {

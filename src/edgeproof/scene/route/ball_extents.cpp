@@ -12,7 +12,7 @@ namespace {
 
 formula::ExactNumber exactly(const formula::Exact& x) { return formula::ExactNumber::of(x.expr()); }
 
-/// What is a rational number by its exact form.
+/// The exact values of those results that are rational numbers.
 struct ExactExtents {
     std::optional<Rational> length;
     std::optional<Rational> first_exit;
@@ -128,7 +128,8 @@ private:
         }
         return result;
     }
-    /// The crossing in a ball that holds one, where the error there is the tolerance exactly.
+    /// Returns the crossing in a ball that contains one, if the error there is exactly the
+    /// tolerance.
     [[nodiscard]] std::optional<Rational> exact_crossing(const Ball& u, const BallLevel& level) {
         const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
                            ? contact::simplest_rational(u)

@@ -8,8 +8,8 @@
 
 namespace edgeproof::scene {
 
-/// How far n terms stay within the scene's tolerance, proved by signs of the error between the
-/// crossings; nothing where the budget does not decide.
+/// Returns the extents to which n terms stay within the scene's tolerance, proved by the signs of
+/// the error between the crossings; nothing if the budget does not decide.
 [[nodiscard]] std::optional<ExtentValues> enclosed_extent(BallRefinement& balls, const Scene& scene,
                                                           const Plan& plan, contact::Edge edge,
                                                           std::size_t n);

@@ -22,17 +22,17 @@
 
 namespace edgeproof::scene {
 
-/// Whether BallLevel::cycle_energy has a formula for the scene's profile.
+/// True if BallLevel::cycle_energy has a formula for the scene's profile.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
     return scene.profile &&
            (scene.profile->kind() == contact::Profile::Kind::tilted_wedge ||
             (scene.symmetric() && contact::BallContact::has_closed_form(*scene.profile)));
 }
 
-/// A scene's contact at one number of bits: what the route in balls goes up from level to level.
+/// A scene's contact at one number of bits; the route in balls uses levels of more and more bits.
 class BallLevel {
 public:
-    /// `edges`: both, where they are known already.
+    /// `edges`: both edges, if they are known already.
     BallLevel(const Scene& scene, const Plan& plan, const std::optional<contact::ExactEdges>& edges,
               long bits)
         : scene_(scene), plan_(plan), bits_(bits) {
@@ -63,16 +63,16 @@ public:
     [[nodiscard]] bool edge_may_be_on_knot() const {
         return closed_ ? closed_->edge_may_be_on_knot() : curved_->edge_may_be_on_knot();
     }
-    /// Where it was solved for.
+    /// The tilt of a scene in which it is solved for.
     [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }
-    /// Where an edge is, if that is given or proved by exact algebra.
+    /// The position of an edge, if it is given or proved by exact algebra.
     [[nodiscard]] std::optional<formula::Exact> known(contact::Edge edge) const {
         return closed_ ? closed_->known(edge) : curved_->known(edge);
     }
     [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
     [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
-    /// The last one asked for is kept where it has several uses.
+    /// Keeps the last value if it is used more than once.
     [[nodiscard]] const Ball& p(contact::Edge edge, const Distance& u) {
         if (plan_.terms == 0 && !scene_.shear) {
             used_once_ = pressure(edge, u);
@@ -91,9 +91,8 @@ public:
         return together() ? shear_ratio() * p(edge, u)
                           : full_stick_traction(length(), load(), edge, distance(u));
     }
-    /// Of a point from its edge.
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
-    /// Throws DomainError where a corner inside the contact makes the pressure infinite.
+    /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
         for (const Ball& corner : proved_pressure().corners(contact::Edge::right)) {
             refuse_infinite_peak(Ball(a() - corner).midpoint());
@@ -130,7 +129,7 @@ public:
         }
         return s;
     }
-    /// Null where so few bits do not isolate the stick zone.
+    /// Null if these bits do not isolate the stick zone.
     [[nodiscard]] const contact::BallSlip* slip() {
         if (!std::exchange(slip_tried_, true)) {
             make_slip({});
@@ -145,11 +144,11 @@ public:
     [[nodiscard]] Ball slip_size(contact::Edge edge) {
         return slip() != nullptr ? slip()->size(edge) : not_known();
     }
-    /// The distance of the stick zone's edge from the origin.
+    /// The distance of an edge of the stick zone from the origin.
     [[nodiscard]] Ball stick_edge(contact::Edge edge) {
         return slip() != nullptr ? slip()->stick().at(edge) : not_known();
     }
-    /// Of the scenes that encloses_cycle_energy() tells.
+    /// Only for scenes with encloses_cycle_energy().
     [[nodiscard]] Ball cycle_energy() {
         if (slip() == nullptr) {
             return not_known();
@@ -167,7 +166,7 @@ public:
             return not_known();
         }
     }
-    /// kappa_1, ..., at an edge; not finite ones where there is no slip.
+    /// kappa_1, ..., at an edge; balls that are not finite if there is no slip zone.
     [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {
         if (!slip_series_) {
             const contact::BallSlip* s = slip();
@@ -183,8 +182,8 @@ public:
         arb_indeterminate(x.data());
         return x;
     }
-    /// 1 - (the sum of n terms)/p, or of q. Where that cancels to nothing, by the terms that are
-    /// left out.
+    /// 1 - (the sum of n terms)/p, or the same for q. If that cancels completely, the error is
+    /// computed from the omitted terms.
     [[nodiscard]] Ball relative_error(contact::Edge edge, const Distance& u, std::size_t n,
                                       bool shear) {
         const Ball value = shear ? q(edge, u) : p(edge, u);
@@ -210,16 +209,16 @@ public:
     }
 
 private:
-    /// p/sqrt(u) at an edge.
+    /// The series of p/sqrt(u) at an edge.
     [[nodiscard]] BoundedSeries p_series(contact::Edge edge) const {
         const contact::ProvedPressure& pressure = proved_pressure();
         const Ball radius = Ball(pressure.reach(edge).lower(), bits_) / 2;
         return {[&pressure, edge](std::size_t n) { return pressure.expansion(edge, n); },
                 certainly_positive(radius) ? pressure.majorant(edge, radius) : not_known(), radius};
     }
-    /// q sqrt(u) under full stick, or q/sqrt(u) where q goes with p. In the first case q =
-    /// (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 - u/L)^(-1/2) lie
-    /// between 0 and 1.
+    /// The series of q sqrt(u) under full stick, or of q/sqrt(u) if q is proportional to p. In the
+    /// first case q = (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 -
+    /// u/L)^(-1/2) lie between 0 and 1.
     [[nodiscard]] BoundedSeries q_series(contact::Edge edge) {
         if (together()) {
             BoundedSeries series = p_series(edge);
@@ -243,7 +242,6 @@ private:
                 },
                 most, L};
     }
-    /// `stick`: the stick zone, where it is known.
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;
         try {
@@ -266,8 +264,8 @@ private:
             slip_.reset();
         }
     }
-    /// The contact under P - |Q|/f, where that is an exact number: its edges may be proved to lie
-    /// on corners, which no number of bits tells.
+    /// The contact under P - |Q|/f, if that is an exact number: then edges on corners can be
+    /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const {
         const contact::ShearSpec& shear = *scene_.shear;
         if (!closed_ || tilt_ || shear.bulk_tension.sign() != 0 ||
@@ -315,7 +313,7 @@ private:
     long bits_;
     std::optional<contact::EnclosedTilt> tilt_;
     std::optional<contact::BallContact> closed_;
-    std::optional<contact::IntegratedContact> curved_; ///< of g' that has no closed form
+    std::optional<contact::IntegratedContact> curved_; ///< for g' without a closed form
     bool slip_tried_ = false;
     std::unique_ptr<contact::ZoneSolver> zones_;
     std::optional<contact::BallSlip> slip_;

@@ -102,7 +102,7 @@ std::optional<BallRefinement::Found> BallPlaces::x(contact::Edge edge, const Dis
     const auto exactly = known(edge);
     const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
     const bool right = edge == contact::Edge::right;
-    // The text of what is known exactly is made of that: a ball of any width will do.
+    // An exactly known value is printed from its exact form: a ball of any width suffices.
     const long bits = std::max(length_ ? length_->bits() : plan_.bits, least_bits_of_a_place);
     if (const auto given = u.x() ? rational_of(*u.x()) : std::nullopt) {
         return BallRefinement::Found{Ball(*given, bits), *given};

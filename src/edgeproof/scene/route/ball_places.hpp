@@ -8,26 +8,28 @@
 
 namespace edgeproof::scene {
 
-/// Where the edges and the points of a scene are, proved. Keeps references to all three.
+/// The proved positions of the edges and the points of a scene. Keeps references to all three
+/// arguments.
 class BallPlaces {
 public:
     BallPlaces(BallRefinement& balls, const Scene& scene, const Plan& plan);
 
-    /// a + b. Null where no number of bits isolates the edges.
+    /// a + b. Null if no number of bits isolates the edges.
     [[nodiscard]] const Ball* length() const { return length_ ? &*length_ : nullptr; }
-    /// The distance of an edge from the origin, if that is known to be a rational number.
+    /// The distance of an edge from the origin, if it is known to be a rational number.
     [[nodiscard]] std::optional<Rational> known(contact::Edge edge) const;
-    /// Throws DomainError for a point beyond the contact, and for a place by the edges that is on a
-    /// corner, as far as many bits tell.
+    /// Throws DomainError for a point outside the contact, and for a place given by the edges that
+    /// many bits do not separate from a corner.
     void refuse_outside(contact::Edge edge, const Distance& u);
-    /// x of the point u, which is not outside. Nothing where no number of bits encloses it.
+    /// The coordinate x of the point u, which is inside the contact. Nothing if no number of bits
+    /// encloses it.
     [[nodiscard]] std::optional<BallRefinement::Found> x(contact::Edge edge, const Distance& u);
 
 private:
     void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
-    /// Where x is a number, exact algebra tells.
+    /// If x is a number, exact algebra decides.
     void refuse_corner_at(const Distance& u) const;
-    /// Keeps where an edge is, if that is a rational number, and known.
+    /// Stores the position of an edge, if it is a known rational number.
     void know(contact::Edge edge);
 
     BallRefinement& balls_;

@@ -9,11 +9,12 @@
 namespace edgeproof::scene {
 namespace {
 
-/// Within 1e-400 of zero on the contact's own scale, a value that is not known to cancel is left
+/// A value within 1e-400 of zero on the contact's own scale, not known to cancel, is left
 /// undecided.
 constexpr long zero_bits = 1330;
 constexpr long most_lost_bits = 1L << 17;
-/// A value that is still infinite at so many bits is left to the routes in Real to refuse.
+/// A value that is still infinite at this number of bits is left to the routes in Real, which
+/// refuse it.
 constexpr long least_last_bits = 1L << 14;
 
 } // namespace
@@ -39,7 +40,7 @@ std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
         Ball x = f(*level);
         if (!x.is_finite()) {
             if (level->edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
-                break; // no number of bits tells the two apart
+                break; // no number of bits separates the edge from the knot
             }
             continue;
         }
@@ -65,7 +66,7 @@ std::optional<Rational> BallRefinement::exact_value(const Exactly& exactly, cons
     try {
         auto q = exactly(*exact).rational();
         return q && contains(near, *q) ? q : std::nullopt;
-    } catch (const DomainError&) { // a series that the exact form does not have
+    } catch (const DomainError&) { // the exact form does not have this series
         return {};
     }
 }

@@ -24,14 +24,14 @@ public:
         work.counts.consistency += scene.symmetric() ? 0 : 1;
         work.counts.tilts += scene.punch ? 1 : 0;
         work.counts.load_inversions += scene.load.kind == contact::Load::Kind::force ? 1 : 0;
-        // No contact at any precision: the routes in Real say why.
+        // There is no contact at any precision: the routes in Real report the reason.
         if (places_.length() == nullptr) {
             (void)others();
         }
     }
 
-    /// Whether g' is proved not to decrease in the contact, on which all that is proved of a curved
-    /// profile rests. Throws InputError where it is proved to decrease.
+    /// True if g' is proved not to decrease in the contact; all proofs for a curved profile depend
+    /// on this. Throws InputError if g' is proved to decrease.
     [[nodiscard]] bool slope_rises() {
         if (balls_.closed() || places_.length() == nullptr) {
             return true; // decided exactly; or nothing is proved in any case
@@ -59,7 +59,7 @@ public:
         if (row.of_friction() || (scene_.slips() && row.quantity == Quantity::q)) {
             slips_.check();
         }
-        if (const auto given = stated(row)) { // no number of bits rounds its enclosure down or up
+        if (const auto given = stated(row)) { // an enclosure of it would never round down or up
             return {Ball(*given, plan_.bits), true, row.route(scene_, plan_), given};
         }
         BoundedValue value = bounded(
@@ -217,12 +217,12 @@ private:
         return x ? BoundedValue{std::move(x->value), true, route, std::move(x->exactly)}
                  : instead(others());
     }
-    /// What the scene states.
+    /// A value that the scene gives.
     [[nodiscard]] std::optional<Rational> stated(const QuantityRow& row) const {
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }
-    /// x of the point u, which is not outside.
+    /// The coordinate x of the point u, which is inside the contact.
     [[nodiscard]] BoundedValue place_of(contact::Edge edge, const Distance& u) {
         return bounded(places_.x(edge, u), "given",
                        [&](ValueRoute& other) { return other.place(edge, u); });
@@ -261,7 +261,7 @@ private:
             ++work_.counts.resultants;
         }
     }
-    /// The routes in Real; what they do stands in for what was counted here.
+    /// The routes in Real. Their work is not counted: the work of this route is counted instead.
     [[nodiscard]] ValueRoute& others() {
         if (!others_) {
             others_ = make_real_route(scene_, plan_, work_of_others_);

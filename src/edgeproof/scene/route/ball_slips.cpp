@@ -12,7 +12,7 @@
 namespace edgeproof::scene {
 namespace {
 
-/// As far as a place is told from an edge of the stick zone.
+/// The most bits used to separate a place from an edge of the stick zone.
 constexpr long most_state_bits = 1330;
 
 formula::ExactNumber no_exact_form(ExactValues& /*values*/) {
@@ -27,7 +27,7 @@ void BallSlips::check() {
     }
     const contact::ShearSpec& shear = *scene_.shear;
     if (scene_.load.kind == contact::Load::Kind::force) {
-        // Exactly on the limit no ball tells.
+        // Balls cannot decide a load exactly on the limit.
         const formula::Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
         const auto sign =
             formula::decided_sign(scene_.load.value.expr() * shear.friction->expr() - Q);
@@ -65,14 +65,14 @@ void BallSlips::check() {
             return;
         }
     }
-    if (level_ != nullptr && shear.bulk_tension.sign() != 0) { // no number of bits tells d from 0
+    if (level_ != nullptr && shear.bulk_tension.sign() != 0) { // bits do not separate d from 0
         const contact::BallSlip& slip = *level_->slip();
         const bool right = !certainly_positive(slip.size(contact::Edge::right));
         refuse(slip, right ? contact::Edge::right : contact::Edge::left, true);
     }
 }
 
-/// |Q| = f P by the exact form of P.
+/// Refuses |Q| = f P, decided by the exact form of P.
 void BallSlips::refuse_exactly_sliding(const BallLevel& level) {
     const contact::ShearSpec& shear = *scene_.shear;
     const auto left = [&](ExactValues& exact) {

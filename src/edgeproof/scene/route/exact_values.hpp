@@ -11,12 +11,12 @@
 
 namespace edgeproof::scene {
 
-/// A scene's values in exact arithmetic, as far as they have an exact form (exact_contact.hpp);
-/// unknown ones otherwise. Keeps a reference to the scene.
+/// A scene's values in exact arithmetic, if they have an exact form (exact_contact.hpp); otherwise
+/// unknown. Keeps a reference to the scene.
 class ExactValues {
 public:
-    /// The profile is the scene's, or that of a tilt which is known to be zero. The balls enclose
-    /// the edges. `terms`: how many coefficients to compute at once.
+    /// The profile is the scene's, or that with a tilt known to be zero. The balls enclose the
+    /// edges. `terms`: the number of coefficients to compute at once.
     ExactValues(const Scene& scene, const contact::Profile& profile, const Ball& a, const Ball& b,
                 std::size_t terms);
 
@@ -29,12 +29,12 @@ public:
     [[nodiscard]] formula::ExactNumber u(const Distance& distance) const {
         return distance.exactly(a(), b());
     }
-    /// The greatest pressure, where it is known to be at the origin.
+    /// The greatest pressure, if it is known to be at the origin.
     [[nodiscard]] formula::ExactNumber peak() const;
     [[nodiscard]] formula::ExactNumber x(contact::Edge edge, const formula::ExactNumber& u) const;
     [[nodiscard]] formula::ExactNumber p(contact::Edge edge, const formula::ExactNumber& u) const;
     [[nodiscard]] formula::ExactNumber q(contact::Edge edge, const formula::ExactNumber& u) const;
-    /// So many coefficients of p, or of q, at least.
+    /// At least `terms` coefficients of p, or of q.
     [[nodiscard]] const std::vector<formula::ExactNumber>& c(contact::Edge edge, std::size_t terms);
     [[nodiscard]] const std::vector<formula::ExactNumber>& s(contact::Edge edge, std::size_t terms);
     [[nodiscard]] formula::ExactNumber c_k(contact::Edge edge, std::size_t k) {

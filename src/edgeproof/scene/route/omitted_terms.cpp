@@ -16,7 +16,7 @@ Ball omitted_terms(const BoundedSeries& series, std::size_t n, const Ball& u) {
         arb_indeterminate(unknown.data());
         return unknown;
     }
-    // A term is at most a 16th of the one before.
+    // Each term is at most a 16th of the term before.
     const std::size_t smallness = static_cast<std::size_t>(
         std::max<slong>(4, -arf_abs_bound_lt_2exp_si(arb_midref(part.data()))));
     const std::size_t count = n + static_cast<std::size_t>(bits) / smallness + 2;

@@ -10,13 +10,13 @@ namespace edgeproof::scene {
 
 /// A power series in u whose coefficients are enclosed, with |c_k| <= most/radius^k for all k.
 struct BoundedSeries {
-    std::function<std::vector<Ball>(std::size_t)> coefficients; ///< so many
+    std::function<std::vector<Ball>(std::size_t)> coefficients; ///< the first n coefficients
     Ball most;
     Ball radius;
 };
 
-/// The sum of c_k u^k over all k >= n, so that no difference of nearly equal numbers is taken: as
-/// many terms as the bits of u hold, and the others by their bound. Not finite unless u is less
+/// Returns the sum of c_k u^k over all k >= n, without a difference of nearly equal numbers: enough
+/// terms for the bits of u, and a bound of the others. The result is not finite unless u is less
 /// than a 16th of the radius.
 [[nodiscard]] Ball omitted_terms(const BoundedSeries& series, std::size_t n, const Ball& u);
 

@@ -4,8 +4,8 @@
 
 namespace edgeproof::scene {
 
-/// The profile is a power law x^m, 0 < m <= 1, whose pressure falls from the origin to the edges
-/// (docs/pressure.md), so that the greatest one is P'(a)/(pi m).
+/// True if the profile is a power law x^m, 0 < m <= 1, whose pressure falls from the origin to the
+/// edges (docs/pressure.md), so that the greatest pressure is P'(a)/(pi m).
 [[nodiscard]] bool peaks_in_the_middle(const Scene& scene);
 
 /// Throws DomainError: the profile has a corner at x inside the contact.

@@ -13,7 +13,7 @@ namespace edgeproof::scene {
 namespace {
 
 constexpr unsigned guard_digits = 20;
-constexpr std::size_t most_slip_terms = 60; ///< the work goes like their fourth power
+constexpr std::size_t most_slip_terms = 60; ///< the work grows as their fourth power
 
 [[noreturn]] void reject(const Scene& scene, const std::string& problem,
                          const std::string& instead) {
@@ -25,7 +25,7 @@ std::string count_of(std::size_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// What is asked must come with the means for it.
+/// Refuses a request for which the scene lacks the data.
 void check(const Scene& scene) {
     const Ask& ask = scene.ask;
     const auto first = [&](const auto& lacks) {
@@ -58,8 +58,8 @@ void check(const Scene& scene) {
     }
 }
 
-/// No less than `bits`, and with the guard of the elementary functions whole words: a bit more
-/// costs a word more.
+/// Returns at least `bits`, such that with the guard bits of the elementary functions whole words
+/// are used: one bit more would need another word.
 long whole_words(long bits) {
     constexpr long word = 64;
     constexpr long guard = 24;
@@ -88,7 +88,7 @@ public:
         const bool coefficients = ask_.wants(QuantityGroup::coefficients);
         const bool approximations = plan_.points > 0 && !ask_.terms.empty();
         plan_.terms = coefficients || approximations ? ask_.most_terms() : 0;
-        // The expansions of q are of full stick.
+        // The expansions of q are those of full stick.
         plan_.expand_shear =
             scene_.shear &&
             (coefficients || (approximations && plan_.shear && !plan_.partial_slip));
@@ -103,7 +103,7 @@ public:
         plan_.narrow_bits = closed
                                 ? std::min(whole_words(formula::bits_for(ask_.digits.count) + 40),
                                            plan_.bits)
-                                : plan_.bits; // an integral costs more than its bits save
+                                : plan_.bits; // an integral costs more than fewer bits save
         proof();
         contact();
         pressure();
@@ -124,13 +124,13 @@ private:
         }
         plan_.effects.push_back({name, on, std::move(why), counter});
     }
-    /// Edges at which p is computed, or q.
+    /// The number of edges at which p is computed, or q.
     [[nodiscard]] std::size_t edges_of_p() const { return plan_.mirrored ? 1 : ask_.edges.size(); }
     [[nodiscard]] std::size_t edges_of_q(bool similar) const {
         return similar ? edges_of_p() : ask_.edges.size();
     }
 
-    /// Points at which p is computed: a place x has no mirror image.
+    /// The number of points at which p is computed: a place x has no mirror image.
     [[nodiscard]] std::size_t points_of_p() const {
         const auto by_x = std::count_if(ask_.u.begin(), ask_.u.end(), [](const AskedPoint& point) {
             return point.place && point.place->from() == Place::From::origin;
@@ -215,7 +215,7 @@ private:
             &contact::Counts::shear_expansions, edges_of_q(similar));
     }
     void resultants(bool similar) {
-        // The tilt solver, and a load given as P, need P on the way; that is not counted here.
+        // The tilt solver, and a load given as P, need P internally; that is not counted here.
         const bool for_shear = similar && (plan_.shear || plan_.expand_shear);
         const bool on = plan_.resultants || for_shear;
         add("force and moment", on,

@@ -9,54 +9,53 @@
 
 namespace edgeproof::scene {
 
-/// Something that a scene may call for.
 struct Effect {
     std::string name;
     bool on = false;
-    std::string why;                       ///< it is on, or off
-    std::size_t contact::Counts::*counter; ///< where it is counted; null: it is part of another
+    std::string why;                       ///< the reason why it is on or off
+    std::size_t contact::Counts::*counter; ///< of the effect; null: it is part of another
 };
 
-/// The effects that a scene calls for, and nothing else: a symmetric scene never solves
-/// consistency, a scene without shear never touches shear, one edge asked is one edge computed, an
-/// expansion is no longer than asked, and no pressure is computed where only coefficients are
-/// wanted. At two edges of a symmetric scene the second is the first in a mirror.
+/// The effects that a scene needs, and no others. In a symmetric scene no consistency equation is
+/// solved; without shear no shear is computed; only the requested edges are computed; an expansion
+/// has only the requested terms; no pressure is computed if only coefficients are requested. For
+/// two edges of a symmetric scene, the second is the mirror image of the first.
 struct Plan {
     Digits digits;
-    bool proved = false;          ///< values are enclosures; else they come with estimated errors
-    std::string proved_why;       ///< or why not
-    long bits = 256;              ///< of the balls, at first
-    long narrow_bits = 232;       ///< of what cancels little: the edges, places, pressures
-    unsigned working_digits = 70; ///< of the routes in Real, at first; both are raised on the way
+    bool proved = false;          ///< values are enclosures; otherwise their errors are estimates
+    std::string proved_why;       ///< the reason for `proved`
+    long bits = 256;              ///< initial bits of the balls
+    long narrow_bits = 232;       ///< for values that cancel little: edges, places, pressures
+    unsigned working_digits = 70; ///< of the routes in Real, at first; raised as needed
     contact::Route route = contact::Route::closed_form;
-    std::vector<contact::Edge> edges; ///< as asked
-    bool mirrored = false;            ///< the second edge's p is the first's
+    std::vector<contact::Edge> edges; ///< in the order of the request
+    bool mirrored = false;            ///< p at the second edge is copied from the first
     std::size_t points = 0;           ///< at each edge
     std::size_t terms = 0;            ///< of the expansions; 0: none
-    bool pressure = false;            ///< for itself, or since q is similar to it
+    bool pressure = false;            ///< requested, or needed since q is similar to it
     bool print_pressure = false;
     bool expand_pressure = false;
     bool shear = false;
     bool expand_shear = false;
     bool extents = false;
     bool partial_slip = false; ///< q has slip zones
-    bool slip = false;         ///< their sizes for themselves
-    bool resultants = false;   ///< P and M for themselves
+    bool slip = false;         ///< the sizes of slip zones are requested
+    bool resultants = false;   ///< P and M are requested
     bool peak = false;         ///< the greatest pressure
-    contact::Counts counts;    ///< foretold
+    contact::Counts counts;    ///< predicted counts
     std::vector<Effect> effects;
 
-    /// p at this edge is computed, not copied.
+    /// True if p at this edge is computed, not copied.
     [[nodiscard]] bool computes(contact::Edge edge) const {
         return !mirrored || edge == edges.front();
     }
-    /// Of a relative error, which says how wrong something is: 20 digits, or as many as asked.
+    /// The digits of a relative error: 20, or fewer if fewer are requested.
     [[nodiscard]] Digits error_digits() const {
         return {digits.count < 20 ? digits.count : 20, digits.rounding, false};
     }
 };
 
-/// Throws InputError where the scene gives no means for what it asks: pressures without points,
+/// Throws InputError if the scene lacks the data for its request: pressures without points,
 /// coefficients or extents without a number of terms, extents without a tolerance.
 [[nodiscard]] Plan make_plan(const Scene& scene);
 

@@ -35,7 +35,7 @@ const char* by_load(const Scene& s, const Plan& /*plan*/) {
     return is_force_given(s) ? "from P" : "given";
 }
 
-/// In the order of Quantity.
+/// The rows are in the order of Quantity.
 constexpr std::array quantity_table{
     Row{.quantity = Quantity::p,
         .symbol = "p",
@@ -137,7 +137,7 @@ constexpr std::array quantity_table{
         .name = "tilt",
         .needs = Row::Needs::unknown_tilt,
         .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.tilt().alpha; },
-        // Under a tilt that is solved for there are exact values only where it is known to be zero.
+        // Under a tilt that is solved for, exact values exist only if the tilt is known to be zero.
         .exact = [](ExactValues& /*values*/,
                     const AskedValue& /*asked*/) { return ExactNumber(0); },
         .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.alpha(); },
@@ -240,7 +240,7 @@ constexpr std::array quantity_table{
         .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "Mindlin's loop"; }},
 };
 
-/// In the order of QuantityGroup.
+/// The rows are in the order of QuantityGroup.
 constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::pressure, .name = "pressure", .points = true},
     GroupRow{.group = QuantityGroup::coefficients,

@@ -50,7 +50,7 @@ BoundedValue RealLevel::distance(contact::Edge edge) const {
 }
 
 BoundedValue RealLevel::force() const {
-    const Real P = contact_.force(); // counted, given or not
+    const Real P = contact_.force(); // counted in any case
     return scene_.load.kind == contact::Load::Kind::force ? given(scene_.load.value)
                                                           : sound(P, "contact-law");
 }
@@ -72,7 +72,7 @@ RealLevel::Last& RealLevel::at(contact::Edge edge, const formula::Exact& u) {
     return *last_;
 }
 
-/// Where balls give a power law's closed form no value, they give the one in Real none either.
+/// If the closed form of a power law has no value in balls, its value in Real is not used either.
 contact::Route RealLevel::route() const {
     return plan_.proved && !contact_.profile().piecewise_linear()
                ? contact::Route::singular_integral
@@ -130,7 +130,7 @@ BoundedValue RealLevel::peak() {
             best = k;
         }
     }
-    // Half the digits of the place are all of the digits of the pressure.
+    // Half of the digits of the place give all digits of the pressure, whose slope is zero there.
     const int steps = static_cast<int>(digits_ * 5 / 2) + 20;
     const Real u = roots::place_of_minimum(
         [&](const Real& v) {
@@ -187,7 +187,7 @@ const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {
         raw_c_[edge] = contact_.expansion(edge, plan_.terms);
         const auto& raw = raw_c_[edge];
         const PrecisionScope scope(raw.front().precision());
-        // A coefficient that cancels is good on the scale of its neighbours.
+        // The error of a coefficient that cancels is relative to the scale of its neighbours.
         const Real radius = contact_.convergence_radius(edge);
         Real scale = abs(raw.front());
         for (const Real& x : raw) {

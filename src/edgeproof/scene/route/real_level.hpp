@@ -11,16 +11,16 @@
 
 namespace edgeproof::scene {
 
-/// Digits of a tilt beyond those asked for.
+/// Digits of a tilt beyond those requested.
 inline constexpr unsigned tilt_digits = 20;
-/// Of the guard digits of a NormalContact, those that its coefficients and edges keep.
+/// The number of guard digits of a NormalContact that its coefficients and edges keep.
 inline constexpr unsigned kept_digits = 8;
 
-/// A scene's contact in Real at one number of digits: the scene's own, or more where a difference
-/// is small. Every value comes with its estimated error and the name of its route.
+/// A scene's contact in Real at one number of digits: the scene's own, or more if a difference is
+/// small. Every value has its estimated error and the name of its route.
 class RealLevel {
 public:
-    /// Keeps references to the scene and the plan. `alpha`: the tilt, where it was solved for.
+    /// Keeps references to the scene and the plan. `alpha`: the tilt, if it was solved for.
     RealLevel(const contact::Profile& profile, const std::optional<formula::Exact>& alpha,
               const Scene& scene, const Plan& plan, unsigned digits, contact::Work* work);
     RealLevel(const RealLevel&) = delete; // shear_ refers to contact_
@@ -30,21 +30,21 @@ public:
     [[nodiscard]] const contact::NormalContact& contact() const { return contact_; }
     [[nodiscard]] long bits() const { return formula::bits_for(contact_.a().precision()); }
 
-    /// A value that has lost nothing beyond the guard.
+    /// A value that has lost no more than the guard digits.
     [[nodiscard]] BoundedValue sound(const Real& x, const char* route) const;
     [[nodiscard]] BoundedValue a() const;
     [[nodiscard]] BoundedValue b() const;
-    /// Of an edge from the origin, as it was solved for.
+    /// The distance of an edge from the origin, as it was solved for.
     [[nodiscard]] BoundedValue distance(contact::Edge edge) const;
     [[nodiscard]] BoundedValue force() const;
     [[nodiscard]] BoundedValue moment() const;
     [[nodiscard]] BoundedValue alpha() const;
     [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);
     [[nodiscard]] BoundedValue q(contact::Edge edge, const formula::Exact& u);
-    /// The greatest pressure of many places, and about the highest of them: an estimate. Throws
-    /// DomainError where a corner inside the contact makes it infinite.
+    /// The greatest pressure, an estimate: the highest of many places is refined. Throws
+    /// DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] BoundedValue peak();
-    /// Throws InputError, told with its line, where the contact slides or slips against Q.
+    /// Throws InputError, with its line, if the contact slides or slips against Q.
     [[nodiscard]] const contact::PartialSlip& slip();
     [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
     [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] std::string series_name() const;
 
 private:
-    /// What was computed at the last point, for the other quantities and approximations there.
+    /// The values at the last point, kept for other quantities and approximations there.
     struct Last {
         contact::Edge edge;
         formula::Exact u;
@@ -68,7 +68,7 @@ private:
     };
     [[nodiscard]] Last& at(contact::Edge edge, const formula::Exact& u);
     [[nodiscard]] const contact::Estimated& pressure(contact::Edge edge, const formula::Exact& u);
-    /// What the scene states itself.
+    /// A value that the scene gives.
     [[nodiscard]] BoundedValue given(const formula::Exact& x) const;
     [[nodiscard]] contact::Route route() const;
     [[nodiscard]] Real unit() const;
@@ -82,7 +82,7 @@ private:
     std::optional<formula::Exact> alpha_;
     contact::NormalContact contact_;
     std::optional<contact::ShearTraction> shear_;
-    std::optional<contact::NormalContact> uncounted_; ///< what the slip takes of it is its own
+    std::optional<contact::NormalContact> uncounted_; ///< its work is not counted here
     std::optional<contact::PartialSlip> slip_;
     std::optional<Last> last_;
     std::map<contact::Edge, std::vector<Real>> raw_c_;

@@ -53,8 +53,8 @@ public:
         return by_edges(u).x;
     }
 
-    /// Where the edges tell the place, the values there and at the end of what it is known to: what
-    /// they differ by is their error.
+    /// If the place depends on the edges, the function is evaluated at the place and at the end of
+    /// its error interval; the difference is the error of the value.
     PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
         if (u.number()) {
             return at_number(edge, *u.number(), p, q);
@@ -176,7 +176,7 @@ public:
         values.edge = edge;
         values.n = n;
         values.leaves = e.leaves;
-        // Each crossing carries the error of the worst; the measure adds them up.
+        // Each crossing has the error of the worst one; the measure adds the errors.
         const Real error =
             e.estimate * e.length +
             e.length * pow(Real(10), -static_cast<int>(plan_.digits.count + kept_digits));
@@ -199,8 +199,7 @@ public:
     }
 
 private:
-    /// A distance that edges tell, as far as they are known: a number near it, and one as far from
-    /// it as it may be off.
+    /// A distance that depends on the edges: a number near it, and the end of its error interval.
     struct ByEdges {
         formula::Exact near;
         formula::Exact end;
@@ -229,7 +228,7 @@ private:
             throw DomainError("the point lies outside the contact");
         }
     }
-    /// x, exact where the edge is given.
+    /// The coordinate x, exact if the edge is given.
     [[nodiscard]] BoundedValue place_inside(contact::Edge edge, const formula::Exact& u) const {
         const RealLevel& level = *levels_.at(0);
         const bool given = scene_.load.kind == contact::Load::Kind::right_edge &&
@@ -244,7 +243,7 @@ private:
         x.value = edge == contact::Edge::right ? x.value - from_edge : from_edge - x.value;
         return x;
     }
-    /// The sum of n terms; its relative error is worked out with more digits where it cancels.
+    /// The sum of n terms; its relative error is computed with more digits if it cancels.
     [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
                                               std::size_t n, bool shear) {
         const Digits digits = plan_.error_digits();
@@ -259,7 +258,7 @@ private:
             if (extra == 0) {
                 result.local = {local, false, level.series_name()};
             }
-            // More digits that do not help will not.
+            // If more digits did not help, still more will not help.
             const bool worse = before && !(error.radius() < *before);
             if (!worse) {
                 result.relative_error = {error, false, level.series_name()};
@@ -271,7 +270,7 @@ private:
             const Real lost = -log10(error.upper());
             const unsigned needed = lost > 0 ? static_cast<unsigned>(ceil(lost)) + wanted : wanted;
             const unsigned next = needed > plan_.digits.count ? needed - plan_.digits.count : 0;
-            // In steps, so that neighbouring points share one solved contact.
+            // Rounded up to steps, so that neighbouring points share one solved contact.
             extra = (std::max(next, 2 * extra + 1) + 15) / 16 * 16;
             if (extra > most_extra) {
                 return result;

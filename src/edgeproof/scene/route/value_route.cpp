@@ -47,7 +47,7 @@ std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& 
     }
     try {
         return route.value({Quantity::cycle_energy});
-    } catch (const Error&) { // what is wrong with the scene is told by its stick zone
+    } catch (const Error&) { // the stick zone reports errors of the scene
         return {};
     }
 }

@@ -22,12 +22,12 @@ using contact::BallContact;
 using contact::Edge;
 
 constexpr long reference_bits = 320;
-constexpr long error_bits = 1024; ///< 1 - p_n/p is 1e-180 at the least
+constexpr long error_bits = 1024; ///< 1 - p_n/p is at least 1e-180
 constexpr std::size_t most_terms = 3;
-/// Numbers of contacts to choose one from that has a form.
+/// The number of sampled contacts from which the first one with a form is chosen.
 constexpr std::size_t choices = 16;
 
-/// 0 <= x < 1, of 53 bits.
+/// Returns a number 0 <= x < 1 of 53 bits.
 double uniform(SplitMix64& dice) { return static_cast<double>(dice.next() >> 11U) * 0x1p-53; }
 
 double number_of(const Ball& x) { return x.midpoint().convert_to<double>(); }
@@ -66,7 +66,7 @@ contact::ShearLoad<Ball> slip_load(const BallContact& contact, const Rational& r
     return {contact.force() * Ball(ratio, bits) / friction_denominator, Ball(0, bits)};
 }
 
-/// |Q|/(f P), from 9/10 to 1e-10: near 0 the stick zone is all but the contact.
+/// Draws |Q|/(f P) from 9/10 to 1e-10: near 0 the stick zone nearly fills the contact.
 Rational drawn_ratio(SplitMix64& dice) {
     Rational ratio(1 + static_cast<long>(dice.below(9)), 10);
     for (std::size_t zeros = dice.below(10); zeros > 0; --zeros) {
@@ -75,7 +75,7 @@ Rational drawn_ratio(SplitMix64& dice) {
     return ratio;
 }
 
-/// The slip of a contact, with what it refers to.
+/// The slip of a contact, with the objects that it refers to.
 struct Slipping {
     std::unique_ptr<BallContact> contact;
     std::unique_ptr<contact::ZoneSolver> zones;
@@ -116,7 +116,7 @@ public:
                 insets.push_back(number_of(words_.a() + stick.b));
             }
         } catch (const BudgetError&) {
-            // A stick zone that ends on a corner: p and the other q remain.
+            // The stick zone ends on a corner: p and the other forms of q remain.
         }
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (std::size_t n = 1; n <= most_terms; ++n) {
@@ -166,9 +166,9 @@ public:
         return abs(1 - sum(fine_c_[index_of(edge)], n, fine_u) / fine_.pressure(edge, fine_u));
     }
 
-    /// Whether `value` is the limit where no ball is finite or narrow enough, on a corner: of q in
-    /// a stick zone what it is on both sides, 2^-128 away, also where the edges are enclosed only,
-    /// so that no algebra tells the corner.
+    /// True if `value` is the correct limit on a corner, where no ball is finite or narrow enough.
+    /// For q in a stick zone it must be the value on both sides, 2^-128 away; this also covers
+    /// edges that are only enclosed, where algebra does not decide the corner.
     [[nodiscard]] bool is_limit(DrawnForm form, Edge edge, double u, double value) const {
         if (form == DrawnForm::partial_slip &&
             slip_->slip->state(edge, Ball(exact_rational(u), reference_bits)) !=
@@ -182,7 +182,7 @@ public:
     }
 
 private:
-    /// By exact algebra.
+    /// Decided by exact algebra.
     [[nodiscard]] bool on_corner(Edge edge, double u) const {
         const auto& end = balls_.known(edge);
         for (std::size_t i = 0; end && i < drawn_.profile.knots().size(); ++i) {
@@ -208,7 +208,7 @@ private:
     }
 
     const Drawn& drawn_;
-    BallContact words_; ///< what the double words are made of
+    BallContact words_; ///< the source of the double words
     BallContact balls_;
     BallContact fine_;
     Rational ratio_;
@@ -223,7 +223,7 @@ private:
 
 public:
     double length;
-    std::vector<double> insets; ///< of knots, and of the edges of the stick zone
+    std::vector<double> insets; ///< of knots and edges of the stick zone, from an edge
 };
 
 struct Place {
@@ -246,8 +246,8 @@ Place drawn_place(SplitMix64& dice, const Contact& contact) {
         break;
     }
     const double inset = contact.insets[dice.below(contact.insets.size())];
-    // Into the contact, to the far side of the knot or to the near one.
-    // Inside, where the knot is closer to an edge than the last bit of the length.
+    // The place lies on the far or on the near side of the knot. It is limited to the contact if
+    // the knot is closer to an edge than the last bit of the length.
     const double at = std::clamp(edge == Edge::right ? inset : length - inset, 0x1p-100 * length,
                                  std::nextafter(length, 0.0));
     const bool far = dice.below(2) == 0;
@@ -256,7 +256,7 @@ Place drawn_place(SplitMix64& dice, const Contact& contact) {
 }
 
 DrawnForm drawn_form(SplitMix64& dice, const Contact& contact) {
-    // Half of them pressures.
+    // Half of the forms are pressures.
     const auto form = static_cast<DrawnForm>(
         std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(dice.below(10)) - 4));
     return form == DrawnForm::partial_slip && !contact.slips() ? DrawnForm::full_stick : form;

@@ -9,7 +9,7 @@ namespace edgeproof::validation {
 namespace {
 
 std::string head(const Binary64State& s) {
-    // Another number where the same seed draws other values than before.
+    // The draw number changes when the same seed draws other values.
     return "edgeproof bounds binary64, draw 2, seed " + std::to_string(s.seed) + ", values " +
            std::to_string(s.values);
 }

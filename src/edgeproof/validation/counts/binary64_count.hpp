@@ -13,11 +13,10 @@
 
 namespace edgeproof::validation {
 
-/// Where a value is asked for.
 enum class DrawnPlace : std::uint8_t { by_the_edge, inside, by_a_knot };
 inline constexpr std::array<std::string_view, 3> drawn_places{"by the edge", "inside", "by a knot"};
 
-/// What is asked for: p, q in three ways, the sum of 1 to 3 terms and its relative error.
+/// The kind of value: p, q in three ways, the sum of 1 to 3 terms and its relative error.
 enum class DrawnForm : std::uint8_t { p, full_stick, similar, partial_slip, sum, relative_error };
 inline constexpr std::array<std::string_view, 6> drawn_forms{
     "p", "q, full stick", "q, similar to p", "q, partial slip", "sum of terms", "relative error"};
@@ -25,13 +24,13 @@ inline constexpr std::array<std::string_view, 6> drawn_forms{
 struct Binary64Cell {
     std::size_t values = 0;
     std::size_t undecided = 0; ///< left to balls
-    std::size_t wrong = 0;     ///< not the binary64 that the ball rounds to
+    std::size_t wrong = 0;     ///< not the binary64 to which the ball rounds
 
     void add(const Binary64Cell& o);
 };
 using Binary64Cells = std::array<std::array<Binary64Cell, drawn_places.size()>, drawn_forms.size()>;
 
-/// A count under way: what was found of each contact that is done.
+/// The state of a count: the results of the finished contacts.
 struct Binary64State {
     std::uint64_t seed = 1;
     std::size_t values = 0;
@@ -43,10 +42,10 @@ struct Binary64Options {
     std::size_t values = 1'000'000;
     unsigned threads = 0; ///< 0: as many as the machine has
     std::function<void(std::size_t, std::size_t)> progress = {};
-    /// Called now and then, and at the end, with what is done, from one thread at a time.
+    /// Called occasionally, and at the end, with the finished results, from one thread at a time.
     std::function<void(const Binary64State&)> checkpoint = {};
-    /// Changes a value in double words before it is rounded: how a test makes sure that a bound
-    /// which does not hold is counted.
+    /// Changes a value in double words before it is rounded, for a test that a wrong bound is
+    /// counted.
     std::function<void(DoubleWord&)> changed = {};
 };
 
@@ -54,21 +53,20 @@ struct Binary64Count {
     Binary64Cells cells{};
     Binary64Cell total;
     std::size_t contacts = 0;
-    std::vector<std::string> findings; ///< wrong ones: scene, place, both numbers
+    std::vector<std::string> findings; ///< wrong values: scene, place, both numbers
 };
 
 inline constexpr std::size_t places_a_contact = 10'000;
 
-/// Values in double words (contact/double_word/double_word_*.hpp), held against balls of 320 bits
-/// (of a relative error 1,024). Draws contacts that double words have a form for (sample.hpp; of
-/// power laws those of whole and half exponents), and places in each: u from 1e-60 of the length to
-/// all of it, evenly, and by knots and the edges of stick zones to the last bits; q at |Q|/(f P)
-/// from 9/10 to 1e-10. The same for the same seed and number of values, whatever the number of
-/// threads. Contacts that `state` has are not done again, unless something was found in them.
-/// Throws Interrupted.
+/// Compares values in double words (contact/double_word/double_word_*.hpp) with balls of 320 bits
+/// (for a relative error 1,024). Draws contacts with a form in double words (sample.hpp; power laws
+/// only with whole and half exponents), and places in each: u from 1e-60 of the length to the full
+/// length, uniformly, and near knots and the edges of stick zones down to the last bits; q at
+/// |Q|/(f P) from 9/10 to 1e-10. The result depends only on the seed and the number of values, not
+/// on the number of threads. Contacts in `state` are not repeated, unless they had findings. Throws
+/// Interrupted.
 [[nodiscard]] Binary64Count count_binary64(const Binary64Options& options, Binary64State& state);
 
-/// What one contact has of it: `values` values.
 struct Binary64Contact {
     Binary64Cells cells{};
     std::vector<std::string> findings;
@@ -76,9 +74,9 @@ struct Binary64Contact {
 [[nodiscard]] Binary64Contact count_binary64_contact(const Binary64Options& options,
                                                      std::size_t number, std::size_t values);
 
-/// The contacts in which nothing was found, a line each.
+/// Writes the contacts without findings, one line each.
 [[nodiscard]] std::string write_binary64_state(const Binary64State& state);
-/// Throws InputError with the line for a text that is no such state, or one of another seed or
+/// Throws InputError with the line for a text that is not such a state, or one of another seed or
 /// number of values than `wanted`.
 [[nodiscard]] Binary64State parse_binary64_state(std::string_view text, const std::string& file,
                                                  const Binary64State& wanted);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the counts of values have in common: contacts counted side by side, the state kept now and
-// then, so that a count that was interrupted goes on.
+// The common part of the counts of values: contacts are counted in parallel, and the state is
+// stored occasionally, so that an interrupted count can continue.
 
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -15,10 +15,10 @@
 
 namespace edgeproof::validation {
 
-/// Counts the contacts that `state.contacts` does not have yet. `count(number, values)` counts one
-/// and gives its cells and its findings; it is called from several threads. Calls
-/// `options.progress` after each and `options.checkpoint` after some and at the end. Returns the
-/// findings by contact. Throws Interrupted with the state kept, and what `count` throws.
+/// Counts the contacts missing in `state.contacts`. `count(number, values)` counts one contact and
+/// returns its cells and findings; it is called from several threads. Calls `options.progress`
+/// after each contact and `options.checkpoint` after some and at the end. Returns the findings by
+/// contact. Throws Interrupted after storing the state, and as `count` does.
 template <class Finding, class Options, class State, class Count>
 std::map<std::size_t, std::vector<Finding>>
 count_contacts_left(const Options& options, State& state, const ContactSizes& sizes,

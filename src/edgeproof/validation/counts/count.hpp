@@ -12,12 +12,12 @@
 
 namespace edgeproof::validation {
 
-/// What was found of the values of one kind of profile in one regime.
+/// The counts for one kind of profile in one regime.
 struct CountCell {
     std::size_t values = 0;
-    std::size_t excluded = 0;  ///< the enclosure leaves out the value in Real
-    std::size_t wrong = 0;     ///< a printed digit is not that of the correct rounding
-    std::size_t wide = 0;      ///< the enclosure is wider than 10 units of the last digit asked
+    std::size_t excluded = 0;  ///< the enclosure does not contain the value in Real
+    std::size_t wrong = 0;     ///< a printed digit differs from the correct rounding
+    std::size_t wide = 0;      ///< the enclosure is wider than 10 units of the last digit requested
     std::size_t undecided = 0; ///< no enclosure, or no second value, within the budgets
 
     [[nodiscard]] std::size_t failures() const { return excluded + wrong + wide; }
@@ -26,13 +26,13 @@ struct CountCell {
 using CountCells =
     std::array<std::array<CountCell, sampled_regimes.size()>, sampled_profiles.size()>;
 
-/// A value that failed, or is undecided: all that it takes to see it again.
+/// A value that failed or is undecided, with all data needed to repeat it.
 struct CountFinding {
     std::size_t contact = 0; ///< number of the contact
-    std::size_t value = 0;   ///< of the values of the contact
-    bool failed = false;     ///< else undecided
-    std::string what;        ///< what is wrong with it
-    std::string asked;       ///< "p at u = 1e-40 from the right edge"
+    std::size_t value = 0;   ///< number of the value in the contact
+    bool failed = false;     ///< otherwise undecided
+    std::string what;        ///< the fault
+    std::string asked;       ///< for example "p at u = 1e-40 from the right edge"
     std::string text;        ///< as printed
     std::string second;      ///< the value in Real
     std::string scene;       ///< TOML
@@ -44,14 +44,13 @@ struct CountOptions {
     unsigned digits = 50;
     unsigned threads = 0; ///< 0: as many as the machine has
     std::function<void(std::size_t, std::size_t)> progress = {};
-    /// Called now and then, and at the end, with what is done, from one thread at a time.
+    /// Called occasionally, and at the end, with the finished results, from one thread at a time.
     std::function<void(const struct CountState&)> checkpoint = {};
-    /// Changes the second value before it is held against the enclosure: how a test makes sure that
-    /// a wrong value is counted.
+    /// Changes the second value before the comparison, for a test that a wrong value is counted.
     std::function<void(const SampledValue&, Real&)> second = {};
 };
 
-/// A count under way: what was found of each contact that is done.
+/// The state of a count: the results of the finished contacts.
 struct CountState {
     std::uint64_t seed = 1;
     std::size_t values = 0;
@@ -65,20 +64,21 @@ struct CountResult {
     std::vector<CountFinding> findings; ///< in the order of the contacts
 };
 
-/// Draws the values and tests of each:
-///   1. The enclosure that is printed from, at `digits` digits, holds the value in Real worked out
-///      at twice as many: their difference is at most the radius plus 10^-(2 digits) of the value
-///      (of a coefficient: of its natural size |c_0|/radius^k where that is larger), which is what
-///      the value in Real may owe to its own rounding.
+/// Draws the values and tests each:
+///   1. The enclosure used for printing, at `digits` digits, contains the value in Real computed at
+///      twice as many: their difference is at most the radius plus 10^-(2 digits) of the value (for
+///      a
+///      coefficient: of its natural size |c_0|/radius^k if that is larger), which allows for the
+///      rounding of the value in Real.
 ///   2. The printed decimal is the correct rounding: a second enclosure, at twice the digits,
 ///      rounds to the same text, and so does the value in Real.
-///   3. The enclosure is no wider than 10 units of the last digit asked.
-/// The value in Real is the pressure by the singular integral for a power law that has no
-/// logarithms, for a curved g' and for one in 8 of the others, by Barber-Mossakovskii for one of a
-/// symmetric contact (b(s) has to be solved for at every node of another's integral, which takes
-/// minutes at so many digits), else by logarithms in Real; coefficients, P, b and q by the
-/// routes in Real. The result is the same whatever the number of threads. Contacts that `state` has
-/// are not done again, unless something was found in them.
+///   3. The enclosure is no wider than 10 units of the last digit requested.
+/// The value in Real is the pressure by the singular integral for a power law without logarithms,
+/// for a curved g' and for one in 8 of the others, by Barber-Mossakovskii for one of a symmetric
+/// contact (for others b(s) has to be solved at every node of the integral, which takes minutes at
+/// this number of digits), else by logarithms in Real; coefficients, P, b and q are computed by the
+/// routes in Real. The result does not depend on the number of threads. Contacts in `state` are not
+/// repeated, unless they had findings.
 [[nodiscard]] CountResult count_values(const CountOptions& options, CountState& state);
 
 } // namespace edgeproof::validation

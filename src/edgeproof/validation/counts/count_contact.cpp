@@ -18,11 +18,11 @@ using scene::Quantity;
 constexpr std::size_t most_counted_terms = 4;
 constexpr std::size_t integral_every = 8;
 constexpr std::size_t mossakovskii_every = 64;
-/// A printed value may be this many units of its last digit wide.
+/// The allowed width of an enclosure, in units of the last printed digit.
 constexpr long most_units = 10;
 
-/// The enclosures of one contact at one number of digits: as scene runs make them, points apart
-/// from coefficients, so that no point is asked for its approximations.
+/// The enclosures of one contact at one number of digits, as in runs of scenes; points are separate
+/// from coefficients, so that no approximations are computed at points.
 class Enclosures {
 public:
     Enclosures(const scene::Scene& scene, unsigned digits)
@@ -108,7 +108,7 @@ private:
     std::map<contact::Edge, std::vector<Real>> c_;
 };
 
-/// The unit of the last of so many digits of x.
+/// Returns the unit of the last of `digits` digits of x.
 Real last_unit(const Real& x, unsigned digits) {
     const PrecisionScope scope(40);
     const Real size = abs(x);
@@ -135,7 +135,7 @@ std::string held_to(const scene::BoundedValue& first, const scene::BoundedValue&
     }
     const std::string text = printed(first, asked).text;
     if (text == "0") {
-        // Not told from zero; whoever is finer must not tell it either, or be as small.
+        // Zero cannot be excluded; then the finer enclosure must contain zero, too.
         if (!contains_zero(finer.value)) {
             ++cell.wrong;
             wrong += (wrong.empty() ? "" : "; ") + std::string("0 is printed of what is not 0");

@@ -9,18 +9,17 @@
 
 namespace edgeproof::validation {
 
-/// One contact of a count, done.
 struct CountedContact {
     std::map<std::size_t, CountCell> cells; ///< as in CountState
     std::vector<CountFinding> findings;
 };
 
-/// Throws Interrupted: nothing of it counts then.
+/// Throws Interrupted; then no value of the contact is counted.
 [[nodiscard]] CountedContact count_contact(const CountOptions& options, std::size_t number,
                                            std::size_t values);
 
-/// What is wrong with one value, empty where nothing is. `error` is what `second` may owe to its
-/// own rounding. Adds to the cell.
+/// Returns the faults of one value; empty if there are none. `error` is the rounding error allowed
+/// for `second`. Adds to the cell.
 [[nodiscard]] std::string held_to(const scene::BoundedValue& first,
                                   const scene::BoundedValue& finer, const Real& second,
                                   const Real& error, unsigned digits, CountCell& cell);

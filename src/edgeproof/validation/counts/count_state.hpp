@@ -7,11 +7,11 @@
 
 namespace edgeproof::validation {
 
-/// The contacts in which nothing was found, a line each; those in which something was are left out,
-/// so that they are done again.
+/// Writes the contacts without findings, one line each; those with findings are left out, so that
+/// they are repeated.
 [[nodiscard]] std::string write_count_state(const CountState& state);
-/// Throws InputError with the line for a text that is no such state, or one of another seed, number
-/// of values or digits than `wanted`.
+/// Throws InputError with the line for a text that is not such a state, or one of another seed,
+/// number of values or digits than `wanted`.
 [[nodiscard]] CountState parse_count_state(std::string_view text, const std::string& file,
                                            const CountState& wanted);
 

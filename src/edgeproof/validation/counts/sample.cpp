@@ -14,12 +14,12 @@ std::string entry(const char* key, const std::string& value) {
     return std::string(key) + " = \"" + value + "\"";
 }
 
-/// One in so many contacts has a curved g', whose values take integrals: minutes a contact. Not the
-/// last ones of a count, for which the other threads would wait.
+/// One in this many contacts has a curved g', whose integrals take minutes per contact. These are
+/// not the last contacts of a count, for which the other threads would wait.
 constexpr std::size_t curved_every = 2000;
 constexpr std::size_t first_curved = 7;
 
-// A draw a statement: what is drawn of a seed is the same for every compiler.
+// One draw per statement, so that all compilers draw the same values from a seed.
 std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) {
     const auto fraction = [&] { return std::to_string(dice.between(1, 98)) + "/99"; };
     switch (profile) {
@@ -50,7 +50,7 @@ std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) 
                entry("t", t + "*" + a) + "\n" + entry("R", R + "*" + a);
     }
     case 4: {
-        // Convex for any steepness: each piece goes on from where the one before ends.
+        // Convex for any steepness: each piece starts at the end of the one before.
         const auto outer = std::to_string(dice.between(1, 50));
         const auto right = std::to_string(dice.between(6, 30));
         const auto left = std::to_string(dice.between(6, 30));
@@ -93,7 +93,7 @@ public:
     }
 
     [[nodiscard]] SampledValue draw(std::size_t i) {
-        // Of 50: 40 pressures, 5 coefficients, 3 shear, 2 of P or b.
+        // 50 values are 40 pressures, 5 coefficients, 3 shear, 2 of P or b.
         SampledValue v;
         v.asked.edge = dice_.below(2) == 0 ? contact::Edge::right : contact::Edge::left;
         const std::size_t turn = i % 10;
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    /// Sets u; the regime that it is in.
+    /// Sets u and returns its regime.
     std::size_t place(SampledValue& v, std::size_t wanted) {
         const bool right = v.asked.edge == contact::Edge::right;
         const PrecisionScope scope(look_digits);
@@ -134,7 +134,7 @@ private:
         if (wanted == 4 && by_knot(v, right)) {
             return 4;
         }
-        // A decimal of six digits at that part of what there is.
+        // A decimal of six digits in that part of the contact.
         Real u = length;
         std::size_t regime = wanted;
         if (wanted == 0) {
@@ -151,7 +151,7 @@ private:
             formula::Exact::parse(to_decimal(Real(u * dice_.between(900001, 999999) / 1000000), 6));
         return regime;
     }
-    /// 10^-k of a on either side of a knot that the given edge sees.
+    /// Sets u on either side of a knot, at 1e-3 to 1e-33 of a + b from it, if the edge is given.
     bool by_knot(SampledValue& v, bool right) {
         const scene::Scene& scene = contact_.scene;
         const bool given =
@@ -195,8 +195,8 @@ std::string Dice::decimal(unsigned digits, int exponent) {
 SampledContact sampled_contact(std::uint64_t seed, std::size_t number, std::size_t values) {
     Dice dice(Dice(seed ^ (0x632be59bd9b4e019U * (number + 1))).next());
     SampledContact contact;
-    // Power laws, most of which have no logarithms, take ten times as long as the others: one
-    // in 17.
+    // Power laws, most of which have no logarithms, take ten times as long as the others: only one
+    // contact in 17 has one.
     contact.profile = number % curved_every == first_curved ? 5 : (dice.below(17) + 3) / 4;
     const bool by_force = dice.below(4) == 0 && contact.profile != 5;
     contact.text = scene_text(dice, contact.profile, by_force);

@@ -13,11 +13,10 @@
 
 namespace edgeproof::validation {
 
-/// What is drawn for a contact.
 class Dice : public SplitMix64 {
 public:
     using SplitMix64::SplitMix64;
-    /// least ... most.
+    /// A number in least ... most.
     [[nodiscard]] int between(int least, int most) {
         return least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1));
     }
@@ -29,31 +28,29 @@ inline constexpr std::array<std::string_view, 6> sampled_profiles{
     "power-law",          "flat-and-rounded",  "tilted-wedge", "tilted-flat-and-rounded",
     "piecewise (linear)", "piecewise (curved)"};
 
-/// Where a value lies: by its distance u from the edge in units of a, or what else it is.
+/// The regime of a value: its distance u from the edge in units of a, or another kind of value.
 inline constexpr std::array<std::string_view, 8> sampled_regimes{
     "u < 1e-12 a", "u < 1e-3 a",   "u < a",   "beyond u = a",
     "by a knot",   "coefficients", "P and b", "shear"};
 
 struct SampledValue {
     scene::AskedValue asked;
-    std::size_t regime = 0; ///< of sampled_regimes
+    std::size_t regime = 0; ///< index in sampled_regimes
 };
 
-/// A contact with the values that are asked of it.
 struct SampledContact {
-    std::size_t profile = 0; ///< of sampled_profiles
-    std::string text;        ///< the scene as TOML: all that it takes to see a failure again
+    std::size_t profile = 0; ///< index in sampled_profiles
+    std::string text;        ///< the scene as TOML, to repeat a failure
     scene::Scene scene;
     std::vector<SampledValue> values;
 };
 
-/// How many values a contact is asked for: the last one of a count fewer.
+/// The number of values per contact; the last contact of a count may have fewer.
 inline constexpr std::size_t values_a_contact = 50;
 
-/// The contact of that number, the same for the same seed whatever else is drawn. It has `values`
-/// values. Kinds of profile, sizes from 1e-3 to 1e3, loads by a and by P, edges, regimes and
-/// quantities are drawn; one contact in 400, the last of each, has a curved g', whose integrals
-/// take minutes.
+/// Returns the contact of that number with `values` values; it depends only on the seed and the
+/// number. Kinds of profile, sizes from 1e-3 to 1e3, loads by a and by P, edges, regimes and
+/// quantities are random; one contact in 2000 has a curved g', whose integrals take minutes.
 [[nodiscard]] SampledContact sampled_contact(std::uint64_t seed, std::size_t number,
                                              std::size_t values = values_a_contact);
 

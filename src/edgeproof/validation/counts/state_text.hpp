@@ -9,12 +9,13 @@
 
 namespace edgeproof::validation {
 
-/// Reads the state of a count: the line `head`, then a line a contact, then "end". `read` is given
-/// each line and says whether it is well formed. Throws InputError with the line otherwise.
+/// Reads the state of a count: the line `head`, then one line per contact, then "end". `read` is
+/// called with each line and returns true if it is well formed; otherwise throws InputError with
+/// the line.
 void read_state_text(std::string_view text, const std::string& file, const std::string& head,
                      const std::function<bool(const std::string&)>& read);
 
-/// What of the contacts 0 ... n - 1 a state has not got.
+/// Returns those of the contacts 0 ... n - 1 that are missing in a state.
 template <class Found>
 [[nodiscard]] std::vector<std::size_t> contacts_left(std::size_t n,
                                                      const std::map<std::size_t, Found>& contacts) {
@@ -27,7 +28,7 @@ template <class Found>
     return left;
 }
 
-/// `values` cut into contacts of so many each, the last one fewer.
+/// `values` divided into contacts of `each` values; the last one may have fewer.
 struct ContactSizes {
     std::size_t values;
     std::size_t each;
@@ -35,7 +36,7 @@ struct ContactSizes {
     [[nodiscard]] std::size_t of(std::size_t number) const {
         return number + 1 < contacts() ? each : values - number * each;
     }
-    /// Of all but those.
+    /// The number of values without those contacts.
     [[nodiscard]] std::size_t but(const std::vector<std::size_t>& left) const {
         std::size_t sum = values;
         for (const std::size_t number : left) {

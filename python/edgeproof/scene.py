@@ -209,7 +209,7 @@ class Scene:
 
     @property
     def M(self) -> Value:
-        """The moment about the origin per unit length; a positive one presses the right side down."""
+        """Moment about the origin per unit length, positive if it presses the right side down."""
         return self.contact().M
 
     @property

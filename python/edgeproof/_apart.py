@@ -2,8 +2,8 @@
 """Scenes with very many digits, computed in a process of their own.
 
 A single operation on numbers of many thousand digits (such as a hypergeometric function) may take
-minutes, and no library can interrupt it. A process can be ended at any time: so Ctrl-C ends the
-computation at once, and nothing continues in the background.
+minutes, and the libraries do not check for an interruption meanwhile. A process can be ended at
+any time: so Ctrl-C ends the computation at once, and nothing continues in the background.
 """
 
 from __future__ import annotations

@@ -21,10 +21,9 @@ struct Certificate {
     };
     std::vector<Theorem> theorems; ///< empty: there is no file
     bool whole_verdict = false;    ///< the theorems state everything that the verdict does
-    std::string
-        leaves_out;   ///< the part of the verdict that is not stated, or the reason for no theorem
-    std::string file; ///< the file's name: "EQ18.v"
-    std::string text; ///< the file's content
+    std::string leaves_out;        ///< the part that is not stated, or why there is no theorem
+    std::string file;              ///< the file's name: "EQ18.v"
+    std::string text;              ///< the file's content
 };
 
 /// Returns the theorems that can be stated about a claim as printed (its readings are left out).

@@ -17,8 +17,7 @@ struct Expanded {
     std::string_view through;
     std::string_view exact; ///< in Coq
     std::string_view lemma;
-    std::size_t
-        order; ///< of the Taylor polynomial of the function, or of sqrt(eps) times the function
+    std::size_t order; ///< of the Taylor polynomial of the function (times sqrt(eps), if halves)
     bool symmetric;
     std::string_view variables;
     bool halves = false; ///< the powers are eps^(-1/2), eps^(1/2), ...

@@ -128,8 +128,7 @@ private:
     }
     /// Returns the proof for a value at the distance u from the edge.
     [[nodiscard]] std::string proof_by_bits(double u = 1, double length = 1) const {
-        const double lost =
-            std::max(0.0, std::log2(length / u)); // the roots of small numbers lose bits
+        const double lost = std::max(0.0, std::log2(length / u)); // roots of small numbers
         return fmt::format("plain constants; integrals; interval with (i_prec {})",
                            static_cast<long>(3.33 * scene_.ask.digits.count + 64 + lost));
     }

@@ -23,14 +23,13 @@ struct CoqDecimal {
 
 /// A contact of a given punch, seen from one of its edges.
 struct StatedEdge {
-    std::string slope;    ///< in Coq, of the punch with this edge on the right
-    std::string edge;     ///< its distance from the origin, in Coq
-    double distance = 0;  ///< the same as a number
-    double innermost = 0; ///< all knots are at this distance from the origin or nearer
-    double steepness = 0; ///< y^2/u for the arguments y of the pressure's logarithms at a small u
-    double cancelling =
-        1;       ///< the size of the logarithmic terms of the pressure, relative to the pressure
-    Fact series; ///< coefficients r0, r1, r2
+    std::string slope;     ///< in Coq, of the punch with this edge on the right
+    std::string edge;      ///< its distance from the origin, in Coq
+    double distance = 0;   ///< the same as a number
+    double innermost = 0;  ///< all knots are at this distance from the origin or nearer
+    double steepness = 0;  ///< y^2/u for the arguments y of the pressure's logarithms at a small u
+    double cancelling = 1; ///< size of the logarithmic terms, relative to the pressure
+    Fact series;           ///< coefficients r0, r1, r2
     /// Proofs about `pressure_at` at places beyond all knots.
     struct Proofs {
         std::string pressure; ///< proves is_pressure

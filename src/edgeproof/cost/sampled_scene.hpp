@@ -12,7 +12,7 @@ struct SampledScene {
     std::string text; ///< in TOML
 };
 
-/// Returns the scene with that number; it depends only on the seed and the number. Every other
+/// Returns the scene with that number; it depends only on the seed and the number. Every second
 /// scene has a curved slope: whole, half and odd powers, functions with poles or branch points near
 /// the contact or on a knot, symmetric or not, loaded by `a` or by P. The others are those of
 /// validation/counts/sample.hpp.

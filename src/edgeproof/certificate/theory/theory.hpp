@@ -46,8 +46,7 @@ struct Theory {
 /// The numbers are small and whole, so that a reader can follow.
 struct SampledTheory {
     Theory theory;
-    audit::Sample
-        sample; ///< the same contact, for the enclosures from which the stated numbers are chosen
+    audit::Sample sample; ///< the same contact, for enclosures
 };
 
 /// The theory for all contacts, symmetric (b = a) or not, whose load and left edge are smooth

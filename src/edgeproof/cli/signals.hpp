@@ -5,8 +5,8 @@
 
 namespace edgeproof::cli {
 
-/// Prevents that a file opened later becomes a standard stream that the caller has closed: reads
-/// and writes on such a stream fail. Must be called first.
+/// Replaces standard streams that the caller has closed, so that no file opened later takes their
+/// place: reads and writes on such a stream fail. Must be called first.
 void open_standard_streams();
 
 /// After this call SIGINT, SIGTERM and SIGHUP (unless it is ignored, as by nohup) end the program

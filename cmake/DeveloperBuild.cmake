@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What only a build of Edgeproof itself wants; a project that includes it is left alone.
+# Settings for a build of Edgeproof itself, not for a project that includes it.
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -32,7 +32,7 @@ endif()
 if(EDGEPROOF_CLANG_TIDY)
     find_program(CLANG_TIDY NAMES clang-tidy REQUIRED)
     set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # whose warnings clang does not know
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # clang does not know GCC's warnings
         list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-Wno-unknown-warning-option)
         # quadmath.h is among GCC's own headers.
         execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=include

@@ -1,31 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What every target of this build shares, and no installed target passes on (but -ffp-contract=off,
-# which edgeproof_precision does).
+# Settings that every target of this build shares. Installed targets do not pass them on, except
+# -ffp-contract=off, which edgeproof_precision does.
 function(edgeproof_own_flags target)
     target_compile_features(${target} PRIVATE cxx_std_20)
     # GNU extensions: Boost offers __float128 only with them.
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
-    # Double words rest on each product and sum being rounded by itself. In every source: of an
-    # inline function the linker keeps anyone's copy.
+    # Double words need each product and sum to be rounded separately. The flag is set for every
+    # source, because the linker may keep any source's copy of an inline function.
     target_compile_options(${target} PRIVATE -ffp-contract=off)
-    # GCC 12 warns of copies in std::string, inlined, that cannot overlap or overrun (its bugs
-    # 105651, 105329 and the like). The alarm comes and goes with inlining; the sanitizers watch
-    # instead.
+    # GCC 12 warns of inlined copies in std::string that cannot overlap or overrun (its bugs 105651,
+    # 105329 and similar ones). The warnings depend on inlining; the sanitizers check instead.
     target_compile_options(${target} PRIVATE
         "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
-    # So does GCC 14 of a string's move and of its copies, in tests.
+    # GCC 14 has similar warnings of moves and copies of strings, in tests.
     target_compile_options(${target} PRIVATE
         "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,15>>:-Wno-array-bounds;-Wno-stringop-overflow>")
     if(EDGEPROOF_PYTHON_BUILT)
-        # The libraries become part of a shared one. Of everything, since a precompiled header is
-        # that of all targets.
+        # The libraries become part of a shared one. All targets need the flag, because they share a
+        # precompiled header.
         target_compile_options(${target} PRIVATE -fPIC)
     endif()
     if(EDGEPROOF_SANITIZE)
-        # GCC 12 takes what the sanitizers add to <regex> for uninitialized (its bug 105562).
+        # GCC 12 warns that the sanitizers' code in <regex> is uninitialized (its bug 105562).
         target_compile_options(${target} PRIVATE
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     endif()
@@ -33,7 +32,7 @@ function(edgeproof_own_flags target)
         if(target STREQUAL "edgeproof_precision")
             target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
         elseif(target STREQUAL "edgeproof_cli")
-            # CLI11 is all header, and every source of the module includes it.
+            # CLI11 is header-only, and every source of the module includes it.
             target_precompile_headers(${target} PRIVATE
                 ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp <CLI/CLI.hpp>)
         else()
@@ -48,8 +47,8 @@ endfunction()
 
 # edgeproof_add_module(<module> [DEPENDS <modules below>] [LIBS <in its headers>]
 #                    [PRIVATE_LIBS <in its sources only>])
-# The static library edgeproof_<module>, alias edgeproof::<module>, of src/edgeproof/<module>/*.cpp.
-# A module of headers alone is an interface library.
+# Adds the static library edgeproof_<module>, alias edgeproof::<module>, of
+# src/edgeproof/<module>/*.cpp. A module without sources is an interface library.
 function(edgeproof_add_module module)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBS;PRIVATE_LIBS")
     set(target edgeproof_${module})
@@ -61,7 +60,7 @@ function(edgeproof_add_module module)
         add_library(${target} STATIC ${sources})
         edgeproof_own_flags(${target})
         if(EDGEPROOF_UNITY)
-            # Folder by folder, so that local names are apart in different folders.
+            # One unit for each folder, so that local names of different folders do not collide.
             foreach(source IN LISTS sources)
                 cmake_path(GET source PARENT_PATH folder)
                 cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src/edgeproof)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # edgeproof_embed_files(<target> NAMESPACE <ns> HEADER <declares them> FILES <files>...)
-# Each file as a `const std::string_view <name>_<extension>` in edgeproof::<ns>, in a source that is
-# made when a file changes: the program needs no data folder beside it.
+# Adds each file as a `const std::string_view <name>_<extension>` in edgeproof::<ns>, in a source
+# that is made when a file changes, so that the program needs no data folder.
 function(edgeproof_embed_files target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAMESPACE;HEADER" "FILES")
     list(TRANSFORM arg_FILES PREPEND ${PROJECT_SOURCE_DIR}/)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The target FLINT::Arb: FLINT with Arb. FLINT 3 has Arb inside (<flint/arb.h>), and the target then
-# defines EDGEPROOF_ARB_IN_FLINT. Beside FLINT 2.9 Arb is a library of its own (<arb.h>), which
-# Debian 12 calls flint-arb.
+# The target FLINT::Arb: FLINT with Arb. FLINT 3 contains Arb (<flint/arb.h>); the target then
+# defines EDGEPROOF_ARB_IN_FLINT. With FLINT 2.9, Arb is a separate library (<arb.h>), which Debian
+# 12 calls flint-arb.
 include(FindPackageHandleStandardArgs)
 find_path(FLINT_INCLUDE_DIR flint/flint.h)
 find_library(FLINT_LIBRARY flint)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# CLN, on which GiNaC stands, comes with it; GiNaC's numbers hold CLN's, so that whoever uses them
-# links it as well.
+# GiNaC depends on CLN, and its numbers contain CLN's, so that users of GiNaC link CLN as well.
 include(FindPackageHandleStandardArgs)
 include(${CMAKE_CURRENT_LIST_DIR}/ImportLibrary.cmake)
 import_library(GiNaC HEADER ginac/ginac.h LIBRARY ginac)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# import_library(<Package> HEADER <file> LIBRARY <names...>): the body of the find modules beside
-# this file. Makes the imported target <Package>::<Package>; its headers count as system headers.
+# import_library(<Package> HEADER <file> LIBRARY <names...>): the body of the find modules in this
+# folder. Makes the imported target <Package>::<Package>; its headers count as system headers.
 function(import_library package)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADER" "LIBRARY")
     find_path(${package}_INCLUDE_DIR ${arg_HEADER})

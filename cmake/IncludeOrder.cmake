@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Includes point down: the target include_order, which every module waits for, fails where a source
-# includes a header of a folder above its own in src/edgeproof/folders.txt. It looks again when a
+# Includes point down: the target include_order, on which every module depends, fails if a source
+# includes a header of a folder above its own in src/edgeproof/folders.txt. It runs again when a
 # source has changed.
 file(GLOB_RECURSE edgeproof_sources CONFIGURE_DEPENDS src/edgeproof/*.cpp src/edgeproof/*.hpp)
 set(include_order_checked ${PROJECT_BINARY_DIR}/include_order.checked)

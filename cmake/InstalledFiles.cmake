@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is installed beside programs and libraries: ledgers, recipes, tables and scenes, which the
-# program finds by their names (src/edgeproof/cli/shipped_file.hpp); the documents; the manual pages and
-# completions that the program writes of itself.
+# Installs the files other than programs and libraries: ledgers, recipes, tables and scenes, which
+# the program finds by their names (src/edgeproof/cli/shipped_file.hpp); the documents; the manual
+# pages and completions that the program itself writes.
 set(data_folder ${CMAKE_INSTALL_DATADIR}/edgeproof)
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_DATADIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
     OUTPUT_VARIABLE data_from_program)
@@ -18,7 +18,7 @@ foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
 endforeach()
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
     PATTERN Doxyfile EXCLUDE)
-# The pages that those link to.
+# The pages to which the documents link.
 foreach(page examples/README.md examples/third-party/README.md verify/README.md reference/README.md
         bench/README.md)
     cmake_path(GET page PARENT_PATH folder)
@@ -26,7 +26,7 @@ foreach(page examples/README.md examples/third-party/README.md verify/README.md 
 endforeach()
 
 if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
-    # The program in the build finds the same, in the source.
+    # The program in the build folder finds these files in the source folder.
     cmake_path(APPEND CMAKE_RUNTIME_OUTPUT_DIRECTORY ${data_from_program} edgeproof
         OUTPUT_VARIABLE data_in_build)
     cmake_path(NORMAL_PATH data_in_build)
@@ -44,7 +44,8 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
     endif()
     add_custom_command(OUTPUT ${manual}/edgeproof.bash
         COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
-        # CLN keeps what it has; the tests' suppressions are not set in a build.
+        # CLN does not free its memory at the end, and the tests' suppressions are not set in a
+        # build.
         COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0
                 $<TARGET_FILE:edgeproof> --write-manual ${manual}
         ${compress}

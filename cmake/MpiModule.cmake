@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# edgeproof_mpi: the one part of Edgeproof that knows MPI (src/edgeproof/mpi), where MPI is found. It
-# is no part of the program, which finds it beside itself at EDGEPROOF_MPI_MODULE, a path from its own
-# folder that is the same in the build and where it is installed. The sanitizers take what MPI itself
-# does for faults, so that their builds go without.
+# edgeproof_mpi: the only part of Edgeproof that uses MPI (src/edgeproof/mpi), built if MPI is
+# found. The program loads it from EDGEPROOF_MPI_MODULE, a path relative to the program's folder,
+# which is the same in the build and after installation. The sanitizers report faults in MPI itself,
+# so that their builds do not have it.
 set(module_definition "")
 if(EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
     find_package(MPI QUIET COMPONENTS CXX)

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `cpack -G DEB` in the build folder: edgeproof (the program and what it finds by name),
-# libedgeproof-dev, python3-edgeproof (where it was built), edgeproof-doc. Dependencies are those of the
-# Debian that it is run on.
+# `cpack -G DEB` in the build folder makes edgeproof (the program and the files that it finds by
+# name), libedgeproof-dev, python3-edgeproof (if it was built) and edgeproof-doc. The dependencies
+# are those of the Debian on which it runs.
 set(EDGEPROOF_MAINTAINER "" CACHE STRING
     "Name <address> in the Debian packages (empty: DEBFULLNAME and DEBEMAIL of the environment)")
 set(maintainer "${EDGEPROOF_MAINTAINER}")
 if(NOT maintainer AND DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
     set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
-if(NOT maintainer) # nobody: packages for one's own use
+if(NOT maintainer) # packages for local use
     set(maintainer "built locally <nobody@edgeproof.invalid>")
 elseif(NOT maintainer MATCHES "^[^<>]+ <[^<> ]+@[^<> ]+>$")
     message(FATAL_ERROR "the maintainer of the Debian packages is '${maintainer}'; write "
@@ -66,7 +66,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy, edgeproof")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-mpmath")
 
-# What Debian wants of every package; not installed by `cmake --install`.
+# Files that Debian requires in every package; `cmake --install` does not install them.
 set(debian ${PROJECT_BINARY_DIR}/debian)
 file(WRITE ${debian}/changelog "edgeproof (${PROJECT_VERSION}) unstable; urgency=medium
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # edgeproof_add_version(<target>)
-# A source with the version and the commit. It is looked at in every build, and compiled where
-# one of them has changed: one small file, whatever the commit.
+# Adds a source with the version and the commit. Every build checks it, and compiles it if one of
+# them has changed: only this small file depends on the commit.
 function(edgeproof_add_version target)
     find_package(Git QUIET)
     set(output ${PROJECT_BINARY_DIR}/program_version.cpp)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Python package edgeproof, where Python's headers and pybind11 are found: the module
-# edgeproof._edgeproof of src/edgeproof/python, beside the sources of python/edgeproof. In the build it
-# lies in <build>/python, whole. Included before the modules are made, since their objects go into a
-# shared library then: edgeproof_python_module() makes it, after them.
+# The Python package edgeproof, built if Python's headers and pybind11 are found: the module
+# edgeproof._edgeproof of src/edgeproof/python, together with the sources of python/edgeproof. The
+# build makes the whole package in <build>/python. This file is included before the modules are
+# added, because it decides that their objects must fit into a shared library; afterwards,
+# edgeproof_python_module() adds the module.
 option(EDGEPROOF_PYTHON "Build the Python module (where Python's headers and pybind11 are)"
     ${PROJECT_IS_TOP_LEVEL})
-# The system's own, which has the packages numpy and pytest of the system; never one that a version
-# manager or a virtual environment has put before it.
+# The system's Python, which has the system's packages numpy and pytest, even if a version manager
+# or a virtual environment has put another one before it.
 if(EXISTS /usr/bin/python3)
     set(system_python /usr/bin/python3)
 endif()
@@ -18,7 +19,7 @@ endif()
 set(Python3_FIND_VIRTUALENV STANDARD)
 
 set(EDGEPROOF_PYTHON_BUILT FALSE)
-# The sanitizers need a Python that is made with them.
+# The sanitizers would need a Python that was built with them.
 if(EDGEPROOF_PYTHON AND NOT EDGEPROOF_SANITIZE AND NOT EDGEPROOF_FUZZ)
     find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
     find_path(PYBIND11_INCLUDE_DIR pybind11/pybind11.h)
@@ -41,7 +42,7 @@ function(edgeproof_python_module)
     target_include_directories(edgeproof_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
     target_compile_definitions(edgeproof_python PRIVATE EDGEPROOF_VERSION="${PROJECT_VERSION}")
     target_link_libraries(edgeproof_python PRIVATE edgeproof::report edgeproof::certificate fmt::fmt)
-    # The libraries are static; what they hold is this module's own.
+    # The libraries are static; their symbols stay inside this module.
     target_link_options(edgeproof_python PRIVATE -Wl,--exclude-libs,ALL)
     add_dependencies(edgeproof_python include_order)
 
@@ -55,9 +56,9 @@ function(edgeproof_python_module)
             COMMAND ${CMAKE_COMMAND} -E copy ${file} ${copy} DEPENDS ${file} VERBATIM)
         list(APPEND copies ${copy})
     endforeach()
-    # Where Python looks without being told: in Debian's folder below /usr and /usr/local, in the
-    # user's own below ~/.local. Elsewhere PYTHONPATH, or a .pth file, has to name it. Only known when
-    # it is installed.
+    # Install to a folder that Python searches by default: Debian's folder below /usr and
+    # /usr/local, the user's own below ~/.local. Other folders must be named by PYTHONPATH or a .pth
+    # file. The prefix is known only at installation.
     install(CODE "set(EDGEPROOF_PYTHON_EXECUTABLE ${Python3_EXECUTABLE})" COMPONENT python)
     install(CODE [[
         execute_process(COMMAND "${EDGEPROOF_PYTHON_EXECUTABLE}" -c "import site, sys
@@ -75,7 +76,7 @@ print('lib/python3/dist-packages' if prefix == '/usr' else
 
     add_custom_target(edgeproof_python_package ALL DEPENDS ${copies} edgeproof_python)
 
-    # The loop that bench/python/run holds the module to.
+    # The loop with which bench/python/run compares the module.
     add_executable(pressures_loop EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/bench/python/pressures_loop.cpp)
     edgeproof_own_flags(pressures_loop)
     target_link_libraries(pressures_loop PRIVATE edgeproof::scene)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes OUTPUT, a C++ source that holds the text of FILES; see EmbedFiles.cmake.
+# Writes OUTPUT, a C++ source that contains the text of FILES; see EmbedFiles.cmake.
 set(source "// Made by cmake/embed.cmake.\n#include \"${HEADER}\"\n\nnamespace edgeproof::${NAMESPACE} {\n")
 foreach(file IN LISTS FILES)
     file(READ "${file}" text)

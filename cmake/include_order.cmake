@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fails where a file in SOURCE includes one of a folder that folders.txt names after its own; see
+# Fails if a file in SOURCE includes a header of a folder that folders.txt lists after its own; see
 # IncludeOrder.cmake. A module's own header, <module>/<module>.hpp, may include all of the module.
 file(STRINGS ${SOURCE}/folders.txt folders REGEX "^[a-z]")
 list(TRANSFORM folders REPLACE " .*" "")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What nearly every source includes in the end and none of us edits: parsing it once halves the
-// time of a clean build (option EDGEPROOF_PCH). No source may rely on it; presets without it tell.
+// Library headers that nearly every source includes: parsing them once halves the time of a clean
+// build (option EDGEPROOF_PCH). No source may rely on this header; presets without it check that.
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/float128.hpp>
 #include <boost/multiprecision/gmp.hpp>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D SOURCE=<source tree> -D VERSION=<version> -D OUTPUT=<C++ source> [-D GIT=<git>] -P ...
-# Writes the version and the commit as a C++ source, where they are not those that it holds. The
-# commit is that of a release's archive (cmake/commit.txt, .gitattributes), else git's; else none.
+# Writes the version and the commit as a C++ source, if they differ from those in it. The commit is
+# that of a release's archive (cmake/commit.txt, .gitattributes), else git's; else none.
 file(STRINGS ${SOURCE}/cmake/commit.txt commit LIMIT_COUNT 1)
 if(commit MATCHES "Format")
     set(commit "")

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // values SCENE COUNT: pressures of bench/binary64/punch.toml (a = 1, t = 2/5, E* = R = 1) at COUNT
-// places in equal ratios from u = 1e-16 to 1, in binary64: correctly rounded; by the textbook's
-// formula in double; by Boost.Math's tanh-sinh in double, its singularity substituted away and 1 -
-// x^2 made of u. A line a place (u and the three, in full), then `time` and nanoseconds a value of
-// each. The contact is solved before.
+// places in a geometric sequence from u = 1e-16 to 1, in binary64: correctly rounded; by the
+// textbook's formula in double; by Boost.Math's tanh-sinh in double, with the singularity removed
+// by a substitution and 1 - x^2 computed from u. Writes a line for each place (u and the three
+// values, in full), then `time` and the nanoseconds for a value of each. The contact is solved
+// before.
 #include "edgeproof/scene/binary64_pressures.hpp"
 #include "edgeproof/validation/textbook_formula.hpp"
 
@@ -27,8 +28,8 @@ double seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// (1/pi) times the integral of s acos(t/s)/sqrt(s^2 - x^2) over max(x, t) < s < 1, in s^2 = x^2 +
-/// w^2, for x < t in s = t/cos(phi).
+/// Returns (1/pi) times the integral of s acos(t/s)/sqrt(s^2 - x^2) over max(x, t) < s < 1, by the
+/// substitution s^2 = x^2 + w^2, or s = t/cos(phi) for x < t.
 double by_tanh_sinh(boost::math::quadrature::tanh_sinh<double>& rule, double u) {
     constexpr double t = 0.4;
     const double x = 1 - u;
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
             for (const double u : places) {
                 p[k].push_back(ways[k](u));
             }
-            if (run > 0) { // the first one fills tables
+            if (run > 0) { // the first run fills tables
                 runs.push_back(seconds() - begun);
             }
         }

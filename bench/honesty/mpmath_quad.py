@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mpmath's quad, used as its manual's first example: reads lines of
+"""Uses mpmath's quad as in the first example of its manual: reads lines of
 id digits kind a u K m t gamma, writes id, p and the absolute error that quad claims."""
 import sys
 
@@ -20,4 +20,4 @@ for line in sys.stdin:
         value, error = mpmath.quad(f, [t if kind == "flat" and x < t else x, a], error=True)
         print(id_, mpmath.nstr(value / mp.pi, mp.dps), mpmath.nstr(error / mp.pi, 5))
     except (ArithmeticError, ValueError, TypeError):
-        pass  # no value: a failure that is told
+        pass  # a missing value counts as a reported failure

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boost.Math's tanh-sinh over several arithmetics. Reads lines of id family digits u m t K W (a =
-// 1; decimals), writes id, value, evaluations, seconds a value (of the processor, median of the
-// repeats). mpfr_float of run-time precision; with -DSTATIC mpfr_float of 50 and of 100 digits,
-// with -DCPP_BIN_FLOAT cpp_bin_float of those (and no other digits). The tolerance is the default,
-// which is what it takes for full digits.
+// Boost.Math's tanh-sinh in several arithmetics. Reads lines of id family digits u m t K W (a =
+// 1; decimals), writes id, value, evaluations, seconds for a value (of the processor, median of the
+// repeats). The arithmetic is mpfr_float of run-time precision; with -DSTATIC mpfr_float of 50 and
+// 100 digits, with -DCPP_BIN_FLOAT cpp_bin_float of 50 and 100 digits only. The tolerance is the
+// default, which gives full digits.
 //
-// s^2 = x^2 + w^2 takes the singularity at s = x away (x below the end of the flat: s =
-// t/cos(phi)); x and 1 - x^2 come from u, so that nothing cancels at the end points. One integrator
-// a precision.
+// The substitution s^2 = x^2 + w^2 removes the singularity at s = x (for x below the end of the
+// flat: s = t/cos(phi)); x and 1 - x^2 are computed from u, so that nothing cancels at the end
+// points. There is one integrator for each precision.
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/mpfr.hpp>
@@ -116,7 +116,7 @@ template <class T> static void answer(const Question& q, double enough) {
     }
 }
 
-// One arithmetic a program: each takes half a minute to compile.
+// One arithmetic for each program: each takes half a minute to compile.
 #if defined(STATIC)
 template <unsigned D> using Number = mp::number<mp::mpfr_float_backend<D>, mp::et_off>;
 #elif defined(CPP_BIN_FLOAT)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """mpmath's quad. Reads lines of id family digits u m t K (a = 1; decimals), writes id, value,
-evaluations, seconds a value (of the processor, median of the repeats). The first argument is the
-method: tanh-sinh or gauss-legendre. s^2 = x^2 + w^2, or s = t/cos(phi), as the others have it."""
+evaluations, seconds for a value (of the processor, median of the repeats). The first argument is
+the method: tanh-sinh or gauss-legendre. The substitutions are those of the other programs:
+s^2 = x^2 + w^2, or s = t/cos(phi)."""
 import statistics
 import sys
 import time
@@ -45,7 +46,7 @@ for line in sys.stdin:
     mp.dps = int(digits) + 3
     u, m, t, K = map(mpf, numbers)
     try:
-        pressure(family, u, m, t, K)  # nodes are made
+        pressure(family, u, m, t, K)  # computes the nodes
         times = []
         while not times or (sum(times) < enough and len(times) < 32):
             count = 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// pressures_loop SCENE COUNT RUNS: seconds that COUNT pressures of a scene take in a loop of C++,
-// places and values in arrays of double; a line a run. The contact is solved before.
+// pressures_loop SCENE COUNT RUNS: writes the seconds for COUNT pressures of a scene in a loop of
+// C++, with places and values in arrays of double; a line for each run. The contact is solved
+// before.
 #include "edgeproof/scene/binary64_pressures.hpp"
 
 #include <chrono>
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
             p[i] = pressure(contact::Edge::right, u[i]);
         }
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-        if (run > 0) { // the first one fills tables
+        if (run > 0) { // the first run fills tables
             std::printf("%.9f\n", taken.count());
         }
     }

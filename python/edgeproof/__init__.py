@@ -10,16 +10,16 @@ Scenes      read_scene(file), Scene(profile=..., a=... or P=..., contact_modulus
 Profiles    hertz, wedge, power_law, flat_and_rounded, tilted_wedge, tilted_flat_and_rounded,
             piecewise
 Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath()
-Formulas    verify(ledger): printed claims held to the mechanics
-Programs    check(answers, recipe=...): other programs' numbers held to the exact ones
-Meshes      compare(scene, result): x and p of a mesh held to the exact contact
-Design      design(file): the parameter of a range for which an approximation reaches farthest
+Formulas    verify(ledger): compares printed claims with the mechanics
+Programs    check(answers, recipe=...): compares other programs' numbers with the exact values
+Meshes      compare(scene, result): compares x and p of a mesh with the exact contact
+Design      design(file): the parameter in a range for which an approximation reaches farthest
 Relations   relations(quantities): polynomials in multipliers that vanish along every profile
 Errors      Error, InputError and DomainError (both ValueError), BudgetError, UndecidedError
 
 Numbers are given as str ("0.4", "pi/16", "3/2"), int, fractions.Fraction, decimal.Decimal,
-mpmath.mpf or numpy scalars, and mean exactly what they say. A float means exactly the binary64 that
-it is: 0.1 is 0.1000000000000000055511151231257827..., "0.1" is one tenth.
+mpmath.mpf or numpy scalars, and are exact. A float is exactly its binary64 number: 0.1 is
+0.1000000000000000055511151231257827..., "0.1" is one tenth.
 """
 
 from ._edgeproof import Value, __version__

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes with very many digits, asked in a process of their own.
+"""Scenes with very many digits, computed in a process of their own.
 
-A single operation on numbers of many thousand digits (a hypergeometric function, say) may take
-minutes, and no library that does it looks up meanwhile. A process can be ended at any time: so Ctrl-C
-ends it at once, and nothing goes on computing unseen.
+A single operation on numbers of many thousand digits (such as a hypergeometric function) may take
+minutes, and the libraries do not check for an interruption meanwhile. A process can be ended at
+any time: so Ctrl-C ends the computation at once, and nothing continues in the background.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from typing import Any
 from ._edgeproof import NativeScene
 from .errors import Error
 
-# Below, no single operation was seen to take as long as a second.
+# Up to this number of digits, no single operation was seen to take a second.
 MOST_DIGITS_HERE = 5000
-# The same of curved slopes, which are integrated: the nodes of a rule are made in one operation.
+# The same for curved slopes, which are integrated: the nodes of a rule are made in one operation.
 MOST_DIGITS_HERE_INTEGRATED = 600
 
 _CHILD = """
@@ -33,28 +33,28 @@ _apart.serve()
 
 
 def can_start() -> bool:
-    """Whether this program is a Python that can be started again (it may be embedded in another)."""
+    """True if this program is a Python that can be started again, not a program that embeds one."""
     return os.path.basename(sys.executable or "").startswith("python")
 
 
 def _end(child: subprocess.Popen[bytes]) -> None:
     child.kill()
-    # What it did not read any more is no error of its own.
+    # Closing fails if the child did not read all input; that is not an error.
     with contextlib.suppress(OSError):
         if child.stdin is not None:
             child.stdin.close()
 
 
 def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
-    """NativeScene(text, file).run(**asked). What ends the wait ends the work."""
-    # Not in our session: a terminal sends its Ctrl-C to us alone, who may want to go on.
+    """NativeScene(text, file).run(**asked). An exception that ends the wait ends the child, too."""
+    # In a session of its own: a terminal sends Ctrl-C only to this process, which may continue.
     with subprocess.Popen([sys.executable, "-c", _CHILD], stdin=subprocess.PIPE,
                           stdout=subprocess.PIPE, start_new_session=True) as child:
         assert child.stdin is not None and child.stdout is not None
         try:
             pickle.dump(sys.path, child.stdin)
             pickle.dump((text, file, asked), child.stdin)
-            child.stdin.flush()  # and left open: where we end, it reads the end
+            child.stdin.flush()  # left open: if this process ends, the child reads the end
             found = pickle.load(child.stdout)
         except (EOFError, BrokenPipeError):
             _end(child)
@@ -75,7 +75,7 @@ def _end_with_the_parent() -> None:
 
 
 def serve() -> None:
-    """The child: reads what is asked, writes the values or the error."""
+    """The child's work: reads the questions, writes the values or the error."""
     text, file, asked = pickle.load(sys.stdin.buffer)
     threading.Thread(target=_end_with_the_parent, daemon=True).start()
     found: Any

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Types of the compiled module. tests/python/test_stubs.py holds it to the module.
+# Types of the compiled module. tests/python/test_stubs.py compares them with the module.
 from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction

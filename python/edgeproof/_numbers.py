@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of Python as exact text, which is what the library reads."""
+"""Converts Python's numbers to exact text, which the library reads."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 from .errors import InputError
 
-# 2 to this power either way: beyond it a number has no use here, and its digits fill the memory.
+# The largest |exponent| of 2: larger ones have no use here, and the digits would fill the memory.
 _MOST_EXPONENT = 400_000
 
 
@@ -21,7 +21,7 @@ def _integer_text(n: int) -> str:
 
 
 def _fraction_text(numerator: int, denominator: int) -> str:
-    """The decimal expansion where it is short enough to read, else a quotient."""
+    """Returns the decimal expansion if it is short enough to read, else a quotient."""
     if denominator == 1:
         return _integer_text(numerator)
     twos = (denominator & -denominator).bit_length() - 1
@@ -36,9 +36,9 @@ def _not_finite(name: str, value: Any) -> InputError:
 
 
 def exact_text(value: Any, name: str) -> str:
-    """The text of a number, exactly: str as it is, a float as the binary64 it is.
+    """Returns the exact text of a number: a str unchanged, a float as its binary64 number.
 
-    Raises TypeError for what is no number, InputError for NaN and infinities.
+    Raises TypeError if it is not a number, InputError for NaN and infinities.
     """
     if isinstance(value, str):
         return str(value)
@@ -82,12 +82,12 @@ def exact_text(value: Any, name: str) -> str:
 
 
 def text_or_none(value: Any, name: str) -> str | None:
-    """The same, or None for None."""
+    """The same as exact_text, but None for None."""
     return None if value is None else exact_text(value, name)
 
 
 def whole(value: Any, name: str) -> int:
-    """A whole number. Raises TypeError for anything else, 50.0 and "50" included."""
+    """Returns a whole number. Raises TypeError for anything else, including 50.0 and "50"."""
     try:
         if isinstance(value, bool):
             raise TypeError
@@ -97,7 +97,7 @@ def whole(value: Any, name: str) -> int:
 
 
 def wholes(value: Any, name: str) -> list[int]:
-    """Several, or one alone."""
+    """Returns a list of whole numbers, from several or one alone."""
     if hasattr(value, "__iter__") and not isinstance(value, str):
         return [whole(v, name) for v in value]
     return [whole(value, name)]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _POINTS = 600
 _DECADES = 6
-# Told apart without colour.
+# Line styles that differ without colour.
 _STYLES = ("--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 

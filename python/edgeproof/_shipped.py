@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that came with the program, by their names: "moore-hills" is a ledger."""
+"""Finds files that came with the program by their names: "moore-hills" is a ledger."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pathlib
 
 
 def file_or_shipped(given: str | os.PathLike[str], folder: str) -> str:
-    """The path as given; a bare name that is no file here is that of a file which came along."""
+    """Returns the path; for a bare name that is not a file here, the shipped file of that name."""
     name = os.fspath(given)
     if not name or "." in name or "/" in name or os.path.exists(name):
         return name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Printed formulas held to the mechanics: ledgers of claims and their verdicts."""
+"""Compares printed formulas with the mechanics: ledgers of claims and their verdicts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["Audit", "Claim", "verify"]
 
 @dataclasses.dataclass(frozen=True)
 class Claim:
-    """What was found of one claim.
+    """The result for one claim.
 
     verdict   "proved", "confirmed", "imprecise", "refuted", "underspecified", "undecided" or
               "definition"
@@ -44,11 +44,11 @@ class Claim:
 
     @property
     def holds(self) -> bool:
-        """The claim is right as it stands: proved, confirmed, or a definition."""
+        """True if the claim is right as printed: proved, confirmed, or a definition."""
         return self.verdict in ("proved", "confirmed", "definition")
 
     def to_dict(self) -> dict[str, Any]:
-        """As in verdicts.json."""
+        """The claim's entry in verdicts.json."""
         return dataclasses.asdict(self)
 
 
@@ -57,8 +57,8 @@ class Audit:
     """The verdicts of a ledger, in its order. len(), iteration, audit["EQ18"].
 
     summary      counts of verdicts in a line
-    differences  how they differ from the verdicts recorded beside the ledger, a line each; None
-                 where none are recorded
+    differences  the differences from the verdicts recorded next to the ledger, a line each; None
+                 if none are recorded
     """
 
     ledger: str
@@ -82,7 +82,7 @@ class Audit:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many claims have each verdict that occurs."""
+        """The number of claims for each verdict that occurs."""
         return dict(collections.Counter(claim.verdict for claim in self.claims))
 
     @property
@@ -91,17 +91,17 @@ class Audit:
         return tuple(claim for claim in self.claims if claim.verdict == "refuted")
 
     def to_dict(self) -> dict[str, Any]:
-        """As verdicts.json has it."""
+        """The content of verdicts.json."""
         return {"ledger": self.ledger, "digits": self.digits,
                 "claims": [claim.to_dict() for claim in self.claims]}
 
 
 def verify(ledger: str | os.PathLike[str], digits: int = 50, only: str = "*", threads: int = 0,
            progress: Callable[[int, int], object] | None = None) -> Audit:
-    """Holds a ledger of printed claims (TOML; verify/README.md) to the mechanics: an Audit.
+    """Compares a ledger of printed claims (TOML; verify/README.md) with the mechanics.
 
     ledger    a file, or the name of one that came with the program: "moore-hills"
-    digits    to verify to, 10 to 10000
+    digits    the precision of the comparison, 10 to 10000
     only      claims whose id matches this pattern, such as "EQ2*"
     threads   0: as many as the machine has; verdicts do not depend on it
     progress  is called with (claims done, claims in all), from any thread

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of meshes, x and p, held to the exact contact."""
+"""Compares results of meshes, x and p, with the exact contact."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ OneResult = Union[str, "os.PathLike[str]", "tuple[numpy.typing.ArrayLike, numpy.
 
 @dataclasses.dataclass(frozen=True)
 class Held:
-    """A quantity of the data beside the exact one.
+    """A quantity of the data and its exact value.
 
-    data               an estimate, in the scene's units; None where the data do not show it
-    exact              the binary64 nearest to it
-    of_exact_pressure  what the same rule makes of the exact pressure at the same nodes: the rest of
-                       the difference is the mesh's width
-    spread             of a fitted coefficient: how far the fit may be off, an estimate
+    data               an estimate, in the scene's units; None if the data do not determine it
+    exact              the binary64 nearest to the exact value
+    of_exact_pressure  the result of the same rule for the exact pressure at the same nodes; its
+                       difference from `exact` is due to the width of the mesh
+    spread             of a fitted coefficient: an estimate of the error of the fit
     """
 
     data: float | None
@@ -46,14 +46,15 @@ class Held:
 
 @dataclasses.dataclass(frozen=True)
 class MeshErrors:
-    """How far p is off over some nodes; what the written digits explain is not counted.
+    """The errors of p over some nodes; errors that the written digits explain are not counted.
 
     peak          the largest |error|, relative to the exact peak (or the mean p, with a corner)
     local         the largest |error/p|
-    l2            of the whole, relative to p, in the L2 norm
+    l2            the L2 norm of the error, relative to that of p
     median_local  the median of |error/p|
-    digits        right digits, by the largest |error/p|
-    edge, from_, to  of the nodes at an edge, by u/(a + b); x, corner: of the nodes beside a knot
+    digits        right digits, from the largest |error/p|
+    edge, from_, to  for nodes at an edge: the range of u/(a + b)
+    x, corner     for nodes near a knot
     """
 
     nodes: int
@@ -71,12 +72,12 @@ class MeshErrors:
 
 @dataclasses.dataclass(frozen=True)
 class Cause:
-    """A mistake that would explain what is off; none is proved.
+    """A mistake that would explain the difference; none is proved.
 
-    name            a stable one: "e-for-e-star", "factor-2", ...
-    factor          data over exact pressure, the median
-    scatter         what it leaves, relative to the largest pressure
-    equally_likely  names of others that leave as little
+    name            a stable name: "e-for-e-star", "factor-2", ...
+    factor          the median of data over exact pressure
+    scatter         the difference that remains, relative to the largest pressure
+    equally_likely  names of other mistakes after which as little remains
     """
 
     name: str
@@ -88,12 +89,12 @@ class Cause:
 
 @dataclasses.dataclass(frozen=True)
 class Limit:
-    """What a quantity of finer and finer meshes goes to, by the last three: an estimate.
+    """An estimate of the limit of a quantity for finer and finer meshes, from the last three.
 
-    value, error  the limit, and how far it may be off; None where the meshes show none: why_not
-    own_order     the order that they show without the exact value
-    trusted       four meshes or more show one order
-    agrees        the limit comes to the exact value within its error
+    value, error  the limit and its estimated error; None if the meshes show no limit: see why_not
+    own_order     the order of convergence without use of the exact value
+    trusted       True if four or more meshes show one order
+    agrees        True if the limit agrees with the exact value within its error
     """
 
     own_order: float | None
@@ -107,19 +108,19 @@ class Limit:
 
 @dataclasses.dataclass(frozen=True)
 class MeshResult:
-    """A result held to the scene. Numbers are binary64, in the scene's units.
+    """A result compared with the scene. Numbers are binary64, in the scene's units.
 
-    inside, outside  nodes by the exact contact
-    sign, origin     how the data were read: -1 where compression is negative; the x of the data at
+    inside, outside  the number of nodes inside and outside the exact contact
+    sign, origin     how the data were read: -1 if compression is negative; the x of the data at
                      the scene's origin
-    findings         how the file was read, sentences
+    findings         how the file was read, in sentences
     a, b, P, p_max   edges, force, the largest pressure: Held
     c0, c1, c0_left, c1_left  coefficients of u^(1/2), u^(3/2) at both edges: Held
     element          widths of the elements at the "right" and "left" edge, and the "mean" one
-    errors           outside the edge zones; all_errors: of all nodes
-    distances, knots by decades of the distance from an edge, and beside knots of the profile
-    causes           the mistakes that would explain it, the likeliest first
-    failures         why it does not pass, sentences
+    errors           of nodes outside the edge zones; all_errors: of all nodes
+    distances, knots errors by decades of the distance from an edge, and near knots of the profile
+    causes           the mistakes that would explain the difference, the likeliest first
+    failures         the reasons why it does not pass, in sentences
     """
 
     file: str
@@ -149,12 +150,13 @@ class MeshResult:
 
 @dataclasses.dataclass(frozen=True)
 class Comparison:
-    """Results held to a scene. len(), iteration over the files; print() shows the report.
+    """Results compared with a scene. len(), iteration over the files; print() shows the report.
 
-    passed  every file is within what was asked for
-    orders  of several meshes: by quantity, the slope of log |error| over log width; None: no slope
-    limits  of several meshes: by quantity, a Limit
-    routes  by quantity, how the exact value was computed
+    passed  True if every file is within the tolerances
+    orders  for several meshes: for each quantity, the slope of log |error| over log width; None if
+            there is no slope
+    limits  for several meshes: for each quantity, a Limit
+    routes  for each quantity, how the exact value was computed
     text    the report that `edgeproof compare` prints
     """
 
@@ -181,7 +183,7 @@ class Comparison:
         return self.text
 
     def to_dict(self) -> dict[str, Any]:
-        """As `edgeproof compare --json` has it."""
+        """The content of `edgeproof compare --json`."""
         return copy.deepcopy(self._told)
 
 
@@ -256,14 +258,14 @@ def _pairs(given: str | Mapping[str, Any] | None) -> str:
 
 
 def _decimal_text(value: Number, name: str) -> str:
-    """What a table of numbers may hold: no quotient."""
+    """Returns a number without a quotient, for a table of numbers."""
     text = exact_text(value, name)
     if "/" not in text or isinstance(value, str):
         return text
     ratio = fractions.Fraction(text)
     try:
         with decimal.localcontext() as context:
-            context.prec = 1100  # of every binary64
+            context.prec = 1100  # enough for every binary64
             context.traps[decimal.Inexact] = True
             return str(decimal.Decimal(ratio.numerator) / ratio.denominator)
     except decimal.Inexact:
@@ -277,23 +279,24 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
             tolerance_a: Number | None = None, tolerance_P: Number | None = None,
             tolerance_c0: Number | None = None, partial: bool = False,
             progress: Callable[[int, int], object] | None = None) -> Comparison:
-    """Holds the results of a mesh, x and p at its nodes, to the exact contact: a Comparison.
+    """Compares the results of a mesh, x and p at its nodes, with the exact contact.
 
     scene      a Scene, a scene file, or the name of one that came with the program
-    results    a table that a program wrote (docs/compare.md says what is read), or a tuple (x, p) of
-               two arrays of float; a list of these, of finer and finer meshes, for orders and limits
-    columns    {"x": 1, "p": "CPRESS"}: which ones, by number or name; None: by their names
-    scale      {"x": "1e-3", "p": "1e6"}: what the numbers of the files are multiplied by
+    results    a table that a program wrote (docs/compare.md lists the formats), or a tuple (x, p)
+               of two arrays of float; a list of these, for finer and finer meshes, gives orders and
+               limits, too
+    columns    {"x": 1, "p": "CPRESS"}: the columns, by number or name; None: found by their names
+    scale      {"x": "1e-3", "p": "1e6"}: factors for the numbers of the files
     origin     the x of the data at the scene's origin; "auto": fitted to the data; None: 0
     tolerance  of p ("1%"; None: 3 %), relative to `of`: the "peak", p itself ("local"), or "L2"
-    edge_zone  what is left out beside the edges: "2e" (elements), or a length
-    tolerance_a, tolerance_P, tolerance_c0  of a and b, P, c_0 by the data
-    partial    True: the data hold a part of the contact; p is compared at their nodes, though they
-               do not determine a, b, P and the largest p
+    edge_zone  the zone at each edge that is left out: "2e" (elements), or a length
+    tolerance_a, tolerance_P, tolerance_c0  tolerances of a and b, P, c_0
+    partial    True: the data cover a part of the contact; p is compared at their nodes, although
+               they do not determine a, b, P and the largest p
 
-    x and p are in the units of the scene, unless a file says its own. Edges, fits and limits of the
-    data are estimates. Raises InputError, with file and line, for malformed files; data that are
-    wrong are never an exception.
+    x and p are in the units of the scene, unless a file states its own. Edges, fits and limits of
+    the data are estimates. Raises InputError, with file and line, for malformed files; wrong data
+    never raise an exception.
     """
     asked = scene if isinstance(scene, Scene) else read_scene(scene)
     if isinstance(scale, Mapping):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other programs' numbers held to the exact ones."""
+"""Compares other programs' numbers with the exact values."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ __all__ = ["Agreement", "Case", "Convention", "check", "questions"]
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """One answer held to the exact value.
+    """One answer compared with the exact value.
 
-    value      as it was given; state: "number", "missing", "nan", "infinite", "garbage", "died"
+    value      the answer's text; state: "number", "missing", "nan", "infinite", "garbage", "died"
     reference  the exact value, rounded
-    digits     right digits, -log10|value/exact - 1|; ulps: units in the last place of binary64
-    explained  the rounding of the inputs explains the error
+    digits     right digits, -log10|value/exact - 1|; ulps: the error in binary64 ulps
+    explained  True if the rounding of the inputs explains the error
     """
 
     id: str
@@ -44,9 +44,9 @@ class Case:
 
 @dataclasses.dataclass(frozen=True)
 class Convention:
-    """What one other convention would explain: of which quantities, by which relation, and a hint.
+    """Another convention that would explain answers: the quantities, the relation, and a hint.
 
-    also  other relations that explain as much: the answers do not tell them apart
+    also  other relations that explain as much: the answers do not distinguish them
     """
 
     of: str
@@ -60,10 +60,12 @@ class Convention:
 
 @dataclasses.dataclass(frozen=True)
 class Agreement:
-    """Answers held to the exact values. len(), iteration over the cases; print() shows the report.
+    """Answers compared with the exact values.
 
-    passed       no fault, nothing missing, every answer within the target
-    faults       what is wrong with the answers as a whole, sentences
+    len() and iteration apply to the cases; print() shows the report.
+
+    passed       True if there is no fault, nothing is missing, and every answer meets the target
+    faults       errors of the answers as a whole, in sentences
     conventions  other conventions that explain failures
     text         the report that `edgeproof check` prints
     """
@@ -95,10 +97,10 @@ class Agreement:
 
 
 def questions(recipe: str | os.PathLike[str]) -> list[dict[str, str]]:
-    """The questions of a recipe (TOML; reference/README.md), a dict each, every value exact text.
+    """The questions of a recipe (TOML; reference/README.md), a dict each; values are exact text.
 
     Keys: id, the parameters of the contact, quantity, and edge, u, x, tolerance where they apply.
-    Numbers are binary64, so that a program that computes in it is asked exactly what it can read.
+    Numbers are binary64, so that a program that computes in binary64 can read them exactly.
     """
     found: list[dict[str, str]] = _edgeproof.questions(
         file_or_shipped(recipe, "reference"))
@@ -134,18 +136,19 @@ def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | No
           digits: float | None = None, ulps: float | None = None, conditioned: bool = False,
           lines: str = "csv", timeout: float = 600.0, threads: int = 0,
           progress: Callable[[int, int], object] | None = None) -> Agreement:
-    """Holds another program's answers to the exact values: an Agreement.
+    """Compares another program's answers with the exact values.
 
-    answers      a CSV file of the questions with a column `value`; or, with a recipe, one of id and
-                 value alone, or a function that answers one question (a dict, as from questions())
-    recipe       what is asked: a file (TOML), or the name of one that came with the program
-    command      with a recipe: a shell command that reads the questions and writes id and value;
-                 lines: "csv" or "json", in which it is spoken to; timeout: seconds for one run
+    answers      a CSV file of the questions with a column `value`; or, with a recipe, a file with
+                 only id and value, or a function that answers one question (a dict of questions())
+    recipe       the questions: a file (TOML), or the name of one that came with the program
+    command      with a recipe: a shell command that reads the questions and writes id and value
+    lines        "csv" or "json", the format for the command
+    timeout      seconds for one run of the command
     digits, ulps the target; neither: 12 digits, or an error that the rounding of inputs explains
-    conditioned  let errors pass that the rounding of the inputs explains
+    conditioned  True: errors that the rounding of the inputs explains pass
     threads      0: as many as the machine has
 
-    Raises InputError for malformed files; a wrong answer is never an exception.
+    Raises InputError for malformed files; a wrong answer never raises an exception.
     """
     from .errors import InputError
 

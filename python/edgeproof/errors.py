@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What edgeproof raises on purpose. All of it derives from Error."""
+"""The exceptions that edgeproof raises on purpose. All of them derive from Error."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ __all__ = ["Error", "InputError", "DomainError", "BudgetError", "UndecidedError"
 class Error(Exception):
     """Base of all exceptions of edgeproof.
 
-    problem  what is wrong
-    advice   what to write, or do, instead; None where there is nothing to say
-    file     the file that it is wrong in; None where there is none
-    line     the line of it; None where there is none
+    problem  a description of the error
+    advice   what to write, or do, instead; or None
+    file     the file that contains the error, or None
+    line     the line in the file, or None
 
     str(error) is one line: "FILE:LINE: problem; advice".
     """
@@ -38,7 +38,7 @@ class InputError(Error, ValueError):
 
 
 class DomainError(Error, ValueError):
-    """A value was asked for where the mechanics defines none. A ValueError."""
+    """The mechanics defines no value for the question. A ValueError."""
 
 
 class BudgetError(Error, RuntimeError):

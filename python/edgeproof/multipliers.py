@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Polynomial relations between the multipliers of both edges that hold along every profile."""
+"""Finds polynomial relations between the multipliers of both edges that hold for every profile."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ __all__ = ["Relation", "Relations", "relations"]
 
 @dataclasses.dataclass(frozen=True)
 class Relation:
-    """A polynomial in the quantities that vanishes along every profile: proved by symbols.
+    """A polynomial in the quantities that vanishes along every profile, proved symbolically.
 
     degree    its total degree
-    relation  "b1*left.c0 - right.c0 = 0"
+    relation  an equation such as "b1*left.c0 - right.c0 = 0"
     """
 
     degree: int
@@ -32,11 +32,12 @@ class Relation:
 class Relations:
     """Relations between quantities. len(), iteration, relations[0].
 
-    relations  by degree; none follows from those before it by division by leading terms
-    complete   every relation up to `degree` is a sum of multiples of these (none: there is none),
-               proved by the rank of exact samples; False where a candidate was not proved
-    monomials  how many there are up to that degree
-    notes      what is proved, sentences
+    relations  sorted by degree; none follows from those before it by division by leading terms
+    complete   True: every relation up to `degree` is a sum of multiples of these (without any,
+               there is no relation), proved by the rank of exact samples; False: a candidate was
+               not proved
+    monomials  the number of monomials up to that degree
+    notes      what is proved, in sentences
     """
 
     quantities: tuple[str, ...]
@@ -57,25 +58,25 @@ class Relations:
         return self.relations[index]
 
     def to_dict(self) -> dict[str, Any]:
-        """As `edgeproof relations --format json` has it."""
+        """The content of `edgeproof relations --format json`."""
         return copy.deepcopy(self._told)
 
 
 def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = False,
               given: Mapping[str, str] | None = None, free: Sequence[str] = ()) -> Relations:
-    """All polynomial relations with rational coefficients between quantities: Relations.
+    """Finds all polynomial relations with rational coefficients between quantities.
 
     quantities  formulas in a, b, L (a + b), P1, P2, ..., b1, b2, ... (derivatives by a), the
                 multipliers "right.c0", "left.c0", ... of p and "right.s0", ... of q under full
-                stick, Q and sig0; powers of the first are eliminated first
-    degree      total degree up to which all are found, 1 to 12
-    symmetric   b = a
-    given       {"P2": "m*P1/a"}: names that are not free, as formulas in those that are
+                stick, Q and sig0; powers of the first quantity are eliminated first
+    degree      the total degree up to which all are found, 1 to 12
+    symmetric   True: b = a
+    given       {"P2": "m*P1/a"}: names that are not free, as formulas in free names
     free        further free names, such as ["m"]
 
-    They are exact: nothing is rounded, and no unit comes in (docs/relations.md). The GIL is
-    released, and Ctrl-C ends it with KeyboardInterrupt. Raises InputError for formulas that are
-    malformed, names that are not known, and more monomials than can be tried.
+    They are exact: nothing is rounded, and they do not depend on units (docs/relations.md). The GIL
+    is released, and Ctrl-C ends the call with KeyboardInterrupt. Raises InputError for malformed
+    formulas, unknown names, and more monomials than can be tried.
     """
     asked = [quantities] if isinstance(quantities, str) else list(quantities)
     if not asked:

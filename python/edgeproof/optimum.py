@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parameter of a scene for which an approximation reaches farthest."""
+"""Finds the parameter of a scene for which an approximation reaches farthest."""
 
 from __future__ import annotations
 
@@ -23,20 +23,21 @@ __all__ = ["Design", "design"]
 class Design:
     """The best values of a scene's ranges. The names are those of `edgeproof design --format json`.
 
-    values            by parameter, a Value each, in the scene's units
-    reach             what is reached there, or approached (attained is False): of "first_exit" and
-                      "measure" a fraction of a + b, unless the scene says unit = "distance"; of
+    values            for each parameter, a Value in the scene's units
+    reach             the reach there, or its limit (attained is False): for "first_exit" and
+                      "measure" a fraction of a + b, unless the scene has unit = "distance"; for
                       "slip_load" Q/(friction P)
-    gap               no other value of the range reaches farther by more: proved by branch and
-                      bound; None where nothing is proved
-    proved            else values and reach are estimates, and `missing` says why
-    best              what kind of optimum it is, in words
-    touches_at        the distance (as reach) at which the error touches the tolerance; None where
-                      it does not
-    reach_shown_at    by parameter, the exact values beside the best at which the reach is proved to
-                      within the gap; empty where nothing is proved
-    printed           by parameter, values that the scene names to compare with; reach_at_printed:
-                      theirs; falls_short_by: 1 - reach_at_printed/reach. Empty, None without them
+    gap               no other value of the range reaches farther by more than this, as proved by
+                      branch and bound; None if nothing is proved
+    proved            if False, values and reach are estimates, and `missing` gives the reason
+    best              the kind of optimum, in words
+    touches_at        the distance (in the unit of reach) at which the error touches the tolerance;
+                      None if it does not
+    reach_shown_at    for each parameter, the exact value near the best one at which the reach is
+                      proved to within the gap; empty if nothing is proved
+    printed           for each parameter, the value in the scene for comparison (or empty)
+    reach_at_printed  the reach of the printed values, or None
+    falls_short_by    1 - reach_at_printed/reach, or None
     """
 
     title: str
@@ -59,7 +60,7 @@ class Design:
 
     @property
     def parameter(self) -> str:
-        """The name of the parameter; of two, of the first."""
+        """The name of the parameter, or of the first of two."""
         return next(iter(self.values))
 
     @property
@@ -68,7 +69,7 @@ class Design:
         return self.values[self.parameter]
 
     def to_dict(self) -> dict[str, Any]:
-        """As `edgeproof design --format json` has it."""
+        """The content of `edgeproof design --format json`."""
         return copy.deepcopy(self._told)
 
 
@@ -76,27 +77,28 @@ def design(file: str | os.PathLike[str] | None = None, *, text: str | None = Non
            maximise: str | None = None, terms: int | None = None,
            tolerance: Number | None = None, edge: str | None = None, gap: Number = "1e-6",
            digits: int = 30, progress: Callable[[int, int], object] | None = None) -> Design:
-    """The parameter of a scene with ranges for which n terms reach farthest: a Design.
+    """Finds the parameter of a scene with ranges for which n terms reach farthest.
 
     file       a scene (TOML) with one or two ranges, such as m = { from = "0", to = "2" }
-               (docs/design.md), or one that came with the program, by its name: "exponent"
-    text       the text of such a file in its stead; errors call it "(text)"
-    maximise   "first_exit", the first distance from the edge at which `terms` terms are off by the
-               tolerance; "measure", the length of all places at which they are not (an estimate);
-               "slip_load", the Q/(friction P) up to which they give a slip zone within it
+               (docs/design.md), or the name of one that came with the program: "exponent"
+    text       the text of such a file, in place of `file`; errors call it "(text)"
+    maximise   "first_exit", the first distance from the edge at which the error of `terms` terms
+               reaches the tolerance; "measure", the length of all places at which it is smaller (an
+               estimate); "slip_load", the Q/(friction P) up to which they give a slip zone within
+               the tolerance
     terms      1 to 12
     tolerance  relative: "1%", "1/100"
     edge       "right", "left", or "both": the lesser reach counts
-    gap        > 0: that nothing else does better by more is proved; in the unit of the reach
+    gap        > 0, in the unit of the reach: it is proved that no other value is better by more
     digits     of the value and of the reach, 2 to 1000
     progress   is called with (thousandths of the range done, 1000), from any thread
 
-    maximise, terms, tolerance and edge say it in place of [design]; None: as the scene has it. A
-    scene without [design] needs the tolerance and maximise.
+    maximise, terms, tolerance and edge replace the values in [design]; None keeps the scene's. A
+    scene without [design] needs tolerance and maximise.
 
-    The GIL is released, and Ctrl-C ends it with KeyboardInterrupt. Raises InputError, with file and
-    line, for a scene that is malformed and for a value of the range that makes none; InputError for
-    a question that makes no sense; BudgetError where no reach is found.
+    The GIL is released, and Ctrl-C ends the call with KeyboardInterrupt. Raises InputError, with
+    file and line, for a malformed scene and for a value of the range that gives no scene;
+    InputError for a question that makes no sense; BudgetError if no reach is found.
     """
     if (file is None) == (text is None):
         raise TypeError("give the file of a scene, or its text: one of them")

@@ -25,15 +25,15 @@ class _Mpf(Protocol):
 
 
 Number = Union[str, int, float, Fraction, Decimal, SupportsIndex, _Ratio, _Mpf]
-"""A number, taken exactly: str ("0.4", "pi/16", "3/2"), int, Fraction, Decimal, mpmath.mpf, numpy
-scalars; a float is the binary64 that it is: 0.1 is not one tenth, "0.1" is."""
+"""An exact number: str ("0.4", "pi/16", "3/2"), int, Fraction, Decimal, mpmath.mpf, numpy scalars;
+a float is exactly its binary64 number: 0.1 is not one tenth, "0.1" is."""
 
 
 class Profile:
     """The slope g'(x) of the gap; made by hertz(), power_law() and the other functions here.
 
     kind        the kind of profile, as in a scene file
-    parameters  its numbers by their names, as exact text
+    parameters  its numbers as exact text, by name
     """
 
     __slots__ = ("kind", "parameters")
@@ -85,7 +85,7 @@ def _inverse(text: str) -> str:
 
 
 def wedge(phi: Number) -> Profile:
-    """An upright wedge: g' = phi sgn(x). phi: the angle of its faces with the surface, radians."""
+    """An upright wedge: g' = phi sgn(x). phi: the angle of its faces to the surface, in radians."""
     return Profile("power-law", {"m": "0", "C": exact_text(phi, "phi")})
 
 
@@ -122,10 +122,10 @@ def tilted_flat_and_rounded(t: Number, R: Number, alpha: Number | None = None) -
 
 
 def piecewise(knots: Iterable[Number], slopes: Iterable[str], symmetric: bool = False) -> Profile:
-    """g'(x) piece by piece: slopes[i], a formula in x, holds between knots[i-1] and knots[i].
+    """A slope g'(x) in pieces: slopes[i], a formula in x, holds between knots[i-1] and knots[i].
 
-    With symmetric=True both are for x > 0, and g'(-x) = -g'(x). g' must not decrease, and changes
-    sign at x = 0. Example: piecewise([], ["x + x^3"], symmetric=True).
+    With symmetric=True both lists are for x > 0, and g'(-x) = -g'(x). g' must not decrease, and
+    must change sign at x = 0. Example: piecewise([], ["x + x^3"], symmetric=True).
     """
     given: dict[str, Any] = {
         "knots": [exact_text(k, f"knots[{i}]") for i, k in enumerate(knots)],

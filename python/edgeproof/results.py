@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a scene gives, as plain objects. All have to_dict(), of str, int, bool, list, dict, None."""
+"""The results of a scene as plain objects. All have to_dict()."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["Approximation", "Contact", "Coefficients", "Extent", "Point", "Resul
 
 
 def plain(value: Any) -> Any:
-    """Values and results as dicts and lists, to any depth."""
+    """Converts values and results to dicts and lists, to any depth."""
     if isinstance(value, Value):
         return value.to_dict()
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
@@ -28,7 +28,7 @@ def plain(value: Any) -> Any:
 
 class _Plain:
     def to_dict(self) -> dict[str, Any]:
-        """The same as str, int, bool, list, dict and None, to any depth."""
+        """The same as a dict of str, int, bool, list, dict and None, to any depth."""
         result = plain(self)
         assert isinstance(result, dict)
         return result
@@ -49,12 +49,12 @@ class Approximation(_Plain):
 
 @dataclasses.dataclass(frozen=True)
 class Contact(_Plain):
-    """The contact -b < x < a, what it carries per unit length, and the tilt where it was found.
+    """The contact -b < x < a, its force and moment per unit length, and the tilt if it was found.
 
     a, b   lengths
     P      normal force per unit length
     M      moment about the origin per unit length
-    alpha  radians; None where the tilt is given, or there is none
+    alpha  radians; None if the tilt is given, or there is none
     """
 
     a: Value
@@ -68,9 +68,9 @@ class Contact(_Plain):
 class Point(_Plain):
     """A place and its tractions: u inwards from an edge; p and q in units of the contact modulus.
 
-    p_local and q_local have an Approximation for each number of terms asked for. What was not asked
-    for is None, or empty. state is that of q where there is friction: "slip" (|q| = friction p),
-    "stick", or "undecided" where the place is too near the end of the stick zone to tell.
+    p_local and q_local have an Approximation for each number of terms asked for. Quantities that
+    were not asked for are None, or empty. With friction, state is "slip" (|q| = friction p),
+    "stick", or "undecided" if the place is too near the end of the stick zone to decide.
     """
 
     edge: str
@@ -89,7 +89,7 @@ class Coefficients(_Plain):
 
     c              p = sum of c[k] u^(k + 1/2)
     s              q = sum of s[k] u^(k + s_half_powers/2); empty without shear
-    s_half_powers  -1 under full stick, 1 where q is similar to p
+    s_half_powers  -1 under full stick, 1 if q is similar to p
     """
 
     edge: str
@@ -100,14 +100,15 @@ class Coefficients(_Plain):
 
 @dataclasses.dataclass(frozen=True)
 class Extent(_Plain):
-    """How far from an edge the first `terms` terms of p stay within a tolerance.
+    """The extent from an edge over which the first `terms` terms of p stay within a tolerance.
 
     first_exit           the distance at which the relative error first reaches the tolerance; the
-                         end of the part looked at where it does not (leaves is False)
-    measure              the length of all that lies within the tolerance
-    first_exit_fraction  of a + b; so is measure_fraction
+                         end of the examined part if it does not (leaves is False)
+    measure              the total length of the places within the tolerance
+    first_exit_fraction  first_exit as a fraction of a + b
+    measure_fraction     measure as a fraction of a + b
     crossings            every distance at which the error passes through the tolerance
-    covers_zone          whether the first exit lies beyond the process zone; None without one
+    covers_zone          True if the first exit lies beyond the process zone; None without a zone
     """
 
     edge: str
@@ -123,16 +124,17 @@ class Extent(_Plain):
 
 @dataclasses.dataclass(frozen=True)
 class StickZone(_Plain):
-    """The zone -b < x < a that sticks under P, Q and the bulk tension; beside it |q| = friction p.
+    """The zone -b < x < a that sticks under P, Q and the bulk tension; outside, |q| = friction p.
 
     load_ratio          |Q|/(friction P)
     a, b                lengths, from the origin
-    least_bulk_tension  between it and most_bulk_tension (in the unit of the contact modulus) both
-                        edges slip in the direction of Q; a scene beyond them is refused. None where
-                        a bound was not found
-    cycle_energy        energy per unit length that friction takes in a cycle from -Q to Q and back,
-                        P held; None with a bulk tension, with curved slopes, where none was found
-    in_proportion       Q and the bulk tension may grow in proportion; False: Q has to go first
+    least_bulk_tension  between this and most_bulk_tension (in the unit of the contact modulus) both
+                        edges slip in the direction of Q; other scenes are refused. None if the
+                        bound was not found
+    cycle_energy        energy per unit length that friction dissipates in a cycle from -Q to Q and
+                        back at constant P; None with a bulk tension, with curved slopes, or if none
+                        was found
+    in_proportion       True: Q and the bulk tension may grow in proportion; False: Q must be first
     """
 
     load_ratio: Value
@@ -146,13 +148,13 @@ class StickZone(_Plain):
 
 @dataclasses.dataclass(frozen=True)
 class SlipTerms(_Plain):
-    """What the first `terms` terms of the series in Q/(friction P) give for a slip zone.
+    """The approximation of a slip zone by the first `terms` terms of the series in Q/(friction P).
 
     size            a length
     relative_error  |1 - size/exact|
-    load_limit      the |Q|/(friction P) up to which that error stays within the tolerance, P and
-                    bulk_tension/Q held; 1 where it does up to full sliding (leaves is False). None
-                    without a tolerance, or where nothing decides it
+    load_limit      the |Q|/(friction P) up to which that error stays within the tolerance, at
+                    constant P and bulk_tension/Q; 1 if it does up to full sliding (leaves is
+                    False). None without a tolerance, or if it is undecided
     """
 
     terms: int
@@ -179,9 +181,10 @@ class Slip(_Plain):
 
 @dataclasses.dataclass(frozen=True)
 class Result(_Plain):
-    """What a scene file asks for, in the order asked, edge by edge.
+    """The answers to the questions of a scene file, in their order, edge by edge.
 
-    proved  whether values are enclosures, unless their route says otherwise; why: the reason
+    proved  True if values are enclosures, unless their route states otherwise
+    why     the reason
     """
 
     contact: Mapping[str, Value | None]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes: a profile under a load, and what can be asked of it."""
+"""Scenes: a profile under a load, and the quantities that can be computed."""
 
 from __future__ import annotations
 
@@ -49,39 +49,39 @@ def _places(u: Any) -> list[str]:
 
 
 def read_scene(file: str | os.PathLike[str]) -> Scene:
-    """Reads a scene file (TOML; docs/file-formats.md says what goes into one), or one that came with
-    the program, by its name: "fretting-pad".
+    """Reads a scene file (TOML; docs/file-formats.md), or one that came with the program.
 
-    Raises InputError, with file and line, for whatever is malformed.
+    The name of a scene that came with the program is, for example, "fretting-pad". Raises
+    InputError, with file and line, for a malformed scene.
     """
     name = file_or_shipped(file, "examples/scenes")
     return Scene.from_text(_edgeproof.read_text(name, "scene (TOML)"), name)
 
 
 class Scene:
-    """A contact -b < x < a: a profile, a load, and shear where there is some. It does not change.
+    """A contact -b < x < a: a profile, a load, and perhaps shear. It is immutable.
 
     profile          made by edgeproof.hertz(), power_law(), flat_and_rounded(), ...
     a, or P          the right edge (a length), or the normal force per unit length
     M                moment about the origin per unit length, with P and a tilted profile without
                      alpha: the tilt is then found
     contact_modulus  E*, or E1, nu1, E2, nu2: Young's moduli and Poisson's ratios of both bodies
-    Q, bulk_tension  shear force per unit length, and differential bulk tension: full stick, unless
-    friction         is given, the coefficient: then zones beside the edges slip
-    path             "normal-first" (P held, then Q) or "together" (P and Q in proportion)
+    Q, bulk_tension  shear force per unit length, and differential bulk tension
+    friction         the coefficient of friction: zones at the edges slip; None: full stick
+    path             "normal-first" (P, then Q at constant P) or "together" (P and Q in proportion)
 
-    Numbers are exact (see edgeproof.profiles.Number); units are yours, one system throughout:
-    pressures come in the unit of the contact modulus, and forces per unit length in that unit times
-    the unit of length. Raises InputError for whatever makes no sense, TypeError for what is no
-    number.
+    Numbers are exact (see edgeproof.profiles.Number). Any consistent system of units may be used:
+    pressures are in the unit of the contact modulus, and forces per unit length in that unit times
+    the unit of length. Raises InputError for values that make no sense, TypeError for values that
+    are not numbers.
 
     Distances u run from an edge inwards: u = a - x at the right one, u = b + x at the left one.
-    Every method that computes takes `digits` (2 to 100000; None: as many as the scene says, 50 where
-    it does not), releases the GIL, ends with KeyboardInterrupt on Ctrl-C, and may be called from
-    several threads. More than 5000 digits are computed in a process of their own, which Ctrl-C ends
-    at once. They raise InputError for a load that no contact carries and for a u outside
-    0 < u < a + b or on a corner of the profile, and BudgetError where a quadrature does not reach
-    its digits.
+    Every method that computes takes `digits` (2 to 100000; None: the scene's, or 50 if it has
+    none), releases the GIL, ends with KeyboardInterrupt on Ctrl-C, and may be called from several
+    threads. More than 5000 digits are computed in a process of their own, which Ctrl-C ends at
+    once. These methods raise InputError for a load that no contact carries and for a u outside
+    0 < u < a + b or on a corner of the profile, and BudgetError if a quadrature does not reach its
+    digits.
     """
 
     _native: _edgeproof.NativeScene
@@ -110,14 +110,14 @@ class Scene:
 
     @classmethod
     def from_text(cls, text: str, file: str = "") -> Scene:
-        """A scene from the text of a scene file; `file` is what errors name."""
+        """Makes a scene from the text of a scene file; `file` is its name in errors."""
         scene = cls.__new__(cls)
         scene._set(_edgeproof.NativeScene(text, file))
         return scene
 
     @property
     def text(self) -> str:
-        """The text of a scene file that says the same."""
+        """The text of an equivalent scene file."""
         return self._native.text
 
     @property
@@ -127,32 +127,32 @@ class Scene:
 
     @property
     def file(self) -> str | None:
-        """The file that it was read from; None where there is none."""
+        """The file from which it was read, or None."""
         return self._native.file or None
 
     @property
     def digits(self) -> int:
-        """The digits that values have where none are asked for."""
+        """The number of digits of values if none is given."""
         return int(self._native.asked["digits"])
 
     @property
     def asked(self) -> dict[str, Any]:
-        """What the scene file asks for, which run() computes: quantities, edges, terms, u, ..."""
+        """The questions of the scene file, which run() answers: quantities, edges, terms, u, ..."""
         return self._native.asked
 
     @property
     def symmetric(self) -> bool:
-        """b = a by construction."""
+        """True if b = a by construction."""
         return self._native.symmetric
 
     @property
     def has_shear(self) -> bool:
-        """Whether Q or a bulk tension is given."""
+        """True if Q or a bulk tension is given."""
         return self._native.has_shear
 
     @property
     def has_friction(self) -> bool:
-        """Whether a coefficient of friction is given, so that zones beside the edges slip."""
+        """True if a coefficient of friction is given, so that zones at the edges slip."""
         return self._native.slips
 
     def __repr__(self) -> str:
@@ -185,7 +185,7 @@ class Scene:
     # The contact.
 
     def contact(self, digits: int | None = None) -> Contact:
-        """Both edges, force and moment, and the tilt where it is found: a Contact of Values."""
+        """Both edges, force and moment, and the tilt if it is found: a Contact of Values."""
         wanted = self.digits if digits is None else digits
         if wanted not in self._contacts:
             found = self._run(quantities=["contact"], digits=wanted)["contact"]
@@ -204,17 +204,17 @@ class Scene:
 
     @property
     def P(self) -> Value:
-        """Normal force per unit length."""
+        """The normal force per unit length."""
         return self.contact().P
 
     @property
     def M(self) -> Value:
-        """Moment about the origin per unit length, positive where it presses the right side down."""
+        """Moment about the origin per unit length, positive if it presses the right side down."""
         return self.contact().M
 
     @property
     def alpha(self) -> Value | None:
-        """The tilt that was found, radians; None where it is given, or there is none."""
+        """The tilt that was found, radians; None if it is given, or there is none."""
         return self.contact().alpha
 
     # At points.
@@ -238,8 +238,8 @@ class Scene:
     def pressure(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
         """The pressure p at the distance u from an edge ("right" or "left"), a Value.
 
-        p is in the unit of the contact modulus. For a list of places, a list of Values: the contact
-        is then solved once. For numpy arrays of float see pressures().
+        p is in the unit of the contact modulus. A list of places gives a list of Values, and the
+        contact is solved once. For numpy arrays of float see pressures().
         """
         values = [row.p for row in self._points(u, edge, "pressure", (), digits)]
         return values if _is_many(u) else values[0]
@@ -252,19 +252,19 @@ class Scene:
                   digits: int | None = ...) -> list[Value]: ...
 
     def shear(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
-        """The shear traction q at the distance u from an edge, a Value; a list of them for a list.
+        """The shear traction q at the distance u from an edge, a Value; a list gives a list.
 
-        In the unit of the contact modulus: under full stick, or, with friction, under partial slip.
+        q is in the unit of the contact modulus, under full stick or, with friction, partial slip.
         Raises InputError for a scene without shear.
         """
         values = [row.q for row in self._points(u, edge, "shear", (), digits)]
         return values if _is_many(u) else values[0]
 
     def slip_state(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
-        """Whether the place at the distance u from an edge slips: "slip", "stick" or "undecided".
+        """The state of the place at the distance u from an edge: "slip", "stick" or "undecided".
 
-        For a list of places, a list. "undecided": the place is too near the end of the stick zone
-        to tell. Raises InputError for a scene without friction.
+        A list of places gives a list. "undecided": the place is too near the end of the stick zone
+        to decide. Raises InputError for a scene without friction.
         """
         self._needs_friction()
         states = [row.state for row in self._points(u, edge, "shear", (), digits)]
@@ -272,21 +272,21 @@ class Scene:
 
     def approximation(self, u: Number, terms: int | Sequence[int] = 1, edge: str = "right",
                       digits: int | None = None) -> Point:
-        """p at one place with the sums of the first `terms` terms beside it, and their errors.
+        """p at one place, and the sums of the first `terms` terms with their errors.
 
-        A Point: .p, and .p_local, an Approximation for each number of terms.
+        The result is a Point: .p, and .p_local, an Approximation for each number of terms.
         """
         return self._points(u, edge, "pressure", wholes(terms, "terms"), digits)[0]
 
     def pressures(self, u: numpy.typing.ArrayLike,
                   edge: str = "right") -> numpy.typing.NDArray[numpy.float64]:
-        """Pressures of a whole numpy array of distances from an edge, as an array of its shape.
+        """Pressures at a whole numpy array of distances from an edge, as an array of its shape.
 
-        Each is the binary64 nearest to the exact pressure at exactly that binary64 u: proved where
-        the pressure has a closed form (power laws, piecewise linear g'); elsewhere as far as the
-        error that its quadrature estimates of itself, at 25 digits, is right. 0 at the edges and
-        outside the contact (also for infinite u), inf on a corner of the profile. Raises InputError,
-        with the index, for NaN.
+        Each is the binary64 nearest to the exact pressure at exactly that binary64 u. This is
+        proved if the pressure has a closed form (power laws, piecewise linear g'); otherwise it
+        relies on the error that the quadrature estimates at 25 digits. The value is 0 at the edges
+        and outside the contact (also for infinite u), and inf on a corner of the profile. Raises
+        InputError, with the index, for NaN.
         """
         import numpy
 
@@ -335,11 +335,11 @@ class Scene:
     def extent(self, terms: int = 1, tolerance: Number = "1%", edge: str = "right",
                part: tuple[Number, Number] = (0, 1), process_zone: Number | None = None,
                digits: int | None = None) -> Extent:
-        """How far from an edge the first `terms` terms are within a tolerance of p: an Extent.
+        """The extent from an edge over which the first `terms` terms are within a tolerance of p.
 
         tolerance     relative: "1%", "0.01", Fraction(1, 100)
-        part          of the contact that is looked at, fractions of a + b from the edge
-        process_zone  a length from the edge, which the extent covers or not
+        part          the examined part of the contact, as fractions of a + b from the edge
+        process_zone  a length from the edge; the result states whether the extent covers it
         """
         found = self._run(
             edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
@@ -356,14 +356,14 @@ class Scene:
 
     def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),
              tolerance: Number | None = None, digits: int | None = None) -> Slip:
-        """The slip zone at an edge, what n terms of its series give, and the stick zone: a Slip.
+        """The slip zone at an edge, its approximations by n terms, and the stick zone: a Slip.
 
-        terms      numbers of terms; sizes are series in |Q|/(friction P)
+        terms      numbers of terms of the series in |Q|/(friction P)
         tolerance  relative ("1%"): also find the load ratio up to which n terms are within it
 
-        P is held, then Q (and the bulk tension) applied. Raises InputError for a scene without
+        Q (and the bulk tension) are applied at constant P. Raises InputError for a scene without
         friction, for one that slides (|Q| >= friction P), and for a bulk tension with which an edge
-        slips the other way.
+        slips in the other direction.
         """
         self._needs_friction()
         found = self._run(
@@ -374,15 +374,15 @@ class Scene:
     # As a whole.
 
     def run(self, digits: int | None = None) -> Result:
-        """Everything that the scene file asks for ([ask]), as a Result."""
+        """Answers all questions of the scene file ([ask])."""
         return result_of(self._run(digits=digits))
 
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
-        """The pressure with its approximations by the first terms, and the edge on log axes.
+        """Plots the pressure and its approximations by the first terms; the edge on log axes.
 
-        A matplotlib Figure, written to `file` where one is given (.png, .pdf, .svg). Raises
-        ImportError where matplotlib or numpy is missing.
+        Returns a matplotlib Figure, and writes it to `file` if one is given (.png, .pdf, .svg).
+        Raises ImportError if matplotlib or numpy is missing.
         """
         from ._plot import plot
 

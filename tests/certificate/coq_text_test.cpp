@@ -22,8 +22,8 @@ std::string in_coq(const std::string& text) {
 
 } // namespace
 
-// What Coq reads is the tree of what is printed: its operators bind as those of the ledger do, but
-// for the minus in front, which Coq binds more strongly than a product.
+// Coq reads the tree of the printed formula: its operators bind like those of the ledger, except
+// for the leading minus, which binds more strongly than a product in Coq.
 TEST_CASE("formulas as terms of Coq") {
     CHECK(in_coq("a - (b - x)") == "a - ((b a) - x)");
     CHECK(in_coq("a - b - x") == "a - (b a) - x");

@@ -36,7 +36,7 @@ bool has(const std::string& text, const std::string& part) {
 
 } // namespace
 
-// p = Es C/2 sqrt(a^2 - x^2): at x = 3/5 of a = C = 1 it is 2/5; P = pi/4; c_0 = 1/sqrt(2).
+// p = Es C/2 sqrt(a^2 - x^2), which is 2/5 at x = 3/5 for a = C = 1; P = pi/4; c_0 = 1/sqrt(2).
 TEST_CASE("values of a parabola as theorems") {
     const auto all = certified("kind = \"power-law\"\nm = \"1\"\nC = \"1\"", "a = \"1\"",
                                "u = [\"0.4\"]\nedges = [\"right\"]\n");
@@ -49,7 +49,7 @@ TEST_CASE("values of a parabola as theorems") {
     CHECK(has(named(all, "coefficients.right").theorems.at(0).states, "c_0 = 0.7071067812"));
 }
 
-// That of a = 1 is pi/4.
+// The force at a = 1 is pi/4.
 TEST_CASE("an edge that a force tells") {
     const auto all = certified("kind = \"power-law\"\nm = \"1\"\nC = \"1\"", "P = \"pi/4\"",
                                "u = [\"0.4\"]\nedges = [\"right\"]\n");

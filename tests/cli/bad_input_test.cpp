@@ -32,7 +32,8 @@ std::string repeated(const std::string& text, int times) {
     return all;
 }
 
-/// FILE:LINE: what is wrong; what to write instead. Exit 2, in one short line, and nothing else.
+/// Checks for "FILE:LINE: what is wrong; what to write instead" in one short line, exit status 2,
+/// and no output.
 void check_refusal(const Outcome& o, const std::string& place, const std::string& what) {
     CAPTURE(o.err);
     CHECK(o.code == 2);
@@ -73,7 +74,7 @@ TEST_CASE("bad scenes: every command that takes one says file, line, what is wro
         {pieces("x/(1-1)"), 1, "division by zero"},
         {pieces("x*y"), 4, "unknown name 'y'"},
         {pieces("sqqrt(x)"), 4, "did you mean sqrt?"},
-        // slips of the pen
+        // misspelt names
         {flat + pressed + "[ask]\nquantities = [\"presure\"]\n", 9, "did you mean pressure?"},
         {flat + "[load]\na = \"1\"\nconact_modulus = \"1\"\n", 7, "did you mean contact_modulus?"},
         {flat + pressed + "[ak]\n", 8, "did you mean ask?"},
@@ -84,7 +85,7 @@ TEST_CASE("bad scenes: every command that takes one says file, line, what is wro
         {with_a("1mm"), 6, "numbers have no units here"},
         {with_a("2e3 N"), 6, "numbers have no units here"},
         {with_a("70*GPa"), 6, "numbers have no units here"},
-        // knots as they were written
+        // knots in their original spelling
         {"[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"2\", \"1\"]\n"
          "slopes = [\"0\", \"x\", \"x\"]\n" +
              pressed,
@@ -96,7 +97,7 @@ TEST_CASE("bad scenes: every command that takes one says file, line, what is wro
         // files of another kind
         {recipe, 1, "this is a recipe, not a scene"},
         {hertz_head, 1, "this is a ledger, not a scene"},
-        // deep, large, and characters that steer a terminal
+        // deep or large input, and control characters
         {"x" + repeated(".x", 50'000) + " = 1\n", 1, "32 levels deep"},
         {flat + "x = " + repeated("[", 50'000) + "\n", 5, "32 levels deep"},
         {flat + pressed + "title = \"\\u001b[31m\"\n", 8, "control character"},

@@ -20,12 +20,12 @@ std::filesystem::path third_party() { return source_dir() / "examples" / "third-
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-/// `edgeproof check QUESTIONS --exec COMMAND OPTIONS`, in the folder of the programs' copies.
+/// Runs `edgeproof check QUESTIONS --exec COMMAND OPTIONS` in the folder of the programs' copies.
 Outcome ask(const Folder& folder, const std::string& command, const std::string& options) {
     return run(folder, "check questions.toml --exec '" + command + "' " + options);
 }
 
-/// The folder of the programs, so that nothing is built or cached in the source.
+/// A copy of the programs' folder, so that nothing is built or cached in the source.
 struct Programs {
     Folder folder;
     Programs() {
@@ -35,7 +35,7 @@ struct Programs {
             }
         }
     }
-    /// A command of the shell, in the folder.
+    /// Runs a shell command in the folder.
     bool shell(const std::string& command) const {
         return std::system(("cd " + quoted(folder.path()) + " && " + command).c_str()) == 0;
     }
@@ -55,7 +55,7 @@ TEST_CASE("third-party programs: C in double") {
     if (have("cc --version")) {
         REQUIRE(programs.shell("cc -std=c99 -O2 -o closed_forms closed_forms.c -lm"));
         CHECK(last_line(ask(programs.folder, "./closed_forms", "--digits 13").out) == all_pass);
-        // In double there are not 17 digits: the check can fail.
+        // Doubles do not have 17 digits: the check can fail.
         CHECK(ask(programs.folder, "./closed_forms", "--digits 17").code == 1);
     }
 }

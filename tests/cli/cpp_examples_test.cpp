@@ -13,7 +13,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// What an example of examples/cpp prints, line by line.
+/// Returns the lines that an example of examples/cpp prints.
 std::vector<std::string> printed_by(const std::string& example) {
     const Folder folder;
     const std::filesystem::path out = folder.path() / "out";
@@ -22,8 +22,8 @@ std::vector<std::string> printed_by(const std::string& example) {
     return edgeproof::test::lines(file_text(out));
 }
 
-/// The values of a table in reference/, by the ids of its rows. That tables agree by routes that
-/// share no formula is tested elsewhere (docs/independence.md).
+/// Returns the values of a table in reference/ by the ids of its rows. Other tests show that routes
+/// that share no formula give the same tables (docs/independence.md).
 std::map<std::string, std::string> reference_values(const std::string& name) {
     const std::filesystem::path file = source_dir() / "reference" / name;
     const io::Csv table = io::parse_csv(file_text(file), file.string());
@@ -66,9 +66,10 @@ TEST_CASE("example coefficients: those of the reference table, both edges") {
     }
 }
 
-// p is proportional to sqrt(u (2 - u)). With s = u/2, one term exceeds it by 1/sqrt(1 - s), two by
-// (1 - s/2)/sqrt(1 - s): at k = 1.01 a linear and a quadratic equation. Three terms, by
-// (1 - s/2 - s^2/8)/sqrt(1 - s): the equation is left as it is and its sign seen to change.
+// p is proportional to sqrt(u (2 - u)). With s = u/2, the ratio of one term to p is 1/sqrt(1 - s),
+// of two terms (1 - s/2)/sqrt(1 - s): at 1.01 this is a linear and a quadratic equation. For three
+// terms the ratio is (1 - s/2 - s^2/8)/sqrt(1 - s): the equation is not solved, but its sign must
+// change.
 TEST_CASE("example extent: roots of the equations that Hertz' pressure gives") {
     const auto out = printed_by("extent");
     REQUIRE(out.size() == 3);

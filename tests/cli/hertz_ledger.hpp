@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-/// Hertz, whose pressure E* C sqrt(a^2 - x^2)/2 is a textbook's, as a ledger of one's own.
+/// A user's ledger about the Hertz pressure E* C sqrt(a^2 - x^2)/2 of the textbooks.
 namespace edgeproof::test {
 
 inline const std::string hertz_head = R"toml([ledger]

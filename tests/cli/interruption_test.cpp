@@ -22,21 +22,21 @@
 
 using namespace edgeproof::test;
 
-// SIGINT and SIGTERM end every subcommand, wherever it is, with an exit status of their own;
-// nothing half-written is left, and no child.
+// SIGINT and SIGTERM end every subcommand at any time, each with its own exit status; no incomplete
+// file and no child process is left.
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Two seconds by design. Machines that run tests are loaded.
+/// The design allows two seconds, but machines that run tests are loaded.
 constexpr std::chrono::seconds longest_end{20};
 
 struct LongRun {
     std::string name;
     std::string arguments;
-    std::string file;                ///< what it reads, as `in`
-    std::set<std::string> kept = {}; ///< files that may stay
+    std::string file;                ///< the content of its input file `in`
+    std::set<std::string> kept = {}; ///< files that may remain
 };
 
 std::string scene(const std::string& profile, const std::string& ask,
@@ -49,7 +49,7 @@ std::string tilted(const std::string& ask) {
                  ask);
 }
 
-/// A convex slope of straight pieces.
+/// Returns a convex slope of straight pieces.
 std::string knots(int count) {
     std::string knots;
     std::string slopes;
@@ -126,7 +126,7 @@ std::vector<LongRun> long_runs() {
     return all;
 }
 
-/// A run of the program with what it says aside, to be interrupted.
+/// A run of the program that can be interrupted; its output goes to files.
 class Running {
 public:
     explicit Running(const LongRun& what) {
@@ -140,7 +140,7 @@ public:
             (aside_.path() / "out").string() + "' 2>'" + (aside_.path() / "err").string() + "'";
         const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
         int ends[2];
-        REQUIRE(::pipe2(ends, O_CLOEXEC) == 0); // a standard input that nothing comes in
+        REQUIRE(::pipe2(ends, O_CLOEXEC) == 0); // a standard input without data
         pid_ = ::fork();
         if (pid_ == 0) {
             ::dup2(ends[0], STDIN_FILENO);
@@ -161,9 +161,9 @@ public:
     Running& operator=(const Running&) = delete;
 
     void send(int signal) const { ::kill(pid_, signal); }
-    /// Waits until it takes signals: it is the program, no longer a fork of this one, and its first
-    /// thread has them blocked, and not all there are, as fork() and pthread_create() have for a
-    /// while.
+    /// Waits until the run takes signals: its executable is the program, no longer a fork of this
+    /// one, and its first thread has blocked SIGINT, but not all signals, as fork() and
+    /// pthread_create() do for a while.
     void wait_for_begin() const {
         const std::filesystem::path process = "/proc/" + std::to_string(pid_);
         const auto in = [](unsigned long long set, int signal) {
@@ -184,7 +184,7 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
     }
-    /// Its exit status; -1: it is killed since it does not end, -2: it was ended by a signal.
+    /// Returns its exit status; -1: it was killed because it did not end; -2: a signal ended it.
     int end(Clock::time_point last) {
         int status = 0;
         while (::waitpid(pid_, &status, WNOHANG) == 0) {
@@ -220,7 +220,7 @@ private:
     int input_ = -1;
 };
 
-/// Whether a process runs: one that nobody has waited for does not.
+/// True if a process runs; a zombie does not.
 bool runs(const std::string& pid) {
     const std::string status = file_text("/proc/" + pid + "/stat");
     const std::size_t name_end = status.rfind(')');
@@ -228,7 +228,7 @@ bool runs(const std::string& pid) {
            status[name_end + 2] != 'Z';
 }
 
-/// Each of the runs interrupted after so long, several at a time: they wait more than they work.
+/// Interrupts each of the runs after a time, several at once, because they mostly wait.
 void interrupt_all(const std::vector<LongRun>& all, std::chrono::milliseconds after,
                    const std::function<int(std::size_t)>& signal_of, std::size_t at_a_time = 4) {
     for (std::size_t begin = 0; begin < all.size(); begin += at_a_time) {
@@ -302,7 +302,7 @@ TEST_CASE("a second signal ends at once, and the first one's number is told") {
 }
 
 TEST_CASE("two signals close to each other: one line, whichever thread comes first") {
-    // The work looks for an interruption some ten thousand times a second.
+    // The work checks for an interruption some ten thousand times a second.
     const LongRun run{"pressure", "pressure in --digits 1000",
                       tilted("edges = [\"right\"]\nu = { from = \"1e-12\", to = \"0.9\", "
                              "per_decade = 2000 }\n")};

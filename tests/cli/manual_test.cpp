@@ -11,7 +11,7 @@ namespace {
 
 using namespace edgeproof::test;
 
-/// Names of long options, and of subcommands, as a help text lists them.
+/// Returns the names of long options, or of subcommands, in a help text.
 std::set<std::string> told_in(const std::string& help, const std::regex& what) {
     std::set<std::string> names;
     for (std::sregex_iterator i(help.begin(), help.end(), what), end; i != end; ++i) {
@@ -23,7 +23,7 @@ std::set<std::string> told_in(const std::string& help, const std::regex& what) {
 const std::regex long_option("\n  (?:-[a-z],)?--([A-Za-z0-9-]+)");
 const std::regex a_subcommand("\n  ([a-z]+[a-z-]*) +[a-z]");
 
-/// With the hyphens that a manual page has as they are typed.
+/// Escapes the hyphens as in a manual page.
 std::string in_roff(const std::string& name) {
     std::string text;
     for (const char c : name) {
@@ -80,7 +80,7 @@ TEST_CASE("a file that came with the program is found by its name") {
     const Outcome none = run(folder, "verify nonesuch");
     CHECK(none.code == 2);
     CHECK(has(none.err, "nonesuch: there is no such file"));
-    // A file of that name in the working folder goes first.
+    // A file of that name in the working folder has precedence.
     (void)folder.write("moore-hills", "[ledger]\n");
     const Outcome own = run(folder, "verify moore-hills");
     CHECK(own.code == 2);

@@ -35,7 +35,7 @@ TEST_CASE("a check of nothing is no pass: every command that compares, with an e
         CHECK(outcome.out.empty());
         CHECK(lines(outcome.err).size() == 1);
     }
-    // Answers without a row: read, and not passed.
+    // Answers without a row are read, but do not pass.
     folder.write("head.csv", "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n");
     CHECK(run(folder, "check head.csv").code == 1);
     folder.write("asked.csv", "# questions: 99999999999999999999999\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where output goes: devices, FIFOs, links, descriptors, files with permissions, and places that
-// cannot be written.
+// Outputs to devices, FIFOs, links, descriptors, files with permissions, and places that cannot be
+// written.
 #include "tests/cli/hertz_ledger.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/cli/tilted_recipe.hpp"
@@ -28,7 +28,7 @@ std::string called(const std::string& arguments) {
     return "'" + program().string() + "' " + arguments;
 }
 
-/// A command of the shell, run in the folder.
+/// Runs a shell command in the folder.
 Outcome in_shell(const Folder& folder, const std::string& command) {
     const Folder aside;
     const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } >'" +
@@ -57,7 +57,7 @@ TEST_CASE("--out follows a link, keeps permissions, and leaves nothing beside th
     CHECK(file_text(folder.path() / "file") == expected);
     CHECK((fs::status(folder.path() / "file").permissions() & fs::perms(07777)) == fs::perms(0640));
     CHECK(folder.files() == 4); // in.toml, file, link, sub
-    // A link that leads nowhere yet makes what it names; one that leads to itself is refused.
+    // A dangling link makes its target; a link to itself is refused.
     fs::create_symlink("made", folder.path() / "dangling");
     REQUIRE(run(folder, "pressure in.toml --out dangling").code == 0);
     CHECK(file_text(folder.path() / "made") == expected);
@@ -87,7 +87,7 @@ TEST_CASE("--out writes to a FIFO, a device and a descriptor as they are") {
         CHECK(fs::is_fifo(folder.path() / "fifo"));
         CHECK_FALSE(fs::exists(folder.path() / "fifo.part"));
         fs::remove(folder.path() / "fifo");
-        // A device of the test's own, like /dev/null (root makes one).
+        // The test makes a device of its own, like /dev/null (only root can).
         const fs::path device = folder.path() / "null";
         if (::mknod(device.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) {
             CHECK(run(folder, command + " --out null").code == 0);
@@ -104,7 +104,7 @@ TEST_CASE("a place that cannot be written is told before the work, in one line")
     folder.write("recipe.toml", output_recipe);
     folder.write("file", "old");
     fs::create_directory(folder.path() / "sub");
-    // A hundred thousand digits would take far longer than any of these may.
+    // Twenty thousand digits would take far longer than these refusals may.
     for (const std::string out : {"sub", "file/x", "/proc/nowhere", "/proc/self/fd/0"}) {
         for (const std::string command :
              {"pressure in.toml --digits 20000", "table recipe.toml", "expand in.toml"}) {
@@ -214,7 +214,7 @@ TEST_CASE("a standard output that is full or closed is an error of every command
             CHECK(has(o.err, "cannot write standard output"));
         }
     }
-    // No file takes the place of a closed stream.
+    // The output file does not become a closed stream.
     const Outcome closed =
         in_shell(folder, called("pressure in.toml --out p.csv") + " <&- >&- 2>&-");
     CHECK(closed.code == 0);

@@ -12,7 +12,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// Debian's Chromium, or nothing.
+/// Returns Debian's Chromium, or no value.
 std::optional<std::string> browser() {
     for (const char* program : {"/usr/bin/chromium", "/usr/bin/chromium-browser"}) {
         if (::access(program, X_OK) == 0) {
@@ -22,8 +22,8 @@ std::optional<std::string> browser() {
     return std::nullopt;
 }
 
-/// Measures the page as it is laid out, and leaves what it found in an element that the dumped
-/// document has: one line a finding.
+/// Measures the layout of the page, and writes its findings, one on each line, into an element of
+/// the dumped document.
 const std::string measuring = R"js(<script>
 addEventListener("load", () => {
   const found = [];
@@ -61,8 +61,8 @@ addEventListener("load", () => {
 </script>)js";
 
 struct Opened {
-    std::string page;     ///< the document once its scripts have run
-    std::string messages; ///< what the browser said, its console among it
+    std::string page;     ///< the document after its scripts have run
+    std::string messages; ///< the browser's messages, including its console
 };
 
 Opened open_page(const Folder& folder, const std::string& fragment, const std::string& more = "") {
@@ -76,7 +76,7 @@ Opened open_page(const Folder& folder, const std::string& fragment, const std::s
     return {file_text(folder.path() / "page.txt"), file_text(folder.path() / "messages.txt")};
 }
 
-/// What the page, laid out in a window so wide, is found to have wrong; empty if nothing is.
+/// Returns the faults of the page in a window of this width; empty if there are none.
 std::string faults_of(const Folder& folder, const std::string& width) {
     const auto page = folder.path() / "out" / "report.html";
     const std::string kept = file_text(page);
@@ -89,7 +89,7 @@ std::string faults_of(const Folder& folder, const std::string& width) {
     return opened.page.substr(begin, opened.page.find("\nend", begin) - begin);
 }
 
-/// Pages of the page in print, as its style sheet has it.
+/// Returns the number of printed pages.
 std::size_t pages_in_print(const Folder& folder) {
     open_page(folder, "", "--no-pdf-header-footer --print-to-pdf=page.pdf");
     const std::string pdf = file_text(folder.path() / "page.pdf");
@@ -100,7 +100,7 @@ std::size_t pages_in_print(const Folder& folder) {
     return pages;
 }
 
-/// The start tag of the claim's element.
+/// Returns the start tag of the claim's element.
 std::string tag_of(const std::string& page, const std::string& id) {
     const std::size_t at = page.find("id=\"" + id + "\"");
     REQUIRE(at != std::string::npos);

@@ -55,7 +55,7 @@ TEST_CASE("places by the names of a scene, where a is solved for") {
     for (std::size_t i = 0; i < 8; ++i) {
         CAPTURE(i);
         if (values[i] == nullptr) {
-            CHECK(rows[i]["u"] == "0.1"); // a number all the same
+            CHECK(rows[i]["u"] == "0.1"); // a number, not a name
             continue;
         }
         CHECK(rows[i]["asked"] == asked[i]);
@@ -71,7 +71,7 @@ TEST_CASE("where a is given, the names are numbers") {
     const auto json =
         pressures(cylinder + by_edge + "[ask]\nu = [\"2/5\", \"a/5\", \"10%\"]\nx = \"3/5\"\n");
     REQUIRE(json["rows"].size() == 4);
-    const char* const p[] = {"0.4", "0.3", "0.3", "0.4"}; // by 3-4-5
+    const char* const p[] = {"0.4", "0.3", "0.3", "0.4"}; // 3-4-5 triangle
     for (std::size_t i = 0; i < 4; ++i) {
         CAPTURE(i);
         CHECK(json["rows"][i]["p"].get<std::string>().rfind(p[i], 0) == 0);
@@ -127,7 +127,7 @@ TEST_CASE("places that are none: one line") {
          "s.toml:9: u = 50% from the right edge: the point is on a corner"},
     };
     for (const auto& [text, line] : all) {
-        const std::string scene = text; // a lambda of CAPTURE takes no structured binding in clang
+        const std::string scene = text; // clang's lambda in CAPTURE takes no structured binding
         CAPTURE(scene);
         const std::string said = refused(scene);
         CAPTURE(said);
@@ -135,7 +135,8 @@ TEST_CASE("places that are none: one line") {
     }
 }
 
-// g' = x^3, E* = a = 1: p = sqrt(1 - x^2)(1 + 2 x^2)/4, greatest at x^2 = 1/2: sqrt(2)/4.
+// For g' = x^3, E* = a = 1: p = sqrt(1 - x^2)(1 + 2 x^2)/4, with the maximum sqrt(2)/4 at x^2 =
+// 1/2.
 TEST_CASE("the greatest pressure, by its name") {
     const auto hertz = pressures(cylinder + by_force + "[ask]\nquantities = [\"peak\"]\n");
     CHECK(hertz["p_max"]["value"] == "0.56418958354775628694807945156077258584405062932900");
@@ -165,7 +166,7 @@ TEST_CASE("the greatest pressure is reached, and no pressure is greater") {
             most = std::fmax(most, std::stod(row["p"].get<std::string>()));
         }
         CHECK(most <= peak);
-        CHECK(most > peak * (1 - 1e-4)); // of places 1/1000 apart
+        CHECK(most > peak * (1 - 1e-4)); // the places are 1/1000 apart
     }
 }
 

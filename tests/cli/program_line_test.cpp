@@ -26,7 +26,7 @@ TEST_CASE("--version: the name and version alone on a line, then commit and libr
     const auto out = edgeproof::test::lines(run(Folder(), "--version").out);
     REQUIRE(out.size() >= 2);
     CHECK(out[0] == "edgeproof " + std::string(program_version));
-    // The libraries' own headers and calls say what they are.
+    // The libraries' own headers and calls give their versions.
     CHECK(has(out.back(), std::string("MPFR ") + mpfr_get_version()));
     for (const char* library : {"FLINT ", "Boost ", "GiNaC "}) {
         CHECK(has(out.back(), library));
@@ -56,7 +56,7 @@ TEST_CASE("every file names the program, its commit and its libraries") {
     }
     const auto json = nlohmann::json::parse(file_text(out / "verdicts.json"));
     CHECK(json.at("program") == program_line());
-    // A column, so that whoever reads the columns by name reads them as before.
+    // The program is a column, so that programs that read the columns by name still work.
     const io::Csv csv = io::parse_csv(file_text(out / "verdicts.csv"), "verdicts.csv");
     CHECK(csv.notes.empty());
     CHECK(csv.header.cells.back() == "program");

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/// The program run as a user runs it.
+/// Runs the program as a user does.
 namespace edgeproof::test {
 
 struct Outcome {
@@ -29,7 +29,7 @@ inline std::string file_text(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// A folder of its own, gone with the object.
+/// A temporary folder, removed with the object.
 class Folder {
 public:
     Folder() {
@@ -62,7 +62,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// `edgeproof ARGUMENTS`, run in `folder` (the shell splits the arguments).
+/// Runs `edgeproof ARGUMENTS` in `folder` (the shell splits the arguments).
 inline Outcome run(const Folder& folder, const std::string& arguments) {
     const Folder aside;
     const std::string command = "cd '" + folder.path().string() + "' && '" + program().string() +

@@ -15,7 +15,7 @@ const std::string profile = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1
 const std::string load = "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
 const std::string shear = "[shear]\nQ = \"0.3\"\n";
 
-/// Without notes.
+/// Returns the rows without notes.
 std::vector<std::string> rows(const std::string& csv) {
     std::vector<std::string> list;
     for (const std::string& line : lines(csv)) {
@@ -103,7 +103,7 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
         const auto said = lines(o.err);
         REQUIRE(said.size() == 1);
         CHECK(said[0].rfind(bad.line, 0) == 0);
-        CHECK(folder.files() == 1); // the scene alone
+        CHECK(folder.files() == 1); // only the scene
     }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("pressure: the columns, the order, Hertz to the last digit") {
     const auto table = rows(o.out);
     REQUIRE(table.size() == 5);
     CHECK(table[0] == "edge,u,x,p,p_bound,route,local_1,rel_1,local_2,rel_2");
-    // p = sqrt(u (2 - u))/2 by 3-4-5; local_1 = sqrt(2u)/2.
+    // p = sqrt(u (2 - u))/2 (3-4-5 triangle); local_1 = sqrt(2u)/2.
     const char* const begins[] = {
         "left,2/5,-0.60000000000000000000,0.40000000000000000000,",
         "left,0.2,-0.80000000000000000000,0.30000000000000000000,",
@@ -227,7 +227,8 @@ TEST_CASE("explain: what is off says why; after a run what was done stands besid
     CHECK(done.out.find("done as planned: yes") != std::string::npos);
 }
 
-// An edge on a knot that nothing proves (scene/on_knot_test.cpp): p is proved, its series is not.
+// An edge on a knot, which cannot be proved (scene/on_knot_test.cpp): p is proved, its series is
+// not.
 TEST_CASE("what is not proved carries its mark in every format, and explain --run counts it") {
     const Folder folder;
     folder.write("s.toml",

@@ -7,7 +7,7 @@
 
 namespace edgeproof::test {
 
-/// What `command`, run in the folder by a shell, says on both streams.
+/// Returns what `command`, run in the folder by a shell, writes to both streams.
 inline std::string shell_text(const Folder& folder, const std::string& command) {
     const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } 2>&1";
     std::string out;

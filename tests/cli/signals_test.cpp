@@ -28,7 +28,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// What `f` comes to in a process of its own.
+/// Returns the outcome of `f` in a process of its own.
 Outcome in_a_process(const std::function<void()>& f) {
     const Folder folder;
     const std::string out = folder.path() / "out";
@@ -136,7 +136,7 @@ TEST_CASE("deep and long and huge formulas: an answer or one line, never a crash
         folder.write("own.toml", hertz_head + hertz_claim("c", f));
         const Outcome o = run(folder, "verify own.toml --digits 20");
         CAPTURE(f.substr(0, 60));
-        CHECK(o.code >= 0); // not ended by a signal
+        CHECK(o.code >= 0); // no signal ended it
         CHECK(o.code <= 2);
         CHECK(lines(o.err).size() <= 1);
     }

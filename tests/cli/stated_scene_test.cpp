@@ -14,7 +14,7 @@ namespace {
 
 const std::string titanium = "--E1 115e3 --nu1 0.32 --E2 115e3 --nu2 0.32";
 
-/// Without the facts, of which one is the name of the scene.
+/// Returns the table without the facts, one of which is the name of the scene.
 std::string table_of(const std::string& csv) {
     std::string table;
     for (const std::string& line : lines(csv)) {
@@ -59,7 +59,7 @@ TEST_CASE("the half-width of a pad by hand") {
     const Outcome o =
         run(folder, "pressure --hertz --R 100 --P 120 " + titanium + " --u 1e-3 --format json");
     REQUIRE(o.code == 0);
-    const auto json = nlohmann::json::parse(o.out); // nothing else on standard output
+    const auto json = nlohmann::json::parse(o.out); // standard output has no other text
     const double a = std::sqrt(8 * 120 * 100 * (1 - 0.32 * 0.32) / (std::acos(-1.0) * 115e3));
     CHECK(std::abs(std::stod(json["a"]["value"].get<std::string>()) / a - 1) < 1e-14);
     CHECK(json["scene"] == "command line");
@@ -184,5 +184,5 @@ TEST_CASE("a scene, a recipe and a ledger from standard input") {
     CHECK(piped("bad.toml", "verify -").code == 2);
     CHECK(piped("bad.toml", "points -").err.rfind("stdin:", 0) == 0);
     CHECK(piped("s.toml", "check - --recipe -").code == 2);
-    CHECK(run(folder, "pressure -").err.rfind("stdin", 0) == 0); // nothing there
+    CHECK(run(folder, "pressure -").err.rfind("stdin", 0) == 0); // there is no input
 }

@@ -12,12 +12,13 @@
 
 using namespace edgeproof::test;
 
-// Whatever stops a run (an interrupt, a kill, a full disk, a folder that goes): no file is half
-// written or wrong, the program says one line, and the same command ends the work later.
+// If a run is stopped (by an interrupt, a kill, a full disk, or because its folder disappears), no
+// file is incomplete or wrong, the program writes one line, and the same command completes the work
+// later.
 
 namespace {
 
-/// The right Hertz pressure, and one that is a factor off: enough work to be stopped in.
+/// The right Hertz pressure, and one that is wrong by a factor: enough work to be stopped.
 const std::string stopped_ledger = hertz_head + hertz_right + hertz_wrong;
 
 const std::string tilted_scene = R"toml([profile]
@@ -33,8 +34,8 @@ edges = ["right"]
 u = ["1e-12", "1e-3", "1/7"]
 )toml";
 
-/// As many wrong claims, each of which takes its search for what it should have been. A run that is
-/// to be stopped may be over first, where the machine is fast: then again, with more of them.
+/// Returns `count` wrong claims, each of which needs a search for its correction. On a fast machine
+/// a run may end before it is stopped; then it is repeated with more claims.
 std::string many_claims(int count) {
     std::string all = hertz_head;
     for (int i = 1; i <= count; ++i) {
@@ -43,11 +44,12 @@ std::string many_claims(int count) {
     return all;
 }
 
-/// What `command` says on both streams, run in the folder by a shell.
+/// Runs `command` in the folder by a shell.
 Outcome shell(const Folder& folder, const std::string& command) {
     const Folder aside;
     folder.write("run.sh", command + "\n");
-    // A pipe for what it says, since a limit on files holds for these as well.
+    // Its messages go through a pipe, because a limit on files would apply to a file of messages,
+    // too.
     const std::string all = "cd '" + folder.path().string() + "' && { sh run.sh >'" +
                             (aside.path() / "out").string() + "'; echo $? >'" +
                             (aside.path() / "code").string() + "'; } 2>&1 </dev/null | cat >'" +
@@ -67,7 +69,7 @@ std::string the_program(const std::string& arguments) {
     return "'" + program().string() + "' " + arguments;
 }
 
-/// Every file under a folder that has its final name, and its text.
+/// Returns every file under a folder that has its final name, and its text.
 std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
     std::map<std::string, std::string> all;
     if (std::filesystem::exists(folder)) {
@@ -126,7 +128,7 @@ TEST_CASE("verify --out: a full disk, and a file in place of a folder, are one l
     folder.write("own.toml", stopped_ledger);
     REQUIRE(run(folder, "verify own.toml --digits 20 --out whole").code == 0);
     const auto whole = files_of(folder.path() / "whole");
-    // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
+    // A limit on the size of files, in blocks of 512 bytes, acts like a full disk.
     for (const char* blocks : {"0", "1", "8", "20"}) {
         CAPTURE(blocks);
         const Outcome o = shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
@@ -136,7 +138,8 @@ TEST_CASE("verify --out: a full disk, and a file in place of a folder, are one l
         CHECK(o.err.rfind("edgeproof: cannot write full/", 0) == 0);
         CHECK_FALSE(std::filesystem::exists(folder.path() / "full"));
     }
-    // The folder is made when all is ready to be written, so that a file in its place is met then.
+    // The folder is made when everything is ready to be written; a file in its place is noticed
+    // then.
     const Outcome gone =
         shell(folder, "touch d; " + the_program("verify own.toml --digits 20 --out d/e"));
     CHECK(gone.code == 2);
@@ -193,7 +196,7 @@ TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are o
 
 TEST_CASE("mutate --state: stopped again and again, the same mutants in the end") {
     int runs = 0;
-    // With more digits where the machine is too fast to be stopped twice.
+    // More digits, if the machine is too fast to be stopped twice.
     for (int digits = 15; runs < 2 && digits < 3000; digits *= 3) {
         const Folder folder;
         folder.write("own.toml", stopped_ledger);

@@ -9,7 +9,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// Open MPI, and a program that was built with it.
+/// True if Open MPI is installed, and the program was built with it.
 bool can_run() {
     const bool here = std::system("mpirun --version 2>/dev/null | grep -q 'Open MPI'") == 0;
     const bool built =
@@ -25,21 +25,22 @@ bool can_run() {
 }
 
 std::string mpirun(int ranks, const std::string& arguments) {
-    // More ranks than cores, and root in a container: both want to be asked for. What Open MPI says
-    // of its own accord differs from version to version; the tests read what it starts.
+    // More ranks than cores, and root in a container, must be allowed explicitly. Open MPI's own
+    // messages depend on its version; the tests read only the output of the started programs.
     return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun "
            "--map-by :OVERSUBSCRIBE -n " +
            std::to_string(ranks) + " '" + program().string() + "' " + arguments;
 }
 
-/// Made, with nothing on standard output. Open MPI's own warnings (of interfaces that it cannot
-/// use) are written to standard error by each rank, and are not looked at.
+/// True if the table was made with nothing on standard output. Open MPI's own warnings (about
+/// interfaces that it cannot use), which each rank writes to standard error, are ignored.
 bool makes_table(const Folder& folder, int ranks) {
     return shell_text(folder, mpirun(ranks, "table r.toml --out t.csv") +
                                   " 2>/dev/null; echo \"ended with $?\"") == "ended with 0\n";
 }
 
-/// Kills one rank with SIGKILL after that wait (a shell's). What mpirun said, and its exit status.
+/// Kills one rank with SIGKILL after a wait (a shell command). Returns mpirun's messages and its
+/// exit status.
 std::string run_and_kill(const Folder& folder, int ranks, int rank, const std::string& wait) {
     return shell_text(
         folder,
@@ -65,7 +66,7 @@ TEST_CASE("table under mpirun: byte for byte what one process makes") {
         CAPTURE(ranks);
         CHECK(makes_table(folder, ranks));
         CHECK(file_text(folder.path() / "t.csv") == whole);
-        CHECK(folder.files() == 2); // and no part file
+        CHECK(folder.files() == 2); // there is no part file
         std::filesystem::remove(folder.path() / "t.csv");
     }
 }
@@ -76,7 +77,7 @@ TEST_CASE("table under mpirun: a rank that is killed leaves a table that resumes
     }
     const Folder folder;
     std::string said;
-    // Of more contacts where the table is done before its rank goes.
+    // More contacts, if the table is done before the rank is killed.
     for (int contacts = 200; contacts < 20000; contacts *= 3) {
         std::filesystem::remove(folder.path() / "t.csv");
         folder.write("r.toml", tilted_recipe(contacts, 30));

@@ -13,7 +13,8 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// What the program writes to a terminal, with these variables set (NAME=VALUE) or unset (NAME).
+/// Returns what the program writes to a terminal, with these variables set (NAME=VALUE) or unset
+/// (NAME).
 std::string on_terminal(const Folder& folder, const std::vector<std::string>& environment,
                         const std::vector<std::string>& arguments) {
     const std::string path = program().string();
@@ -62,7 +63,7 @@ TEST_CASE("colours and escapes: on a terminal that obeys them, unless NO_COLOR r
         return text;
     };
     CHECK(has(verify({"TERM=xterm", "NO_COLOR"}), "\x1b[32m"));
-    CHECK(has(verify({"TERM=xterm", "NO_COLOR="}), "\x1b[32m")); // empty is as not set
+    CHECK(has(verify({"TERM=xterm", "NO_COLOR="}), "\x1b[32m")); // empty counts as unset
     CHECK_FALSE(has(verify({"TERM=xterm", "NO_COLOR=1"}), "\x1b[32m"));
     CHECK_FALSE(has(verify({"TERM=dumb", "NO_COLOR"}), "\x1b"));
     CHECK_FALSE(has(verify({"TERM", "NO_COLOR"}), "\x1b"));

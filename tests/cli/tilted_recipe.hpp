@@ -5,7 +5,7 @@
 
 namespace edgeproof::test {
 
-/// Contacts whose other edge is solved for: a few milliseconds each.
+/// Returns a recipe of contacts with an unknown left edge, each of which takes a few milliseconds.
 inline std::string tilted_recipe(int contacts, int digits) {
     std::string grid;
     for (int i = 1; i <= contacts; ++i) {

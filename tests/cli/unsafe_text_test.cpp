@@ -12,13 +12,14 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// A text with all that gnuplot, a shell, HTML and Coq could carry out. `marker` would be made.
+/// Returns a text with commands for gnuplot, a shell, HTML and Coq. If one is executed, the file
+/// `marker` is made.
 std::string hostile(const std::string& marker) {
     return "a `touch " + marker + "` $(touch " + marker + ") ' . system('touch " + marker +
            "') . ' *) \\\" (* <script>touch</script> \\\\";
 }
 
-/// All that is below the folder, without `inside`.
+/// Returns all files below the folder, except those in `inside`.
 std::set<std::string> outside(const std::filesystem::path& folder, const std::string& inside) {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Hertz under P: a^2 = 4PR/(pi E*), p_0 = 2P/(pi a) (Johnson, eqs. 4.43 and 4.45).
+/// A Hertz contact under P: a^2 = 4PR/(pi E*), p_0 = 2P/(pi a) (Johnson, eqs. 4.43 and 4.45).
 struct HertzInputs {
     double E = 0; ///< E*
     double R = 10;
@@ -84,8 +84,8 @@ const std::vector<Injected> injected{
 };
 
 struct Told {
-    bool named = false; ///< it is among those that the data do not tell apart
-    bool wrong = false; ///< others are, and it is not
+    bool named = false; ///< it is among the causes that the data do not distinguish
+    bool wrong = false; ///< other causes are named, and this one is not
     bool nothing = false;
     std::size_t alike = 0;
 };
@@ -105,7 +105,7 @@ Told told(const Injected& cause, const BodyConstants& bodies, double noise, std:
     std::string text = "x,p\n";
     constexpr int nodes = 120;
     for (int i = 0; i <= nodes; ++i) {
-        // A mesh of the program's own: an inch's is finer.
+        // The mesh of a program that computes in inches is finer.
         const double width = h.x_scale < 0.5 ? 1.4 * h.a() * h.x_scale : reach;
         const double x = -width + 2 * width * i / nodes;
         char row[80];
@@ -154,7 +154,8 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
 }
 
 TEST_CASE("causes: what data cannot tell apart is said to be so") {
-    // With like materials and P given, E/(1 - nu^2) of one body is twice E*, and p depends on E*/R.
+    // If materials are equal and P is given, E/(1 - nu^2) of one body is twice E*, and p depends on
+    // E*/R.
     const Told modulus = told(injected[7], like, 0, 3);
     CHECK(modulus.named);
     CHECK(modulus.alike >= 2);
@@ -213,9 +214,10 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
     REQUIRE(noisy.diagnosis->factor);
     const CommonFactor& noisy_factor = *noisy.diagnosis->factor;
     CHECK(std::abs(noisy_factor.value - std::numbers::pi / 2) < 4 * noisy_factor.error);
-    CHECK(noisy_factor.error < 3e-3); // of one node
-    CHECK(noisy_factor.error > 3e-4); // of a hundred nodes, or so
-    // A smooth error of 5 % that no mistake makes, and no factor; a pressure too wide.
+    CHECK(noisy_factor.error < 3e-3); // the noise of one node
+    CHECK(noisy_factor.error > 3e-4); // the noise of about a hundred nodes
+    // A smooth error of 5 % that is neither a known mistake nor a factor; a pressure that is too
+    // wide.
     const auto none = [&](const std::function<double(double)>& p) {
         const FileComparison file = diagnosed(p);
         REQUIRE(file.diagnosis);
@@ -224,7 +226,7 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
     };
     none([&](double x) { return right.p(x) * (1 + 0.05 * std::sin(40 * x)); });
     none([&](double x) { return 1.7 * right.p(x / 1.1); });
-    // The node at the edge is off by a tenth of the peak: the mesh.
+    // The node at the edge is off by a tenth of the peak: an effect of the mesh.
     const double a = exact.a().value;
     const FileComparison mesh = diagnosed([&](double x) {
         return right.p(x) + (std::abs(std::abs(x) - a) < a / 100 ? 0.1 * right.p(0) : 0);
@@ -232,7 +234,7 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
     REQUIRE(mesh.diagnosis);
     CHECK(mesh.diagnosis->at_edges_only);
     CHECK_FALSE(mesh.diagnosis->largest_inside);
-    // Errors of 0.4 % at every third node are no mesh's, and no mistake's.
+    // Errors of 0.4 % at every third node are neither an effect of the mesh nor a known mistake.
     int node = 0;
     const FileComparison scatter =
         diagnosed([&](double x) { return right.p(x) * (++node % 3 == 0 ? 1.004 : 1); });
@@ -250,7 +252,7 @@ TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for
     const Scene scene = parse_scene(text, "s.toml");
     const ExactContact exact(scene);
     SuspectContacts suspects(scene);
-    // Its own values, misplaced: the mistake is in the places.
+    // The right values at wrong places: the mistake is in the places.
     const auto diagnosed = [&](const std::function<double(double)>& p) {
         std::string rows = "x,p\n";
         for (int i = -120; i <= 120; ++i) {

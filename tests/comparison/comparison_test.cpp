@@ -64,7 +64,7 @@ TEST_CASE("an error of known size is found at its size, in each norm") {
         CHECK_FALSE(file.passes());
         CHECK(compared(text, within(1.01 * e)).passes());
     }
-    // One node alone, near the edge: small beside the peak, large beside p.
+    // An error at one node near the edge: small relative to the peak, large relative to p.
     const auto one = table(mesh, [](double x) { return p(x) + (x == 1.4375 ? 0.01 * p0 : 0); });
     const FileComparison file = compared(one, within(0.02));
     CHECK(file.errors.peak == doctest::Approx(0.01).epsilon(1e-9));
@@ -107,7 +107,7 @@ TEST_CASE("digits that are written explain errors of their size, and no others")
     CHECK(four.passes());
     CHECK(four.errors.peak < 1e-9);
     CHECK(four.errors.digits() > 1);
-    CHECK(four.errors.digits() < 6); // no more than are written
+    CHECK(four.errors.digits() < 6); // at most the number of written digits
     CHECK_FALSE(compared(wrong, within(0.009)).passes());
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("x from any origin, mirrored order, compression negative: the same res
         CHECK(file.data.origin == doctest::Approx(shift).epsilon(1e-7));
         CHECK(file.data.origin_found);
         CHECK(has_finding(file, "found from the data"));
-        // Given, it is exact.
+        // A given origin is exact.
         const auto given =
             compare_file(parse_result(text, "r"), exact(), within(1e-11), Rational(shift));
         CHECK(given.passes());
@@ -133,11 +133,11 @@ TEST_CASE("x from any origin, mirrored order, compression negative: the same res
     CHECK(negative.passes());
     CHECK(negative.data.sign == -1);
     CHECK(has_finding(negative, "compression is negative"));
-    // A shift of a hundredth of the contact is an error, and none that is taken out.
+    // A shift of a hundredth of the contact is an error, and is not removed.
     const FileComparison slight = compared(table(mesh, p, [](double x) { return x + 0.03; }));
     CHECK_FALSE(slight.data.origin_found);
     CHECK(slight.errors.peak > 0.03);
-    // An origin that is given is taken, however wrong.
+    // A given origin is used even if it is wrong.
     CHECK_FALSE(compare_file(parse_result(table(mesh, p), "r"), exact(), {}, Rational(1)).passes());
 }
 
@@ -158,14 +158,14 @@ TEST_CASE("tolerances of a, P and c_0: a contact of another size fails in each")
     each.force = 0.01;
     each.c0 = 0.02;
     CHECK(compared(table(mesh, p), each).passes());
-    const double s = 1.05; // the contact of a load that is s^2 times as large
+    const double s = 1.05; // the contact under a load that is s^2 times as large
     const FileComparison larger =
         compared(table(mesh, [s](double x) { return s * p(x / s); }), each);
     CHECK(larger.failures.size() == 5); // a, b, P and two c_0
     CHECK(*larger.contact.a == doctest::Approx(s * a).epsilon(1e-4));
-    REQUIRE(larger.fits[0]); // half an element further: still from the exact edge
+    REQUIRE(larger.fits[0]); // half an element farther: still measured from the exact edge
     CHECK_FALSE(larger.fits[0]->own_edge);
-    const double twice = 2; // twice as large: c_0 is that of its own edge
+    const double twice = 2; // twice as large: c_0 is measured from its own edge
     const FileComparison other =
         compared(table(even_places(-4, 4, 128), [=](double x) { return twice * p(x / twice); }));
     REQUIRE(other.fits[0]);
@@ -198,20 +198,20 @@ TEST_CASE("no data to speak of: failures, not crashes") {
     CHECK_FALSE(compared("x,p\n0,1\n1,1\n").passes());
     CHECK_FALSE(compared("x,p\n-1e300,1\n1e300,1e300\n").passes());
     CHECK_THROWS_AS((void)compared("x,p\n5,1\n5,2\n5,3\n"), InputError);
-    // Two contacts beside each other.
+    // Two contacts next to each other.
     const auto two =
         table(even_places(-4, 4, 128), [](double x) { return p(2 * (std::abs(x) - 2)); });
     const FileComparison file = compared(two);
     CHECK_FALSE(file.passes());
     CHECK(has_finding(file, "falls to nothing at 1 place inside"));
-    // In other units, and not said.
+    // The data are in other units, which are not stated.
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x / 1000; })).passes());
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x * 1000; })).passes());
 }
 
 TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
-    // g' = phi sgn(x), half-width 1, E* = 1: p = (phi/pi) arcosh(a/|x|) (Johnson, eq. 5.7 with
-    // cot alpha = phi), P = phi a E*, so the mean is phi/2.
+    // For g' = phi sgn(x), half-width 1, E* = 1: p = (phi/pi) arcosh(a/|x|) (Johnson, eq. 5.7 with
+    // cot alpha = phi) and P = phi a E*, so that the mean is phi/2.
     const Scene scene =
         parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\na "
                     "= \"1\"\ncontact_modulus = \"1\"\n",
@@ -228,7 +228,7 @@ TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
         parse_result(table(even_places(-1.25, 1.25, 50), pressure), "w"), wedge, within(1e-10), {});
     CHECK(file.passes());
     CHECK(has_finding(file, "infinite at a corner"));
-    CHECK(file.errors.nodes == 50); // all but the one on the apex
+    CHECK(file.errors.nodes == 50); // all but the one at the apex
 }
 
 TEST_CASE("the peak of a flat-and-rounded punch lies inside, beside the ends of the flat") {
@@ -245,7 +245,7 @@ TEST_CASE("the peak of a flat-and-rounded punch lies inside, beside the ends of 
     }
     CHECK(pad.scale().value >= most);
     CHECK(pad.scale().value < most * (1 + 1e-5));
-    CHECK(pad.knots().size() == 2); // the ends of the flat; at the origin nothing changes
+    CHECK(pad.knots().size() == 2); // the ends of the flat; at the origin the slope is smooth
     CHECK(exact().knots().empty());
 }
 
@@ -268,7 +268,7 @@ TEST_CASE("meshes that smear the edge: orders, limits, and their agreement") {
         }
         return Convergence{};
     };
-    // In the middle a mean over h is off by h^2 p''/24.
+    // In the middle, the error of a mean over h is h^2 p''/24.
     REQUIRE(of("p_max").own_order);
     CHECK(*of("p_max").own_order == doctest::Approx(2).epsilon(0.01));
     CHECK(*of("p_max").order == doctest::Approx(2).epsilon(0.01));
@@ -282,7 +282,7 @@ TEST_CASE("meshes that smear the edge: orders, limits, and their agreement") {
 TEST_CASE("convergence of sequences that are known") {
     const auto sequence = [](double limit, double C, double order) {
         std::vector<MeshValue> values;
-        for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, and no fixed ratio
+        for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, without a fixed ratio
             values.push_back({h, limit + C * std::pow(h, order)});
         }
         return values;
@@ -295,7 +295,7 @@ TEST_CASE("convergence of sequences that are known") {
         CHECK(*c.extrapolated == doctest::Approx(3).epsilon(1e-9));
         CHECK(c.trusted);
         CHECK(*c.agrees);
-        // It goes to another limit than the exact value.
+        // The limit differs from the exact value.
         const Convergence other = converge("a", sequence(3, -0.7, order), 3.5);
         CHECK(other.trusted);
         CHECK_FALSE(*other.agrees);
@@ -306,12 +306,12 @@ TEST_CASE("convergence of sequences that are known") {
     const Convergence two = converge("a", {{1, 2}, {0.5, 1.5}}, 1);
     CHECK(*two.order == doctest::Approx(1));
     CHECK_FALSE(two.extrapolated);
-    CHECK_FALSE(converge("a", {{1, 1}, {0.5, 1}}, 1).order); // exactly right at once
+    CHECK_FALSE(converge("a", {{1, 1}, {0.5, 1}}, 1).order); // all values are exact
 }
 
 TEST_CASE("least squares: a known line, its standard errors, dependent columns") {
-    // y = 1, 2, 2, 3 at x = 0, 1, 2, 3: slope 0.6, intercept 1.1, residual sum of squares 0.2, so
-    // s^2 = 0.1, and the standard errors are sqrt(0.1/5) and sqrt(0.1 * 14/20).
+    // For y = 1, 2, 2, 3 at x = 0, 1, 2, 3: slope 0.6, intercept 1.1, residual sum of squares 0.2,
+    // so that s^2 = 0.1, and the standard errors are sqrt(0.1/5) and sqrt(0.1 * 14/20).
     const std::vector<std::vector<double>> columns{{1, 1, 1, 1}, {0, 1, 2, 3}};
     const std::vector<double> y{1, 2, 2, 3};
     const auto fit = least_squares(columns, y);

@@ -13,20 +13,20 @@ using namespace edgeproof::hertz_data;
 
 namespace {
 
-/// Meshes of one contact, drawn from a seed.
+/// Random meshes of one contact.
 class DrawnMeshes {
 public:
     DrawnMeshes(const ExactContact& contact, std::uint64_t seed) : exact_(contact), random_(seed) {}
 
-    /// A whole number of least ... most.
+    /// Draws a whole number in least ... most.
     int whole(int least, int most) { return std::uniform_int_distribution(least, most)(random_); }
     double number(double least, double most) {
         return std::uniform_real_distribution<double>(least, most)(random_);
     }
     bool coin() { return whole(0, 1) == 1; }
 
-    /// Places from outside the left edge to outside the right one: even, graded towards both ends,
-    /// or uneven; with 40 to 160 elements.
+    /// Draws places from outside the left edge to outside the right one: even, graded towards both
+    /// ends, or uneven; with 40 to 160 elements.
     std::vector<double> places() {
         const double outside = number(0.05, 0.4) * exact_.length();
         const double from = -exact_.b().value - outside;
@@ -42,7 +42,7 @@ public:
         return list;
     }
 
-    /// The exact pressure at each place.
+    /// Returns the exact pressure at random places.
     std::vector<std::pair<double, double>> right() {
         std::vector<std::pair<double, double>> rows;
         for (const double x : places()) {
@@ -75,14 +75,14 @@ ExactContact contact_of_text(const std::string& text) {
     return ExactContact(parse_scene(text, "drawn.toml"));
 }
 
-/// A wrong mesh, and what is wrong with it.
+/// A wrong mesh, and a description of its error.
 struct Wrong {
     const char* what;
     Rows rows;
 };
 
-/// A part of a + b that is left out at an end. About one half would leave half a contact, which a
-/// symmetric one may be given by.
+/// Draws the part of a + b that is left out at an end. A part near one half is excluded, because
+/// half of a symmetric contact is a permitted result.
 double cut_off(DrawnMeshes& draw) {
     return draw.coin() ? draw.number(0.15, 0.4) : draw.number(0.6, 0.9);
 }
@@ -218,7 +218,7 @@ TEST_CASE("right meshes pass: exact values, means over elements, noise of three 
             CHECK(judged(text_of(rows), contact).passes());
         }
     }
-    // The means of p over elements, at their middles, two elements at each edge left out.
+    // The means of p over elements, at their middles, without two elements at each edge.
     Tolerances zone;
     zone.zone = parse_edge_zone("2e");
     for (const int n : {16, 20, 25, 32, 47, 64, 101, 200}) {
@@ -240,7 +240,7 @@ TEST_CASE("half of a contact must begin in its middle, and --partial compares p 
     Tolerances part;
     part.partial = true;
     CHECK(judged(late, exact(), part).passes());
-    part.force = 0.01; // which these data cannot show
+    part.force = 0.01; // these data do not determine the force
     CHECK_FALSE(judged(late, exact(), part).passes());
     const auto middle = table(even_places(-0.03, 0.03, 3), p); // the four nodes of a false pass
     part = {};
@@ -266,7 +266,8 @@ TEST_CASE("a mesh that misses the peak of a sharp punch does not determine it") 
 }
 
 TEST_CASE("digits that hide more than the tolerance, and numbers that overflow, do not pass") {
-    // 0 and 1 in place of a pressure up to 9/8: half a unit of the last digit is 44 % of the peak.
+    // The values 0 and 1 for a pressure up to 9/8: half a unit of the last digit is 44 % of the
+    // peak.
     const auto whole = [](double x) { return std::round(p(x)); };
     std::string text = "x,p\n";
     for (const double x : even_places(-2, 2, 64)) {
@@ -281,7 +282,7 @@ TEST_CASE("digits that hide more than the tolerance, and numbers that overflow, 
         CHECK_THROWS_AS((void)parse_result("x,p\n-1,0\n0," + std::string(cell) + "\n1,0\n", "r"),
                         InputError);
         if (std::string(cell).starts_with("**")) {
-            continue; // a comment of Abaqus
+            continue; // a comment in Abaqus' format
         }
         CHECK_THROWS_AS((void)parse_result("x,p\n-1,0\n" + std::string(cell) + ",1\n1,0\n", "r"),
                         InputError);

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Data of a known error, from the textbook's formula in double: g' = x/R with R = 2, E* = 3, a
-/// = 1.5 has p = E*/(2R) sqrt(a^2 - x^2) (K. L. Johnson, Contact Mechanics, eq. 4.45 with p_0 = E*
+/// Data with a known error, from the textbook's formula in double: g' = x/R with R = 2, E* = 3, a =
+/// 1.5 has p = E*/(2R) sqrt(a^2 - x^2) (K. L. Johnson, Contact Mechanics, eq. 4.45 with p_0 = E*
 /// a/(2R)).
 namespace edgeproof::hertz_data {
 
@@ -30,7 +30,7 @@ inline const comparison::ExactContact& exact() {
 
 inline double p(double x) { return std::abs(x) < a ? p0 * std::sqrt(1 - x * x / (a * a)) : 0; }
 
-/// The mean of p over (x - h/2, x + h/2): what a mesh that smears the edge makes of it.
+/// Returns the mean of p over (x - h/2, x + h/2), the result of a mesh that smears the edge.
 inline double smeared(double x, double h) {
     const auto integral = [](double s) {
         const double t = std::clamp(s / a, -1.0, 1.0);
@@ -53,7 +53,7 @@ inline std::string number(double x) {
     return text;
 }
 
-/// "x,p" and a row a place.
+/// Returns "x,p" and a row for each place.
 inline std::string table(const std::vector<double>& places,
                          const std::function<double(double)>& pressure,
                          const std::function<double(double)>& written_x = {}) {

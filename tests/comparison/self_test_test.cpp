@@ -38,9 +38,9 @@ TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
     const auto right = std::ranges::find(test.rows, "", &SelfTestRow::name);
     REQUIRE(right != test.rows.end());
     for (const SelfTestCount& count : right->at) {
-        CHECK(count.named == 2); // nothing is said of right data, whatever their noise
+        CHECK(count.named == 2); // right data have no named cause at any noise
     }
-    // A wedge's angle is its punch's where a moment tilts it.
+    // If a moment tilts a wedge, its angle is that of the punch.
     const auto angle = std::ranges::find(test.rows, "tan-of-angle", &SelfTestRow::name);
     REQUIRE(angle != test.rows.end());
     CHECK(angle->at[0].named == 1);
@@ -48,7 +48,7 @@ TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
 
 TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is named") {
     SelfTest test;
-    CHECK_FALSE(test.passes()); // nothing was tried
+    CHECK_FALSE(test.passes()); // no mistake was tried
     SelfTestRow row{"a", {}};
     row.at[0] = {20, 19, 19, 3, 0};
     test.rows.push_back(row);

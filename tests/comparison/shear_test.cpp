@@ -8,7 +8,7 @@ using namespace edgeproof::hertz_data;
 
 namespace {
 
-/// Hertz with P = 1, a = 1: E*/R = 4/pi (Johnson, eq. 4.43), p_0 = 2/pi.
+/// A Hertz contact with P = 1, a = 1: E*/R = 4/pi (Johnson, eq. 4.43), p_0 = 2/pi.
 std::string sheared_scene(const std::string& shear) {
     return "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
            "contact_modulus = \"4/pi\"\n[shear]\n" +
@@ -18,7 +18,7 @@ std::string sheared_scene(const std::string& shear) {
 const double unit_p0 = 2 / std::numbers::pi;
 double unit_p(double x) { return std::abs(x) < 1 ? unit_p0 * std::sqrt(1 - x * x) : 0; }
 
-/// Rows of x, p and q between the edges, and on them 0.
+/// Returns rows of x, p and q, which are 0 at the edges and outside.
 std::string shear_rows(const std::function<double(double)>& q, double from = -1.2) {
     std::string text = "x,CPRESS,CSHEAR1\n";
     for (const double x : even_places(from, 1.2, 96)) {
@@ -44,8 +44,8 @@ Tolerances shear_within(double tolerance) {
 } // namespace
 
 TEST_CASE("shear: full stick by the textbook, in either direction of q; its errors at their size") {
-    // q = (Q/pi + sigma_0 x/4)/sqrt(1 - x^2) with a = b = 1 (Johnson, eq. 7.22, and src/edgeproof/
-    // contact/law/shear.hpp, whose signs these are).
+    // q = (Q/pi + sigma_0 x/4)/sqrt(1 - x^2) with a = b = 1 (Johnson, eq. 7.22, with the signs of
+    // src/edgeproof/contact/law/shear.hpp).
     const std::string shear = "Q = \"0.2\"\nbulk_tension = \"0.1\"\n";
     const auto q = [](double x) {
         return (0.2 / std::numbers::pi + 0.1 * x / 4) / std::sqrt(1 - x * x);
@@ -61,7 +61,7 @@ TEST_CASE("shear: full stick by the textbook, in either direction of q; its erro
         shear_held(shear, shear_rows([&](double x) { return -q(x); }), shear_within(1e-10));
     CHECK(turned.passes());
     CHECK(has_finding(turned, "q counts the other way"));
-    // An error of 0.01 at one node: of |Q|/2 + |sigma_0|/4 = 0.125.
+    // An error of 0.01 at one node, relative to |Q|/2 + |sigma_0|/4 = 0.125.
     const FileComparison off = shear_held(
         shear, shear_rows([&](double x) { return q(x) + (std::abs(x) < 1e-9 ? 0.01 : 0); }),
         shear_within(0.079));
@@ -77,9 +77,10 @@ TEST_CASE("shear: full stick by the textbook, in either direction of q; its erro
 }
 
 TEST_CASE("shear: partial slip by Cattaneo and Mindlin, with a tension by Nowell and Hills") {
-    // f = 0.5, Q = 0.315: c^2 = 1 - Q/(f P) = 0.37. A tension moves the stick zone by
-    // sigma_0 a/(4 f p_0) (D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, section 4.4): to
-    // the left, as a positive one draws the right edge the way of Q, so that more slips there.
+    // f = 0.5, Q = 0.315: c^2 = 1 - Q/(f P) = 0.37. A tension moves the stick zone by sigma_0 a/(4
+    // f p_0) (D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, section 4.4). A positive one
+    // moves it to the left, because it pulls the right edge in the direction of Q, so that more
+    // slips there.
     const double f = 0.5;
     const double c = std::sqrt(0.37);
     for (const double tension : {0.0, 0.06, -0.03}) {
@@ -97,7 +98,7 @@ TEST_CASE("shear: partial slip by Cattaneo and Mindlin, with a tension by Nowell
         CHECK(file.shear->nodes > 75);
         CHECK(file.shear->peak < 1e-9);
         CHECK(*file.Q == doctest::Approx(0.315).epsilon(0.01));
-        // Mirrored, it is another one where there is a tension.
+        // The mirrored traction differs if there is a tension.
         const FileComparison mirrored =
             shear_held(shear, shear_rows([&](double x) { return q(-x); }), shear_within(1e-8));
         CHECK(mirrored.passes() == (tension == 0));

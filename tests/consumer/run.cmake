@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D BUILD=<build> -D WORK=<scratch> -D CXX=<compiler> -D SANITIZE=<as the build>
 #       -D EXAMPLES=<folder of the build's examples> -P run.cmake
-# Installs the build into a scratch folder, builds the project beside this file against it, runs
-# it, and compares its output with expected.txt. The examples that were installed are built and
-# run there, too, and print what those of the build print, which test_cli checks.
+# Installs the build into a scratch folder, builds the project in this folder against it, runs it,
+# and compares its output with expected.txt. The installed examples are also built and run there,
+# and must print the same as those of the build, which test_cli checks.
 set(COMPILE_OPTIONS "")
 if(SANITIZE)
     set(COMPILE_OPTIONS "-fsanitize=${SANITIZE}")
@@ -50,7 +50,7 @@ foreach(example proved_pressure coefficients extent table_in_threads ledger)
     endif()
 endforeach()
 
-# No path of the source or build tree may be left in what was installed.
+# The installed files must not contain a path of the source or build tree.
 file(GLOB_RECURSE configs ${WORK}/installed/*.cmake)
 foreach(config IN LISTS configs)
     file(READ ${config} text)

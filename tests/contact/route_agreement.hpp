@@ -17,8 +17,8 @@ struct Agreement {
     std::string worst_place;
 };
 
-/// Distances from `edge`: geometric from 1e-30 of the contact to most of it, and 1e-20 of the
-/// contact to both sides of each knot (the apex included).
+/// Returns distances from `edge`: geometric from 1e-30 of the contact to most of it, and 1e-20 of
+/// the contact on both sides of each knot (including the apex).
 inline std::vector<Real> points_of(const NormalContact& contact, Edge edge, int count) {
     const PrecisionScope scope(contact.digits() + 80);
     std::vector<Real> u;
@@ -46,7 +46,7 @@ inline int common_digits(const Real& x, const Real& y) {
     return static_cast<int>(floor(-log10(abs(x - y) / abs(y))));
 }
 
-/// Compares routes at `count` points a contact and edge, two threads at a time.
+/// Compares routes at `count` points for each contact and edge, with two threads.
 inline Agreement compare_routes(const std::vector<Contact>& contacts,
                                 const std::vector<Route>& routes, unsigned digits, int count) {
     const auto job = [&](std::size_t parity) {

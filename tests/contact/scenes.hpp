@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Contacts for the tests, given exactly, with nothing equal to 1 so that a dimensional slip shows.
+/// Contacts for the tests, given exactly. No parameter equals 1, so that an error in the dimensions
+/// shows.
 namespace edgeproof::scenes {
 
 inline Exact exact(const std::string& text) { return Exact::parse(text); }
@@ -41,7 +42,7 @@ inline std::vector<Contact> symmetric() {
             flat("1e-6", "2", "1.5")};
 }
 
-/// g' with a corner at the origin, a bend and a piece that is not linear.
+/// Returns a g' with a corner at the origin, a bend and a piece that is not linear.
 inline Contact own_symmetric() {
     const Symbols x{"x"};
     return {"own symmetric",

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-/// Contacts that slip in part, for the tests.
+/// Contacts with partial slip, for the tests.
 namespace edgeproof::scenes {
 
 inline constexpr long slip_bits = 400;
 
-/// A contact with its zones and its slip, f = 3/5.
+/// A contact with its zones and its slip; f = 3/5.
 struct Slipping {
     std::unique_ptr<contact::BallContact> closed;
     std::unique_ptr<contact::IntegratedContact> curved;
@@ -61,9 +61,9 @@ struct SizeCase {
     const char* left;
 };
 
-/// mpmath 1.3 at 60 digits: findroot on consistency and force of g' + sigma_0/(2 f E*) (the
-/// integrals of g'/w and s g'/w over s = c + d cos theta by quad, cut at the knots) under P - Q/f,
-/// tau = 0.3.
+/// Values by mpmath 1.3 at 60 digits: findroot on consistency and force of g' + sigma_0/(2 f E*)
+/// (the integrals of g'/w and s g'/w over s = c + d cos theta by quad, split at the knots) under P
+/// - Q/f, tau = 0.3.
 inline std::vector<SizeCase> size_cases() {
     const contact::Profile hertz = contact::Profile::power_law(exact("1"), exact("1"));
     const contact::Profile wedge = contact::Profile::power_law(exact("0.3"), exact("0"));

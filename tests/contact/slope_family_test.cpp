@@ -17,16 +17,16 @@ struct Case {
     std::string name;
     std::vector<const char*> knots;
     std::vector<const char*> slopes;
-    bool symmetric; ///< slopes of x > 0 only
+    bool symmetric; ///< the slopes are given only for x > 0
     const char* a;
     const char* b;
     const char* P;
     const char* p; ///< at u = 1/10 from the right edge
 };
 
-/// E* = 1. b, P and p by mpmath 1.2 at 40 digits, with theta from s = c + d cos theta and the
-/// formulas written out: the integral of g'(s) is 0; P = (d/2) times that of g'(s) cos theta;
-/// p = sqrt(u (2 d - u))/(2 pi) times that of (g'(s) - g'(x))/(s - x); theta split at the knots.
+/// E* = 1. b, P and p by mpmath 1.2 at 40 digits, with theta from s = c + d cos theta: the integral
+/// of g'(s) is 0; P is (d/2) times the integral of g'(s) cos theta; p is sqrt(u (2 d - u))/(2 pi)
+/// times the integral of (g'(s) - g'(x))/(s - x); theta is split at the knots.
 const std::vector<Case>& family() {
     static const std::vector<Case> cases{
         {"sin",
@@ -216,7 +216,7 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
                           e.what());
         }
     };
-    // The ends of the rise by hand: pi/2, pi/2 (a pole), sqrt(10/3), 1 (the end of the domain).
+    // The end of the increase by hand: pi/2, pi/2 (a pole), sqrt(10/3), 1 (the end of the domain).
     struct Fall {
         const char* slope;
         const char* inside;
@@ -232,5 +232,5 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
             (void)NormalContact(profile, exact("1"), Load::right_edge(exact(f.inside)), 20));
         refuse(f.slope, Load::right_edge(exact(f.outside)));
     }
-    refuse("sin(x)", Load::force(exact("10"))); // at pi/2 it carries less
+    refuse("sin(x)", Load::force(exact("10"))); // the force at pi/2 is smaller
 }

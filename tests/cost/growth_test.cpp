@@ -40,7 +40,7 @@ TEST_CASE("growth is told route by route, of medians over the points") {
         cell("a", "double", 16, 1e-7, 15), cell("b", "MPFR", 50, 1e-5, 60),
         cell("b", "MPFR", 100, 1e-5, 110)};
     const auto all = growths(cells);
-    REQUIRE(all.size() == 2); // one number of digits is no growth
+    REQUIRE(all.size() == 2); // one number of digits gives no growth
     CHECK(all[0].route == "a");
     CHECK(all[0].time.exponent == doctest::Approx(2));
     CHECK(all[0].ten_more() == doctest::Approx(1.44));

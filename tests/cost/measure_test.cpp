@@ -30,7 +30,7 @@ std::vector<CostCell> counted(const std::vector<CostCase>& cases, std::vector<un
     return measure(cases, options);
 }
 
-/// Total evaluations, by route, arithmetic and digits: "singular integral, MPFR, 50".
+/// Returns total evaluations by route, arithmetic and digits: "singular integral, MPFR, 50".
 std::map<std::string, std::size_t> totals(const std::vector<CostCell>& cells) {
     std::map<std::string, std::size_t> all;
     for (const CostCell& c : cells) {
@@ -42,7 +42,7 @@ std::map<std::string, std::size_t> totals(const std::vector<CostCell>& cells) {
     return all;
 }
 
-/// What differs, in words; empty where nothing does.
+/// Returns the differences in words; empty if there are none.
 std::string differences(const std::map<std::string, std::size_t>& found,
                         const std::map<std::string, std::size_t>& expected) {
     std::string said;
@@ -58,8 +58,8 @@ std::string differences(const std::map<std::string, std::size_t>& found,
 
 } // namespace
 
-// The counts are recorded, not derived: they may neither grow nor shrink unnoticed. Whoever changes
-// a rule looks at what it did to the digits (below) and writes the new counts here.
+// The counts are recorded, not derived: an unexpected change in either direction must be noticed.
+// After a change of a rule, check its effect on the digits (below) and write the new counts here.
 TEST_CASE("evaluations by route and digits: five points of a flat-and-rounded punch") {
     const auto found = totals(counted({usual("flat-and-rounded")}, {16, 50}, 5));
     CHECK(differences(found, {{"Barber-Mossakovskii, MPFR, 16", 917},
@@ -70,7 +70,7 @@ TEST_CASE("evaluations by route and digits: five points of a flat-and-rounded pu
                               {"fast tanh-sinh, MPFR, 50", 2727},
                               {"fast Gauss-Legendre, MPFR, 16", 82},
                               {"fast Gauss-Legendre, MPFR, 50", 198}}) == "");
-    // Where a level ends may hang on the last bit of the machine's own functions.
+    // The end of a level may depend on the last bit of the machine's own functions.
     CHECK(found.at("Barber-Mossakovskii, double, 16") > 430);
     CHECK(found.at("Barber-Mossakovskii, double, 16") < 540);
     CHECK(found.at("singular integral, double, 16") > 2600);
@@ -121,7 +121,7 @@ TEST_CASE(
     for (const CostCell& c : counted(usual_cases(), {16, 34}, 2)) {
         if (c.arithmetic == "MPFR" || c.arithmetic == "balls") {
             ++cells;
-            // An enclosure at a fixed number of bits shows what is lost beside a knot.
+            // An enclosure at a fixed number of bits loses digits near a knot.
             if (c.route != "enclosure" &&
                 (c.failed() > 0 || c.right().least + last_digit < c.digits)) {
                 short_of += c.scene + ", " + c.route + ", " + std::to_string(c.digits) + "\n";
@@ -147,7 +147,7 @@ TEST_CASE("machine arithmetic has the digits that it has, and no more") {
             CHECK(c.right().median < at->second.second);
         }
     }
-    CHECK(seen == 9); // three routes in each
+    CHECK(seen == 9); // three routes each
 }
 
 TEST_CASE("the points compared are forty, in equal ratios from 1e-8 a to a") {

@@ -43,7 +43,7 @@ TEST_CASE("definitions that need themselves are refused, with the circle") {
     CHECK(circle({{"a", named("b")}, {"b", named("c + 1")}, {"c", named("2/b")}}) ==
           "the definitions go round in a circle: b -> c -> b");
     CHECK(circle({{"a", named("b")}, {"b", named("c")}}) == "none");
-    // The variable of a sum is no name of the definitions.
+    // The variable of a sum is not a definition.
     CHECK(circle({{"a", named("sum(a, a, 1, 3)")}}) == "none");
 }
 

@@ -26,7 +26,7 @@ Expr read(std::string_view text) { return parse(text, text_symbols); }
 } // namespace
 
 TEST_CASE("text comes out as it would be written by hand") {
-    // Each of these is its own shortest text.
+    // Each of these is already its own shortest text.
     for (const char* text : {
              "0",
              "12",
@@ -157,16 +157,16 @@ TEST_CASE("substitution") {
     CHECK(substitute(read("a + a*b"), "a", read("x + y")) == read("x + y + (x + y)*b"));
     CHECK(substitute(read("a^2"), "a", read("-b")) == read("(-b)^2"));
     CHECK(substitute(read("a"), "c", read("b")) == read("a"));
-    // A bound name is another name.
+    // A bound name differs from a free one.
     CHECK(substitute(read("s + integral(s*a, s, 0, s)"), "s", read("b")) ==
           read("b + integral(s*a, s, 0, b)"));
-    // A value that holds the bound name must not be captured.
+    // A value that contains the bound name must not be captured.
     CHECK(substitute(read("integral(s*a, s, 0, a)"), "a", read("s")) ==
           read("integral(s_1*s, s_1, 0, s)"));
     const Expr twice = substitute(read("integral(s*a + s_1, s, 0, 1)"), "a", read("s"));
     CHECK(twice.arg(1).name() == "s_2");
     CHECK(free_symbols(twice) == std::set<std::string>{"s", "s_1"});
-    // Nothing changed: the very same tree, place in the text included.
+    // If nothing changes, the result is the same tree, including its place in the text.
     CHECK(substitute(read("  a"), "b", read("x")).offset() == 2);
 }
 
@@ -181,12 +181,12 @@ TEST_CASE("edits by path") {
         CHECK_FALSE(other == e);
         CHECK(at(other, p) == read("P1"));
     }
-    // The bound variable is no place for an edit.
+    // The bound variable cannot be edited.
     CHECK(texts == std::vector<std::string>{to_text(e), "2*a", "2", "a", "integral(s/b, s, 0, a)",
                                             "s/b", "s", "b", "0", "a"});
     CHECK(replace(e, all[2], read("3")) == read("3*a + integral(s/b, s, 0, a)"));
     CHECK(replace(e, Path{}, read("b")) == read("b"));
-    // An edit below a sum of numbers is seen by its exact value.
+    // An edit inside a sum of numbers changes the exact value.
     CHECK(*replace(read("(1 + 2)*3"), Path{0, 1}, read("5")).rational() == 18);
     CHECK_THROWS_AS((void)at(e, Path{2}), Error);
     CHECK_THROWS_AS((void)at(e, Path{0, 0, 0}), Error);
@@ -232,7 +232,7 @@ TEST_CASE("LaTeX") {
     CHECK(to_tex(Expr::symbol("u_left_edge") * Expr::symbol("theta2")) ==
           "u_{\\mathrm{leftedge}} \\theta_{2}");
     CHECK(tex("integral(f(s), s, 0, a)") == "\\int_{0}^{a} f(s) \\,\\mathrm{d}s");
-    // A name that `symbol` does not know is set as ever.
+    // A name that `symbol` does not know is set as usual.
     CHECK(to_tex(read("P1*a"), [](std::string_view n) {
               return n == "P1" ? std::string("P_1") : std::string();
           }) == "P_1 a");

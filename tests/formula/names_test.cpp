@@ -27,7 +27,7 @@ TEST_CASE("a number with a unit is told that there are none") {
     }
     CHECK(refusal("70*GPa", Symbols{"a"}).instead().find("numbers have no units here") == 0);
     CHECK(refusal("70 GPa*a", Symbols{"a"}).problem().find("numbers have no units here") == 0);
-    // Where it may as well be a product.
+    // These may be products.
     for (const char* text : {"2pi", "2 sqrt(2)", "2Pi/3"}) {
         CHECK(refusal(text, {}).problem().find("a '*' is missing") == 0);
     }

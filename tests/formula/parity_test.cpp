@@ -22,7 +22,7 @@ Expr read(const std::string& text) { return parse(text, Symbols{"x", "c", "k"});
 Parity of(const std::string& text) { return parity(read(text), "x"); }
 bool odd_and_constant(const std::string& text) { return odd_but_for_a_constant(read(text), "x"); }
 
-/// The value at x, where it is real.
+/// Returns the value at x if it is real.
 std::optional<Real> value_at(const Expr& e, const Real& x) {
     Values<Real> values;
     values.set("x", x);
@@ -32,7 +32,7 @@ std::optional<Real> value_at(const Expr& e, const Real& x) {
         if (isfinite(y)) {
             return y;
         }
-    } catch (const Error&) { // not defined there
+    } catch (const Error&) { // undefined there
     }
     return std::nullopt;
 }

@@ -24,7 +24,7 @@ Rational rational(std::string_view text) {
     return *e.rational();
 }
 
-/// The error that a text gives.
+/// Returns the error in a text.
 FormulaError error_of(const std::string& text) {
     try {
         (void)parse(text, parsed_symbols);
@@ -76,7 +76,7 @@ TEST_CASE("numbers are exact") {
     CHECK(rational("0.0") == 0);
     CHECK(rational("0e99999") == 0);
     CHECK(rational("1e100000/1e99999") == 10);
-    // A decimal of 60 digits keeps the last.
+    // A decimal of 60 digits keeps the last digit.
     CHECK(rational("0.123456789012345678901234567890123456789012345678901234567891") -
               rational("0.12345678901234567890123456789012345678901234567890123456789") ==
           rational("1e-60"));
@@ -93,7 +93,7 @@ TEST_CASE("names") {
     CHECK(f.kind() == Expr::Kind::integral);
     CHECK(free_symbols(f) == std::set<std::string>{"a", "x"});
     CHECK(parse("pv(slope(s)/(s - x), s, -b, a, x)", parsed_symbols).args().size() == 5);
-    // The bound variable is known in the first argument only.
+    // The bound variable is known only in the first argument.
     CHECK(error_of("integral(s, s, 0, s)").offset() == 18);
     CHECK(error_of("integral(s, s, 0, 1) + s").offset() == 23);
 }
@@ -221,13 +221,13 @@ TEST_CASE("no text makes the parser crash, hang or fill the memory") {
     CHECK(rational("0e999999999") == 0);
     CHECK_THROWS_AS((void)parse(repeated("1e100000+", 1000) + "1"), FormulaError);
     CHECK_THROWS_AS((void)parse(repeated("9", 20'001)), FormulaError);
-    // Powers that would not fit are left as they are, not computed.
+    // Powers that would be too large are not computed.
     CHECK(parse("9^9^9^9").rational() == nullptr);
     CHECK(parse("2^1e100000").rational() == nullptr);
     CHECK(parse("(1 + 1e-1000)^100000").rational() == nullptr);
     CHECK(rational("1^9^9") == 1);
     CHECK(rational("(-1)^1e100000") == 1);
-    // Up to the limits all is well.
+    // Texts at the limits are accepted.
     CHECK(rational(repeated("(", 200) + "1" + repeated(")", 200)) == 1);
     CHECK(rational(repeated("-", 200) + "1") == 1);
     CHECK(rational(repeated("1+", 1990) + "1") == 1991);

@@ -11,8 +11,8 @@
 
 namespace edgeproof::test {
 
-/// A tree of at most `height` levels. Only the raw output of the engine is used, so that a seed
-/// means the same tree with every standard library.
+/// Returns a random tree of at most `height` levels. It uses only the raw output of the engine, so
+/// that a seed gives the same tree with every standard library.
 inline Expr random_expr(std::mt19937_64& random, int height,
                         const std::vector<std::string>& symbols) {
     const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };

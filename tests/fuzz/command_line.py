@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """command_line.py PROGRAM SOURCE [--runs N] [--seed S] [--jobs J] [--only I] [--keep FOLDER]
 
-Runs the program with command lines drawn from a seed: all subcommands, with the shipped files changed in a few places
-and with hostile options; some with a standard output that is full, some interrupted. Run I of a seed is always the same
-(--only I repeats it, --keep leaves its folder). Fails where a run
-- ends by a signal, or with an exit status other than 0, 1 and 2 (130 where it was interrupted);
-- takes longer than 20 s (on a busy machine: of processor time), or goes on after an interruption;
-- ends with 0 or 1, and its output is incomplete: CSV, JSON, XML or a page that does not parse, a file that is missing, a
-  standard output that could not be written;
-- ends with 2 and another message than one line, or leaves a file behind.
+Runs the program with command lines drawn from a seed: all subcommands, with the shipped files
+changed in a few places and with hostile options; some with a full standard output, some
+interrupted. Run I of a seed is always the same (--only I repeats it, --keep leaves its folder). It
+is a failure if a run
+- ends by a signal, or with an exit status other than 0, 1 and 2 (130 if it was interrupted);
+- takes longer than 20 s (on a busy machine: of processor time), or continues after an interruption;
+- ends with 0 or 1, and its output is incomplete: CSV, JSON, XML or a page that does not parse, a
+  missing file, a standard output that could not be written;
+- ends with 2 and a message that is not one line, or leaves a file behind.
 """
 import argparse
 import collections
@@ -36,13 +37,13 @@ import drawn_commands
 import drawn_inputs
 
 MOST_SECONDS = 20
-MOST_SECONDS_OF_AN_INTERRUPTION = 4  # the program promises 2; the machine may be busy
+MOST_SECONDS_OF_AN_INTERRUPTION = 4  # the limit is 2; the machine may be busy
 MOST_MEMORY = 6 << 30
 
 
 @dataclasses.dataclass
 class Outcome:
-    code: int | None  # None: it was still running
+    code: int | None  # None: it did not end
     out: bytes
     err: bytes
     seconds: float
@@ -61,7 +62,7 @@ def csv_problem(text):
 
 
 def form_problem(form, data):
-    """What is wrong with an output of that form; None where nothing is."""
+    """The fault of an output of that form, or None."""
     if not data:
         return "it is empty"
     if form in ("png", "pdf", "figure", "any"):
@@ -92,7 +93,7 @@ def written_problem(folder, name, form):
 
 
 def left_over(folder, command):
-    """Names of what is in the folder and was not there before, and is no whole result."""
+    """Names of new files in the folder that are not complete results."""
     results = {name for name, form in command.written.items() if not written_problem(folder, name, form)}
     results |= {name.split("/")[0] for name in results}
     return [name for name in sorted(os.listdir(folder))
@@ -102,16 +103,16 @@ def left_over(folder, command):
 def message_problem(command, outcome, mode):
     lines = outcome.err.decode(errors="replace").splitlines()
     if lines and all(re.match(r"in\.toml:\d+: .*; ", line) for line in lines):
-        return None  # the claims of a ledger that cannot be read, each in a line
+        return None  # a line for each claim of a ledger that cannot be read
     if "--exec" in command.arguments or mode == "full":
-        lines = lines[-1:]  # behind what the program asked writes, or behind the scene as a file
+        lines = lines[-1:]  # after the output of the other program, or after the scene as a file
     if len(lines) != 1 or len(lines[0].strip()) < 10:
         return f"exit status 2 with {len(lines)} lines on standard error"
     return None
 
 
 def problems_of(command, outcome, mode, folder):
-    """All that is wrong with a run."""
+    """The faults of a run."""
     code = outcome.code
     if code is None:
         return ["it was still running after " + f"{outcome.seconds:.1f} s" + (" of an interruption" if mode == "stop" else "")]
@@ -127,7 +128,7 @@ def problems_of(command, outcome, mode, folder):
             problem = form_problem(command.printed, outcome.out)
             found += [f"exit status {code}, standard output: {problem}"] if problem else []
         found += [p for name, form in command.written.items() if (p := written_problem(folder, name, form))]
-    # A result that is whole may stand where another output could not be written.
+    # If one output could not be written, another complete one may exist.
     if code == 2 and b"cannot write" not in outcome.err and command.arguments[0] not in ("verify", "certify"):
         command.written = {}
     left = left_over(folder, command)
@@ -135,7 +136,8 @@ def problems_of(command, outcome, mode, folder):
 
 
 def is_late(process, seconds, most):
-    """Whether a process that has run for so long takes too long: on a busy machine it is given more time."""
+    """True if a process that has run for `seconds` takes too long; it may take longer on a busy
+    machine."""
     if seconds < most:
         return False
     fields = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
@@ -253,7 +255,7 @@ def main():
                     report(result)
                 if done % 1000 == 0:
                     print(f"{done} runs, {len(failures)} failures, {time.monotonic() - begun:.0f} s", flush=True)
-            # What was slow among others may be fast alone.
+            # Runs that were slow together with others may be fast alone.
             slow = [f for f in failures if f[2].code is None]
         with multiprocessing.Pool(1, set_up, (settings,)) as pool:
             again = {f[0]: pool.apply(one, (f[0],)) for f in slow}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command lines for command_line.py: every subcommand with drawn files and options, mostly cheap ones."""
+"""Command lines for command_line.py: every subcommand with random files and options, mostly cheap
+ones."""
 import dataclasses
 
 from drawn_inputs import HOSTILE, WORDS, hostile, near
@@ -7,13 +8,13 @@ from drawn_inputs import HOSTILE, WORDS, hostile, near
 
 @dataclasses.dataclass
 class Command:
-    """A command line to run in a folder of its own, and what it writes where it succeeds."""
+    """A command line to run in a folder of its own, and its output if it succeeds."""
     arguments: list
-    files: dict = dataclasses.field(default_factory=dict)  # name: bytes, to be there before
+    files: dict = dataclasses.field(default_factory=dict)  # name: bytes, made before the run
     stdin: bytes = b""
-    printed: str = "text"  # csv, json, md, tex, text, or none: what standard output has
+    printed: str = "text"  # the form of standard output: csv, json, md, tex, text, or none
     written: dict = dataclasses.field(default_factory=dict)  # name: csv, json, svg, ... or folder
-    kept: tuple = ()  # prefixes of files that a command may leave to go on from
+    kept: tuple = ()  # prefixes of files that a command may leave to continue later
 
 
 FORMATS = ["csv", "json", "md", "tex"]
@@ -202,7 +203,7 @@ def table(rng, library, command):
     words = recipe(rng, library, command) + ["--threads", count(rng, ["1", "2"])] + format_of(rng, command)
     if rng.random() < 0.2:
         command.files["table.csv"] = library.drawn("answers", rng)
-        command.printed = "any"  # what differs is a message
+        command.printed = "any"  # differences are messages
         return words + ["--check", "--out", "table.csv"] + maybe(rng, 0.5, "--every", count(rng, ["2", "7"]))
     command.kept = ("out.txt", "a b.txt", "é.txt")
     return words + output(rng, command, command.printed, 0.5)
@@ -331,7 +332,7 @@ def verify(rng, library, command):
     return words
 
 
-# With a weight: how often a command is drawn.
+# The commands, each with the weight of its probability.
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
             "explain": (explain, 6), "plot": (plot, 3), "slip-table": (slip_table, 0.6), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-# Values at and beyond the limits of what a reader accepts. None of them asks for much valid work.
+# Values at and beyond the limits of the readers. None of them is valid input that needs much work.
 HOSTILE = [
     "0", "-0", "1", "-1", "1/2", "2", "10", "1e-3", "1e3", "0.3333333333333333333333333333", "1e-40", "1e-300",
     "1e40", "1e300", "1.797e308", "4.9e-324", "1e309", "1e400", "-1e400", "1e-400", "1e99999", "1e-99999", "1e100001",
@@ -22,7 +22,7 @@ VALUE = re.compile(r'"([^"\n]*)"|(?<![\w."])-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![
 
 
 def tables(text):
-    """The text in pieces, each from a header to the next; the first is what stands before any."""
+    """The text in pieces, each from a header to the next; the first piece precedes all headers."""
     pieces, quoted = [[]], False
     for line in text.splitlines(keepends=True):
         if not quoted and HEADER.match(line.strip()):
@@ -59,7 +59,7 @@ def small_recipe(text, rng):
 
 
 def small_ledger(text, rng):
-    """A ledger with one or two of its claims, mostly without what it says of later results."""
+    """A ledger with one or two of its claims, mostly without its [later] tables."""
     pieces = tables(text)
     claims = [i for i, p in enumerate(pieces) if name_of(p).split(".")[0] == "claim"]
     heads = [i for i in claims if name_of(pieces[i]) == "claim"]
@@ -119,7 +119,8 @@ class Library:
         return short_lists(text, rng) if kind in ("scene", "slip") else text
 
     def drawn(self, kind, rng):
-        """The bytes of a file of that kind: three in ten as they are shipped, the others changed in one to three places."""
+        """The bytes of a file of that kind: three in ten are unchanged, the others are changed in
+        one to three places."""
         text = self.plain(kind, rng)
         if rng.random() < 0.3:
             return text.encode()
@@ -173,7 +174,7 @@ def toml_value(value, rng):
 
 
 def change_value(text, rng, _library, _kind):
-    """One value, replaced by a hostile or a near one."""
+    """Replaces one value by a hostile or a near one."""
     places = [m for m in VALUE.finditer(text) if text.rfind("#", text.rfind("\n", 0, m.start()) + 1, m.start()) < 0]
     if not places:
         return text
@@ -184,7 +185,7 @@ def change_value(text, rng, _library, _kind):
 
 
 def swap_values(text, rng, library, kind):
-    """A value of this file, replaced by one of another."""
+    """Replaces a value of this file by one of another file."""
     places = list(VALUE.finditer(text))
     others = list(VALUE.finditer(library.plain(rng.choice([kind, kind, "scene", "ledger", "recipe"]), rng)))
     if not places or not others:
@@ -250,7 +251,7 @@ def change_header(text, rng, _library, _kind):
 
 
 def add_key(text, rng, _library, _kind):
-    """A key that some file of the kind may have, with a hostile value, below a header."""
+    """Adds a key that some file of the kind may have, with a hostile value, below a header."""
     pieces = tables(text)
     at = rng.randrange(len(pieces))
     key = rng.choice(["a", "b", "P", "M", "width", "contact_modulus", "E1", "nu1", "Q", "bulk_tension", "friction", "path",
@@ -267,7 +268,7 @@ TOML_CHANGES = [change_value] * 8 + [swap_values] * 3 + [add_key] * 3 + [
 
 
 def table_cells(text, rng, _library, _kind):
-    """One cell, or one column of all rows."""
+    """Changes one cell, or one column of all rows."""
     lines = lines_of(text)
     rows = [i for i, line in enumerate(lines) if not line.startswith("#") and "," in line]
     if not rows:

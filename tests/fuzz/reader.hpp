@@ -10,13 +10,13 @@
 #include <string>
 #include <string_view>
 
-/// For the leak sanitizer: CLN keeps a few bytes of its own to the end.
+/// For the leak sanitizer: CLN does not free a few bytes at the end.
 extern "C" inline __attribute__((used)) const char* __lsan_default_suppressions() { // NOLINT
     return "leak:libcln";
 }
 
-/// What every reader owes, whatever it is given: it reads the text, or it throws one of our errors,
-/// in one line. Anything else (another exception, a crash, a sanitizer's finding) ends the program.
+/// Every reader must read the text, or throw one of our errors in one line. Anything else (another
+/// exception, a crash, a sanitizer's finding) ends the program.
 template <class Read>
 int hold_to_its_word(const Read& read, const std::uint8_t* data, std::size_t size) {
     try {

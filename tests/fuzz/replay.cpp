@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // REPLAY COUNT FILE...: gives a reader every file, and COUNT texts made from them by cutting,
-// doubling, mixing and overwriting, always the same ones. For compilers without libFuzzer, and for
-// runs that are to be the same every time. The text being read is in last-input while it is read,
-// if EDGEPROOF_FUZZ_KEEP is set.
+// doubling, mixing and overwriting, always the same ones. It is for compilers without libFuzzer,
+// and for reproducible runs. If EDGEPROOF_FUZZ_KEEP is set, the current text is in the file
+// last-input while it is read.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -88,10 +88,10 @@ TEST_CASE("a part file drops what is not what was written, and work of another k
     std::string changed = whole;
     changed[changed.find("two lines")] = 'T';
     write(file, changed);
-    CHECK(CheckpointFile(file, 7, 2).items() == 0); // what comes after it is not trusted either
+    CHECK(CheckpointFile(file, 7, 2).items() == 0); // the data after it are not trusted either
     write(file, whole);
     CHECK(CheckpointFile(file, 8, 2).items() == 0);
-    // An older version's is begun anew, and a torn first line.
+    // A file of an older version is begun anew, and so is one with a torn first line.
     for (const char* const text :
          {"edgeproof part file 3, 0000000000000007\n0 12 99\n", "edgepr"}) {
         write(file, text);
@@ -144,7 +144,7 @@ TEST_CASE("a part file takes no file that is not Edgeproof's, and follows no lin
         CHECK(fs::is_symlink(file));
         fs::remove(file);
     }
-    fs::create_symlink(folder.path / "nowhere", file); // nor one that leads nowhere yet
+    fs::create_symlink(folder.path / "nowhere", file); // a dangling link is refused, too
     refused();
     CHECK_FALSE(fs::exists(folder.path / "nowhere"));
     fs::remove(file);
@@ -223,7 +223,7 @@ TEST_CASE("what a killed run left beside a file is removed, what a living one wr
     for (const fs::path& p : {left, living, another}) {
         write(p, "half");
     }
-    const int held = ::open(living.c_str(), O_RDONLY); // as who writes it has it
+    const int held = ::open(living.c_str(), O_RDONLY); // the lock that a writer holds
     REQUIRE(::flock(held, LOCK_SH) == 0);
     const auto write_new = [&] {
         AtomicFile whole(file);
@@ -235,7 +235,7 @@ TEST_CASE("what a killed run left beside a file is removed, what a living one wr
     CHECK(fs::exists(living));
     ::close(held);
     write_new();
-    CHECK_FALSE(fs::exists(living)); // the number was given to another process since
+    CHECK_FALSE(fs::exists(living)); // another process now has this number
     CHECK(fs::exists(another));
     CHECK(read_text(file, "file") == "new");
 }

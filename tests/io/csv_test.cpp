@@ -68,7 +68,7 @@ TEST_CASE(
     const Csv open = parse_csv("a,b\n1,2\n3,\"4\n5,6\n", "f.csv", {.keep_faults = true});
     REQUIRE(open.rows.size() == 2);
     CHECK(open.rows[1].fault == "a quote begins here and does not end");
-    // A blank beside the quotes is none of the cell, as beside a bare one.
+    // Blanks around the quotes are not part of the cell, like those around a bare one.
     CHECK(parse_csv("a,b\n \"1\" ,\t\"2\" \r\n", "f.csv").rows[0].cells == Cells{"1", "2"});
 }
 
@@ -114,14 +114,15 @@ TEST_CASE("CSV: no more rows than asked for") {
 }
 
 TEST_CASE("the checksum is FNV-1a, 64 bits") {
-    // The test vectors of draft-eastlake-fnv.
+    // These are the test vectors of draft-eastlake-fnv.
     CHECK(fnv1a("") == 0xcbf29ce484222325U);
     CHECK(fnv1a("a") == 0xaf63dc4c8601ec8cU);
     CHECK(fnv1a("foobar") == 0x85944171f73967e8U);
 }
 
 TEST_CASE("a file read in blocks gives the rows of its text, wherever a block ends") {
-    // Notes, blank lines, line ends and separators in quotes, faults: over more than two blocks.
+    // Notes, blank lines, line ends and separators in quotes, and faults, over more than two
+    // blocks.
     std::string text = "\xEF\xBB\xBF# first note\nid,value,what\n";
     for (std::size_t k = 0; text.size() < 2'500'000; ++k) {
         const std::string number = std::to_string(k * k % 1009);

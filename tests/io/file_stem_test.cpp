@@ -11,7 +11,7 @@
 
 namespace {
 
-/// The rule as it is documented, without a function of the program.
+/// The documented rule, without the program's functions.
 bool stays_in_its_folder(const std::string& name) {
     const std::string allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
     return !name.empty() && name.size() <= 120 && name[0] != '.' && name[0] != '-' &&
@@ -64,11 +64,11 @@ TEST_CASE("a name of a file: no id leads out of the folder or steers what uses t
 TEST_CASE("a name of a file: different ids have different names") {
     std::set<std::string> ids{"a/b", "a-b", "a b", "a\\b", "", "_", ".", "..", "-", "--"};
     for (const std::string& id : std::set<std::string>(ids)) {
-        ids.insert(FileStem(id).text()); // a name that was changed is an id, too
+        ids.insert(FileStem(id).text()); // a changed name may be another id
         ids.insert(id + std::string(200, 'x'));
         ids.insert(id + std::string(201, 'x'));
     }
-    std::uint64_t state = 30; // drawn ids of three characters
+    std::uint64_t state = 30; // random ids of three characters
     const std::string characters = "ab/.-_ \"'`\\$";
     for (int i = 0; i < 3000; ++i) {
         std::string id;

@@ -20,7 +20,7 @@
 
 namespace {
 
-/// What `f` does in a process of its own, which ends after it: clean_up() is for the end.
+/// Runs `f` in a process of its own, because clean_up() must be the last action of a process.
 template <class F> int in_a_process(const F& f) {
     const pid_t pid = ::fork();
     if (pid == 0) {
@@ -67,7 +67,7 @@ TEST_CASE("clean_up: temporary paths go, those kept stay, and the note is told")
                   kept.keep_locked();
               }
               const KeptNote note("some is kept");
-              ::_exit(clean_up() == "some is kept" ? 0 : 1); // no destructor: it would wait
+              ::_exit(clean_up() == "some is kept" ? 0 : 1); // a destructor would wait
           }) == 0);
     CHECK_FALSE(std::filesystem::exists(folder / "scratch"));
     CHECK(std::filesystem::exists(folder / "kept"));
@@ -112,7 +112,7 @@ TEST_CASE("an interrupted process writes no result; a checkpoint it does") {
 }
 
 TEST_CASE("child programs end with the object, with clean_up(), and with their leader") {
-    // The children hold the pipe's other end: it is at its end only when none of them is left.
+    // The children hold the pipe's other end: the pipe ends when the last child ends.
     std::array<int, 2> ends{};
     REQUIRE(::pipe(ends.data()) == 0);
     {
@@ -122,7 +122,7 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
     CHECK(in_a_process([] {
               const ChildGroup child([] { return start_shell("sleep 100 & sleep 100"); });
               (void)clean_up();
-              ::_exit(0); // no destructor
+              ::_exit(0); // without destructors
           }) == 0);
     ChildGroup leader([] { return start_shell("sleep 100 & exit 7"); });
     double seconds = -1;
@@ -138,9 +138,9 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
 
 TEST_CASE("what a program leaves behind ends with it, also in a session of its own") {
     std::array<int, 2> ends{};
-    REQUIRE(::pipe(ends.data()) == 0); // held by all that descends from the program
+    REQUIRE(::pipe(ends.data()) == 0); // all descendants of the program hold it
     const std::filesystem::path folder = own_folder();
-    // Ends only when the other has left its group.
+    // Ends only after the other process has left its group.
     ProgramCall call = shell_call("setsid sh -c 'echo x > started; exec sleep 100' & "
                                   "until test -s started; do sleep 0.01; done");
     call.arguments.back().insert(0, "cd '" + folder.string() + "'; rm -f started; ");

@@ -8,7 +8,8 @@
 #include <string>
 
 TEST_CASE("SHA-256: the examples of FIPS 180") {
-    // FIPS 180-2, appendix B; the empty text from NIST's example values.
+    // These are the examples of FIPS 180-2, appendix B; the empty text is from NIST's example
+    // values.
     CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
           "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");

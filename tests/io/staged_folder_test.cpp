@@ -30,7 +30,7 @@ public:
     OwnFolder(const OwnFolder&) = delete;
     OwnFolder& operator=(const OwnFolder&) = delete;
     [[nodiscard]] const fs::path& path() const { return path_; }
-    /// All that is in it, folders by a slash at their end.
+    /// Returns all files and folders in it; a folder ends with a slash.
     [[nodiscard]] std::set<std::string> all() const {
         std::set<std::string> names;
         for (const auto& e : fs::recursive_directory_iterator(path_)) {
@@ -77,7 +77,7 @@ TEST_CASE("a staged folder: nothing before it is committed, all after it") {
             StagedFolder given_up(own.path() / "other" / name);
             fill(given_up);
         }
-        CHECK(own.all() == whole); // neither is the folder above it left
+        CHECK(own.all() == whole); // the parent folder is removed, too
     }
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("a staged folder, where there is one: what else is in it stays") {
 
 TEST_CASE("a staged folder: what killed runs left beside it goes, also once it is there") {
     const OwnFolder own;
-    // No process has this number: it is beyond the largest that Linux gives.
+    // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
     fs::create_directories(own.path() / "out" / ".edgeproof.99999999.tmp");
     {
@@ -156,12 +156,12 @@ TEST_CASE("a staged folder: what killed runs left beside it goes, also once it i
 
 TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is removed") {
     const OwnFolder own;
-    // No process has this number: it is beyond the largest that Linux gives.
+    // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
-    fs::create_directories(own.path() / "out.1.tmp"); // somebody else's, who is alive and holds it
+    fs::create_directories(own.path() / "out.1.tmp"); // of another live process, which holds it
     const int held = ::open((own.path() / "out.1.tmp").c_str(), O_RDONLY | O_DIRECTORY);
     REQUIRE(::flock(held, LOCK_SH) == 0);
-    fs::create_directories(own.path() / "out.2.tmp"); // whose number somebody else has by now
+    fs::create_directories(own.path() / "out.2.tmp"); // of an ended process
     StagedFolder staged(own.path() / "out");
     CHECK_FALSE(fs::exists(own.path() / "out.99999999.tmp"));
     CHECK(fs::exists(own.path() / "out.1.tmp"));

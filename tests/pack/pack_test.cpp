@@ -73,7 +73,7 @@ TEST_CASE("pack: rows are the textbook's values at binary64 numbers") {
     const PackRows made = recipe_rows(small_recipe, "r.toml", true, {});
     const auto rows = rows_of(made.text);
     CHECK(made.rows == rows.size());
-    CHECK(rows.size() == 14);  // P, two c_0 and four p of each
+    CHECK(rows.size() == 14);  // P, two c_0 and four p for each
     CHECK(made.left_out == 2); // M = 0
     for (const PackRow& row : rows) {
         CAPTURE(row.at("id"));
@@ -101,7 +101,7 @@ TEST_CASE("pack: rows are the textbook's values at binary64 numbers") {
         CHECK(row.at("edge") == (row.at("quantity") == "P" ? "none" : row.at("edge")));
         CHECK(value_of(row, "ulps") == 4);
         CHECK(value_of(row, "condition") < 8);
-        // The largest pressure is E* C a/2; the wedge's is infinite, and its mean E* C/2.
+        // The largest pressure is E* C a/2; the wedge's is infinite, and its mean is E* C/2.
         CHECK(value_of(row, "scale") == doctest::Approx(wedge ? EC / 2 : EC * a / 2).epsilon(1e-5));
         CHECK(row.at("phi") == "nan");
     }
@@ -143,7 +143,7 @@ TEST_CASE("pack: the whole is the same on any number of threads, and below two m
     const std::string text = manifest(files, {"edgeproof 0", "abc", "2026-01-01", "c"});
     CHECK(text.find("# commit: abc\n# date: 2026-01-01\n") != std::string::npos);
     CHECK(text.find("  cases.csv\n") != std::string::npos);
-    // Every row of level A has a scale, and lies outside a fiftieth of the contact.
+    // Every row of level A has a scale, and is at least a fiftieth of the contact from an edge.
     for (const PackFile& file : files) {
         if (file.name == "level-a.csv") {
             CHECK(file.text.find(",p,nan,") == std::string::npos);

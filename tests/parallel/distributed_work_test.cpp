@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Processes that are threads of this one; messages go through queues.
+/// Processes that are threads of this one; queues carry the messages.
 struct Wires {
     explicit Wires(std::size_t count) : boxes(count) {}
     std::mutex mutex;
@@ -48,12 +48,12 @@ private:
     std::size_t number_;
 };
 
-/// What came of work that several processes shared.
+/// The result of work that several processes shared.
 struct Outcome {
     std::map<std::size_t, std::string> kept;
-    std::set<std::size_t> makers; ///< processes that made anything
+    std::set<std::size_t> makers; ///< the processes that made a piece
     std::string error;
-    bool left_over = false; ///< a message that nobody read
+    bool left_over = false; ///< there is an unread message
 };
 
 using Make = std::function<std::string(std::size_t process, std::size_t piece)>;
@@ -108,7 +108,7 @@ Outcome share(std::size_t processes, std::size_t pieces, const Make& make, const
 
 void keep_nothing_else(std::size_t, const std::string&) {}
 
-/// Long enough that every process gets some.
+/// The work takes long enough that every process gets some.
 std::string slowly(std::size_t, std::size_t p) {
     std::this_thread::sleep_for(std::chrono::microseconds(300));
     return "piece " + std::to_string(p);
@@ -123,7 +123,7 @@ TEST_CASE("work shared by several processes is done once, all of it, by all of t
         CHECK(o.error.empty());
         CHECK(o.kept.size() == 500);
         CHECK(o.kept.at(0) == "piece 0");
-        CHECK(o.kept.at(499) == "piece 499"); // once: else the text would stand there twice
+        CHECK(o.kept.at(499) == "piece 499"); // a second copy would be appended
         CHECK(o.makers.size() == processes);
         CHECK_FALSE(o.left_over);
     }
@@ -141,7 +141,7 @@ TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
         const Outcome o = share(processes, 1000, make, keep_nothing_else);
         CAPTURE(processes);
         CHECK(o.error == "piece 37 is bad; correct it");
-        CHECK(o.kept.size() >= 37); // all before it, and a few that had been handed out
+        CHECK(o.kept.size() >= 37); // all before it, and a few that were already distributed
         CHECK(o.kept.size() < 200);
         CHECK_FALSE(o.left_over);
     }

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Keeps the squares of numbers, and counts how many it has made.
+/// Stores squares of numbers, and counts how many it computes.
 struct Squares {
     BoundedCache<int, const int> cache{3};
     int made = 0;
@@ -31,7 +31,7 @@ TEST_CASE("a cache keeps no more than it may, and lets go what was not used for 
     }
     CHECK(*squares.of(1) == 1);
     CHECK(squares.made == 3);
-    CHECK(*squares.of(4) == 16); // 2 goes
+    CHECK(*squares.of(4) == 16); // 2 is removed
     CHECK(squares.cache.size() == 3);
     (void)squares.of(1);
     (void)squares.of(3);

@@ -22,12 +22,12 @@ TEST_CASE("nothing that steers a terminal is printable") {
                         {"\x7f\b\a", "\\x7f\\x08\\x07"},
                         {"\xc2\x9b"
                          "1m",
-                         "\\xc2\\x9b1m"}, // CSI in one character
+                         "\\xc2\\x9b1m"}, // CSI as one character
                         {"\xe2\x80\xae"
                          "x",
                          "\\xe2\\x80\\xaex"},                // right to left
-                        {"\xef\xbf\xbf", "\\xef\\xbf\\xbf"}, // no character of XML
-                        {"\xff\xc3(", "\\xff\\xc3("},        // no UTF-8
+                        {"\xef\xbf\xbf", "\\xef\\xbf\\xbf"}, // not a character of XML
+                        {"\xff\xc3(", "\\xff\\xc3("},        // not UTF-8
                         {"\xc0\x9b", "\\xc0\\x9b"},          // overlong
                         {"\xe2\x82", "\\xe2\\x82"}};         // cut off
     for (const Case& c : all) {

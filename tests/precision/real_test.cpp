@@ -18,7 +18,7 @@
 namespace edgeproof {
 namespace {
 
-// "3.333...e-01" with that many digits in all (Boost counts those after the point).
+// Returns "3.333...e-01" with `digits` digits in all (Boost counts those after the point).
 std::string scientific(const Real& x, unsigned digits) {
     return x.str(digits - 1, std::ios_base::scientific);
 }
@@ -69,7 +69,7 @@ TEST_CASE("a precision outside the range is refused and changes nothing") {
 TEST_CASE("one third at 50 and at 100 digits, side by side") {
     CHECK(third_at(50, 50) == threes(50));
     CHECK(third_at(100, 100) == threes(100));
-    // The digits end where the precision does: were both computed at 100, this would find threes.
+    // The precision limits the digits: with a precision of 100, this would find threes.
     CHECK(third_at(50, 100) != threes(100));
 
     const PrecisionScope hundred(100);
@@ -88,7 +88,7 @@ TEST_CASE("two threads with different precisions see only their own") {
     std::string digits[2];
     const auto work = [&](int who, unsigned precision) {
         const PrecisionScope scope(precision);
-        together.arrive_and_wait(); // both scopes stand before either computes
+        together.arrive_and_wait(); // both scopes exist before either computes
         const Real third = Real(1) / 3;
         together.arrive_and_wait();
         digits[who] = scientific(third, precision);
@@ -114,7 +114,7 @@ TEST_CASE("a number is rounded to the working precision on request") {
 }
 
 TEST_CASE("a rational becomes the nearest number of each arithmetic") {
-    // The compiler divides correctly rounded: an independent route to the nearest number.
+    // The compiler's division is correctly rounded: an independent way to the nearest number.
     CHECK(from_rational<double>(Rational(1, 3)) == 1.0 / 3);
     CHECK(from_rational<double>(Rational(-1, 10)) == -0.1);
     CHECK(from_rational<long double>(Rational(1, 3)) == 1.0L / 3);
@@ -126,7 +126,7 @@ TEST_CASE("a rational becomes the nearest number of each arithmetic") {
 
 TEST_CASE_TEMPLATE("pi, the spacing at 1 and the digits of each arithmetic", T, double, long double,
                    Float128, Real) {
-    using std::abs, std::log10, std::sin; // without them C's double versions take a long double
+    using std::abs, std::log10, std::sin; // otherwise C's double versions take a long double
     const PrecisionScope fifty(50);
     const T one(1);
     const T eps = unit_roundoff<T>();

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <initializer_list>
 
-// The first numbers of Java's SplittableRandom(1234567), which Steele, Lea & Flood's paper is of,
-// as published at rosettacode.org/wiki/Pseudo-random_numbers/Splitmix64.
+// The first numbers of Java's SplittableRandom(1234567), the generator of Steele, Lea & Flood, as
+// published at rosettacode.org/wiki/Pseudo-random_numbers/Splitmix64.
 TEST_CASE("SplitMix64 gives the published numbers") {
     SplitMix64 random(1234567);
     for (const std::uint64_t expected :

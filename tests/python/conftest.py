@@ -24,6 +24,6 @@ def hertz() -> edgeproof.Scene:
 
 @pytest.fixture(scope="session")
 def curved() -> edgeproof.Scene:
-    """A slope without closed form."""
+    """A slope without a closed form."""
     return edgeproof.Scene(edgeproof.piecewise([], ["sinh(x)"], symmetric=True), a="1",
                            contact_modulus="1")

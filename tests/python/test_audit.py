@@ -5,7 +5,7 @@ import pytest
 
 import edgeproof
 
-# Hertz, whose pressure E* C sqrt(a^2 - x^2)/2 is a textbook's, once right and once wrong.
+# The Hertz pressure E* C sqrt(a^2 - x^2)/2 of the textbooks, once right and once wrong.
 LEDGER = """
 [ledger]
 name = "own"

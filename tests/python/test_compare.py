@@ -12,7 +12,7 @@ np = pytest.importorskip("numpy")
 
 
 def nodes(count, stretch=1.0):
-    """Hertz's pressure at nodes a step of 2.4/count apart, the middle one at 0."""
+    """Hertz's pressure at nodes with a step of 2.4/count, the middle one at 0."""
     x = np.linspace(-1.2, 1.2, count + 1)
     return x, stretch * np.sqrt(np.maximum(1 - x * x, 0)) / 2
 
@@ -26,7 +26,7 @@ def test_data_that_are_right(hertz):
     assert r.inside == int((np.abs(nodes(240)[0]) < 1).sum())
     assert r.errors.peak < 1e-12 and r.errors.digits > 10 and r.causes == () and r.failures == ()
     assert r.sign == 1 and r.origin == 0 and r.p_max.data == r.p_max.exact == 0.5
-    # P = pi/4; p^2 is a parabola, so that the rule for edges is exact but for rounding
+    # P = pi/4; p^2 is a parabola, so that the rule for edges is exact except for rounding
     assert r.P.exact == math.pi / 4 and abs(r.P.data - r.P.of_exact_pressure) < 1e-12
     assert abs(r.a.data - 1) < 1e-9 and r.a.exact == 1
     # p = (u/2)^(1/2) (1 - u/4 - ...): c_0 = 1/sqrt(2), c_1 = -c_0/4
@@ -45,7 +45,7 @@ def test_data_that_are_wrong(hertz):
 
 
 def test_meshes_whose_order_is_known(hertz):
-    """The largest pressure is (1 + h^2) p_0 on meshes of width h, and so goes to p_0."""
+    """The largest pressure is (1 + h^2) p_0 on meshes of width h; its limit is p_0."""
     meshes = [nodes(n, 1 + (2.4 / n)**2) for n in (12, 24, 48, 96)]
     c = edgeproof.compare(hertz, meshes)
     limit = c.limits["p_max"]
@@ -67,7 +67,7 @@ def test_files_are_read_as_the_program_reads_them(source, tmp_path):
 
 def test_scales_and_columns(hertz, tmp_path):
     file = tmp_path / "other.csv"
-    x, p = nodes(100)  # none on an edge, where the rounding of x is all of p
+    x, p = nodes(100)  # none on an edge, where p depends on the rounding of x
     file.write_text("n,place,press\n" + "".join(
         f"{i},{1000 * float(a)!r},{-float(b) * 1e6!r}\n" for i, (a, b) in enumerate(zip(x, p))))
     c = edgeproof.compare(hertz, file, columns={"x": "place", "p": "press"},

@@ -16,14 +16,14 @@ C = "1"
 a = "1"
 contact_modulus = "1"
 """
-# By hand: of m = 1 ... 2, Hertz reaches farthest, where p_1/p = 1/sqrt(1 - u/2a); to 2 %.
+# For m = 1 ... 2 and a tolerance of 2 %, Hertz reaches farthest, with p_1/p = 1/sqrt(1 - u/2a).
 HERTZ_REACH = 1 - 1 / Fraction(102, 100)**2
 
 
 def test_the_best_exponent_is_where_an_extremum_touches(source):
-    """By mpmath: with a = 1, p of |x|^m is a multiple of I = int_x^1 s^m/sqrt(s^2 - x^2) ds, of which
-    the first term is sqrt(2u). At the best m a maximum of sqrt(2u)/I - 1 is the tolerance, and the
-    reach is where it then falls to minus that."""
+    """Compares with mpmath: for a = 1 and |x|^m, p is a multiple of I = int_x^1 s^m/sqrt(s^2 - x^2)
+    ds, whose first term is sqrt(2u). At the best m a maximum of sqrt(2u)/I - 1 equals the
+    tolerance, and the reach is the place where it then falls to minus the tolerance."""
     mpmath = pytest.importorskip("mpmath")
     digits = 24
     found = edgeproof.design(source / "examples/design/exponent.toml", digits=digits)
@@ -78,7 +78,7 @@ def test_an_estimate_is_called_one():
     found = edgeproof.design(text=POWER_LAW, maximise="measure", tolerance="2%", digits=8)
     assert not found.proved and not found.reach.proved and "(estimate)" in repr(found.reach)
     assert found.gap is None and found.reach_shown_at == {} and "samples" in found.missing
-    # The relative error of Hertz grows all the way: what lies within is what lies before the exit.
+    # The relative error of Hertz is increasing: the measure ends at the first exit.
     assert abs(found.reach.fraction() - HERTZ_REACH) < 1e-6
 
 
@@ -93,7 +93,7 @@ def test_other_threads_run_meanwhile():
     ran = threading.Event()
 
     def wait(done, of):
-        # Holds the GIL only while it is called: the other thread gets its turn.
+        # The GIL is held only during this call, so that the other thread can run.
         assert ran.wait(60)
 
     threading.Timer(0.1, ran.set).start()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of docs/python.md and of the package print what they say."""
+"""The examples of docs/python.md and of the package print the results that are shown."""
 import doctest
 import os
 import re
@@ -8,7 +8,7 @@ import edgeproof
 
 
 def run(text, name):
-    # A fence ends what an example prints.
+    # A fence ends the output of an example.
     text = re.sub(r"(?m)^```.*$", "", text)
     test = doctest.DocTestParser().get_doctest(text, {}, name, name, 0)
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one line of README and docs/python.md: installed into ~/.local, found with nothing set."""
+"""The command of README and docs/python.md installs into ~/.local, where Python finds the
+package."""
 import os
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C: in a process of its own, which is sent SIGINT once it says that it is at work."""
+"""Ctrl-C: tests in a separate process, which receives SIGINT when it reports that it is at work."""
 import os
 import pathlib
 import signal
@@ -75,7 +75,7 @@ def run(code, after=0.3):
     (SINH, "scene.pressure([f'{k}/10000' for k in range(1, 9000)], digits=100)"),
     (SINH, "scene.extent(tolerance='1e-9', digits=1500)"),
     ("hertz(1)", "scene.pressures(numpy.full(40_000_000, 0.1))"),
-    # one operation, of minutes
+    # a single operation that takes minutes
     ('power_law(m="1/3", C=1)', "scene.pressure('0.1', digits=100_000)"),
     ("hertz(1)", "edgeproof.design(DESIGN, digits=1000, gap='1e-300')"),
     ("hertz(1)", "edgeproof.relations("
@@ -87,7 +87,7 @@ def test_ctrl_c_ends_a_computation(profile, work, source):
     assert out.splitlines()[0] == "interrupted", err
     scene = edgeproof.Scene(eval("edgeproof." + profile), a=1, contact_modulus=1)
     assert out.splitlines()[1] == scene.pressure("0.5", digits=5).text
-    assert seconds < 20  # and not after minutes, on a busy machine either
+    assert seconds < 20  # not minutes, even on a busy machine
 
 
 @pytest.mark.parametrize("profile, digits, places", [
@@ -101,7 +101,7 @@ def test_a_handler_that_goes_on_goes_on(profile, digits, places):
 
 
 def test_nothing_goes_on_unseen(tmp_path):
-    """The process of many digits ends with the one that asked, however that ends."""
+    """The process that computes many digits ends with its parent, however the parent ends."""
     code = ALONE.replace("PROFILE", 'power_law(m="1/3", C=1)').replace(
         "WORK", "scene.pressure('0.1', digits=100_000)")
     for sent in (signal.SIGINT, signal.SIGKILL):
@@ -118,7 +118,7 @@ def test_nothing_goes_on_unseen(tmp_path):
 
 @pytest.mark.parametrize("digits", [1000, 2000, 5000])
 def test_integrals_of_many_digits_end_soon(digits):
-    """The nodes of a rule are made in one operation, of many seconds at 5000 digits."""
+    """The nodes of a rule are made in one operation, which takes many seconds at 5000 digits."""
     code = ALONE.replace("PROFILE", SINH).replace("WORK", f"scene.pressure('0.5', digits={digits})")
     out, err, seconds = run(code, after=1)
     assert out.splitlines()[0] in ("interrupted", "finished"), err

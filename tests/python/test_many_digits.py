@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of more digits than Python reads and writes integers of, computed in a process apart."""
+"""Values with more digits than Python's limit for integers, computed in a separate process."""
 import math
 import pickle
 import sys
@@ -16,12 +16,12 @@ DIGITS = 6000
 
 @pytest.fixture(scope="module")
 def values(hertz):
-    """sqrt(0.19)/2, and x = 4/5 of sqrt(1 - x^2)/2."""
+    """sqrt(0.19)/2, and sqrt(1 - x^2)/2 at x = 4/5."""
     return hertz.pressure(["0.1", "1/5"], digits=DIGITS)
 
 
 def nines():
-    """floor of 10^6010 sqrt(0.19)/2."""
+    """The floor of 10^6010 sqrt(0.19)/2."""
     return math.isqrt(19 * 10**(2 * 6010 - 2) // 4)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""examples/python.ipynb, run again, prints what it holds."""
+"""examples/python.ipynb, run again, prints its stored results."""
 import json
 import os
 import pathlib
@@ -12,7 +12,7 @@ pytestmark = pytest.mark.slow
 
 
 def printed(notebook):
-    """What each cell printed; pictures are left out, whose bytes differ from machine to machine."""
+    """The output of each cell, without pictures, whose bytes depend on the machine."""
     return [[("".join(o["text"]) if "text" in o else sorted(o.get("data", {})))
              for o in cell["outputs"] if o.get("name") != "stderr"]
             for cell in notebook["cells"] if cell["cell_type"] == "code"]

@@ -34,7 +34,7 @@ mpmath = pytest.importorskip("mpmath")
 def test_numbers_are_exact(given, exact):
     text = exact_text(given, "x")
     assert Fraction(text) == exact
-    # and so the library reads it
+    # the library reads the same number
     value = edgeproof.Scene(edgeproof.hertz(R=1), a=abs(exact) + 1, contact_modulus=1).a
     assert value.exact == abs(exact) + 1
 

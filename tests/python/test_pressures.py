@@ -23,7 +23,7 @@ def scenes():
 
 
 def test_each_is_the_nearest_to_the_exact_value(scenes):
-    """pressure() with 30 digits, by its own routes (proved)."""
+    """Compares with pressure() at 30 digits, which uses other routes (proved)."""
     for scene in scenes:
         length = float(scene.contact(20).a) + float(scene.contact(20).b)
         u = np.concatenate([[5e-324, 1e-300, 1e-30, 1e-9], length * np.linspace(0.01, 0.98, 12)])
@@ -66,7 +66,7 @@ def test_shapes_and_types(hertz):
     read_only = u.copy()
     read_only.setflags(write=False)
     assert np.array_equal(hertz.pressures(read_only), flat)
-    assert np.array_equal(u, np.linspace(0.1, 1.9, 24))  # and is not changed
+    assert np.array_equal(u, np.linspace(0.1, 1.9, 24))  # u is not changed
 
 
 def test_edges_and_outside(hertz):
@@ -123,7 +123,7 @@ def test_several_threads_use_one_scene(scenes):
 
 
 def test_the_gil_is_released():
-    """Another thread counts on while one call is at work."""
+    """Another thread continues to count during a call."""
     scene = edgeproof.Scene(edgeproof.piecewise([], ["sinh(x)"], symmetric=True), a=1,
                             contact_modulus=1)
     scene.pressures([0.1])
@@ -132,8 +132,8 @@ def test_the_gil_is_released():
     most = [0]
 
     def work():
-        # Longer and longer calls, until the other thread has turned often enough within one: on a
-        # busy machine it may not be given a processor for a while.
+        # The calls become longer until the other thread has counted far enough during one of them:
+        # on a busy machine it may have to wait for a processor.
         points = 20000
         deadline = time.monotonic() + 120
         while most[0] <= 10 and time.monotonic() < deadline:
@@ -149,5 +149,5 @@ def test_the_gil_is_released():
         counted[0] += 1
         done.wait(0.001)
     thread.join()
-    # With the GIL held the loop would turn at most a few times within a call.
+    # If the GIL were held, the loop would run at most a few times during a call.
     assert most[0] > 10

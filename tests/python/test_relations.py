@@ -9,7 +9,7 @@ import edgeproof
 
 
 def vanishes(relation, values):
-    """Whether the polynomial is zero, exactly, at values by name."""
+    """True if the polynomial is exactly zero at the values, which are given by name."""
     left, right = relation.relation.split(" = ")
     left = re.sub(r"[a-z][a-z0-9.]*", lambda name: f"values[{name[0]!r}]", left)
     assert right == "0" and "/" not in left  # a quotient of whole numbers would become a float
@@ -17,7 +17,7 @@ def vanishes(relation, values):
 
 
 def test_the_papers_own():
-    """L_{I,a} = b' L_{I,b}, Moore and Hills."""
+    """The relation L_{I,a} = b' L_{I,b} of Moore and Hills."""
     found = edgeproof.relations(["right.c0", "left.c0", "b1"], 2)
     assert len(found) == 1 and found.complete and found.degree == 2 and found[0].degree == 2
     (relation,) = found
@@ -28,8 +28,8 @@ def test_the_papers_own():
 
 
 def test_along_the_power_laws():
-    """By hand, c_k of p for m = 1, p ~ sqrt(1 - x^2), and m = 3, p ~ sqrt(1 - x^2) (1 + 2x^2), about
-    x = 1, relative to c_0. The m = 1 of another a checks how a comes in."""
+    """Compares with c_k/c_0 by hand for m = 1, p ~ sqrt(1 - x^2), and m = 3,
+    p ~ sqrt(1 - x^2) (1 + 2x^2), about x = 1. A second a for m = 1 checks the dependence on a."""
     found = edgeproof.relations(["right.c2", "right.c1", "right.c0", "a"], symmetric=True,
                                 given={"P2": "m*P1/a", "P3": "m*(m-1)*P1/a^2"}, free=["m"])
     assert found.complete and len(found) == 1 and found.monomials == 70

@@ -13,7 +13,8 @@ mpmath = pytest.importorskip("mpmath")
 
 def flat_and_rounded_pressure(t, R, modulus, a, u):
     """moore-hills.tex eqn:MossakovskiiPressure: p = (1/pi) integral of P'(s)/sqrt(s^2 - x^2) over
-    max(x, t) < s < a, with P'(s) = E* (s/R) acos(t/s) since g'' = 1/R beyond t. s^2 = x^2 + w^2."""
+    max(x, t) < s < a, with P'(s) = E* (s/R) acos(t/s) because g'' = 1/R beyond t. The substitution
+    is s^2 = x^2 + w^2."""
     x = a - u
     rate = lambda s: modulus * s / R * mpmath.acos(min(t / s, 1))  # noqa: E731
     start = mpmath.sqrt(t * t - x * x) if x < t else mpmath.mpf(0)
@@ -38,7 +39,7 @@ def test_flat_and_rounded_by_quadrature(u):
 
 @pytest.mark.parametrize("name", ["power-law", "tilted-wedge", "flat-and-rounded"])
 def test_reference_tables(source, name):
-    """Rows of the reference tables, digit by digit."""
+    """Compares rows of the reference tables digit by digit."""
     with open(source / "reference" / f"{name}.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     rows = [r for r in rows if r["quantity"] == "p"]
@@ -76,7 +77,7 @@ def test_every_load():
 
 
 def test_shear(hertz):
-    # moore-hills: full stick, q = Q/(pi sqrt(a^2 - x^2)) for Q alone with P held
+    # moore-hills: full stick, q = Q/(pi sqrt(a^2 - x^2)) for Q alone at constant P
     scene = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, Q="1/10")
     q = scene.shear("1/5")
     with mpmath.workdps(60):
@@ -106,7 +107,7 @@ def test_coefficients(hertz):
 
 
 def test_extent(hertz):
-    """One term of Hertz: p/local = sqrt(1 - u/2), whose error is 1 % where 1/sqrt(1 - u/2) = 1.01."""
+    """One term of Hertz: p/local = sqrt(1 - u/2); the error is 1 % where 1/sqrt(1 - u/2) = 1.01."""
     e = hertz.extent(terms=1, tolerance="1%")
     exact = 2 * (1 - 1 / Fraction(101, 100)**2)
     low, high = e.first_exit.interval()
@@ -151,7 +152,7 @@ def test_scene_files(source):
     import json
 
     assert json.loads(json.dumps(told)) == told
-    # The scene that it stands for is one again.
+    # The text gives the same scene again.
     assert edgeproof.Scene.from_text(scene.text).pressure("0.01").text == scene.pressure("0.01").text
 
 
@@ -174,7 +175,7 @@ def test_profiles_do_not_change():
 def test_curved_slopes_are_proved(curved):
     p = curved.pressure("1/3", digits=25)
     assert p.proved and p.route == "singular-integral"
-    # the singular integral equation's solution for g' = sinh(x), by Mossakovskii:
+    # Mossakovskii's solution of the singular integral equation for g' = sinh(x):
     # p = (1/pi) int_x^a P'(s)/sqrt(s^2 - x^2) ds, P'(s) = 2 s int_0^s g''(v)/sqrt(s^2 - v^2) dv
     with mpmath.workdps(30):
         x = mpmath.mpf(2) / 3

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The JSON schemas: what the program writes and reads is what they say, and what the readers refuse by
-its form they refuse."""
+"""The JSON schemas agree with the files that the program writes and reads, and refuse the files
+that the readers refuse because of their form."""
 import datetime
 import functools
 import json
@@ -30,7 +30,7 @@ def faults(name, document):
 
 
 def toml(value):
-    """Inline TOML of what tomllib read."""
+    """Writes a value of tomllib as inline TOML."""
     if isinstance(value, dict):
         return "{" + ", ".join(f"{json.dumps(k)} = {toml(v)}" for k, v in value.items()) + "}"
     if isinstance(value, list):
@@ -45,7 +45,7 @@ def written(document):
 
 
 def files_of(kind):
-    """By the section that only this kind has."""
+    """Finds the files of a kind by the section that only this kind has."""
     section = {"scene": "profile", "design": "design", "ledger": "ledger", "recipe": "scenes"}[kind]
     found = []
     for folder in ("examples", "verify", "reference"):
@@ -133,7 +133,7 @@ def read_recipe(text, folder):
 
 
 def places(value, path=()):
-    """Every table and every key, by its path."""
+    """Yields the path of every table and every key."""
     yield path
     if isinstance(value, dict):
         for key, item in value.items():
@@ -176,8 +176,8 @@ def refused(reader, text, folder):
     ("ledger", read_ledger, [None]),
 ])
 def test_mistakes_of_form_are_refused_by_both(kind, reader, sources, tmp_path):
-    """Each table with an unknown key, each value of a wrong type: the schema refuses what the reader
-    refuses, and takes what it takes."""
+    """Adds an unknown key to each table, and gives each value a wrong type: the schema and the
+    reader must refuse the same files."""
     tried = refusals = 0
     differ = []
     for source in sources:
@@ -192,7 +192,7 @@ def test_mistakes_of_form_are_refused_by_both(kind, reader, sources, tmp_path):
                 if (name == "an unknown key") != isinstance(value, dict):
                     continue
                 if kind == "ledger" and path[-1:] == ("parameters",):
-                    continue  # a schema does not see whether a formula uses a parameter
+                    continue  # a schema cannot check that a formula uses a parameter
                 wrong = changed(document, path, change)
                 by_reader = refused(reader, written(wrong), tmp_path)
                 by_schema = bool(faults(kind, json.loads(json.dumps(wrong, default=lambda d: {}))))
@@ -247,7 +247,7 @@ def test_a_reference_table(tmp_path):
     assert faults("recipe", tomllib.loads(recipe.read_text())) == []
     told = json.loads(run("table", recipe, "--format", "json"))
     assert faults("table", told) == [] and len(told["rows"]) == 2
-    # What a program is asked line by line, and what it may answer.
+    # The questions that a program receives line by line, and its possible answers.
     program = tmp_path / "program.py"
     program.write_text("import json, pathlib, sys\n"
                        "for line in sys.stdin:\n"

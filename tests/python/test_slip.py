@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip, held to Cattaneo's and Mindlin's solution (Johnson, Contact Mechanics, 7.2) and to
-what the paper's power laws have in closed form."""
+"""Compares partial slip with Cattaneo's and Mindlin's solution (Johnson, Contact Mechanics, 7.2)
+and with closed forms of the paper's power laws."""
 import copy
 import json
 import pickle
@@ -11,7 +11,7 @@ import pytest
 import edgeproof
 
 mpmath = pytest.importorskip("mpmath")
-Q, F, P = "0.2", "0.6", "pi/4"  # of E* = R = a = 1
+Q, F, P = "0.2", "0.6", "pi/4"  # for E* = R = a = 1
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +45,8 @@ def test_zones_of_hertz(slipping):
 
 
 def test_the_energy_of_a_cycle(slipping):
-    """Slip times traction: a step dQ adds 2 dQ/(pi E*) arcosh(x/c) to the slip where c sticks."""
+    """Integrates slip times traction: a step dQ adds 2 dQ/(pi E*) arcosh(x/c) to the slip, if c is
+    the half-length of the stick zone."""
     energy = slipping.slip(digits=30).stick.cycle_energy
     assert energy.proved
     with mpmath.workdps(25):
@@ -57,7 +58,7 @@ def test_the_energy_of_a_cycle(slipping):
 
 
 def test_how_far_one_term_is_right(slipping):
-    """d_1/d - 1 = -d/(2a): 1 % where d = a/50."""
+    """d_1/d - 1 = -d/(2a), which is 1 % at d = a/50."""
     term, = slipping.slip(terms=1, tolerance="1%").terms
     assert term.leaves and term.load_limit.proved
     with mpmath.workdps(60):
@@ -99,7 +100,7 @@ def test_a_bulk_tension_moves_the_stick_zone():
 
 @pytest.mark.parametrize("m", ["5/8", "10"])
 def test_power_laws(m):
-    """d/a = 1 - (1 - t)^(1/(m + 1)), P from the closed form."""
+    """d/a = 1 - (1 - t)^(1/(m + 1)), with P from the closed form."""
     scene = edgeproof.Scene(edgeproof.power_law(m=m, C=1), P="1/3", contact_modulus=1, Q="1/10",
                             friction="1/2")
     slip = scene.slip(terms=1, digits=30)

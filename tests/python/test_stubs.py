@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The stub file says what the compiled module has, and every public name is documented."""
+"""The stub file agrees with the compiled module, and every public name is documented."""
 import ast
 import inspect
 import pathlib
@@ -14,7 +14,7 @@ import edgeproof
 from edgeproof import _edgeproof
 
 PACKAGE = pathlib.Path(edgeproof.__file__).parent
-# What Python gives to every class, and pybind11 to its own.
+# Members that Python adds to every class, and pybind11 to its own.
 GIVEN = {"__doc__", "__module__", "__new__", "__init__", "__dict__", "__repr__", "__str__",
          "_pybind11_conduit_v1_", "__hash__"}
 
@@ -36,7 +36,7 @@ def parameters_in(node):
 
 
 def parameters_of(function):
-    """By pybind11's first line: name(self: T, arg: U = d, *, kw: V) -> W."""
+    """Reads pybind11's first line: name(self: T, arg: U = d, *, kw: V) -> W."""
     line = (function.__doc__ or "").splitlines()[0]
     inside = line[line.index("(") + 1:line.rindex(") ->")]
     inside = re.sub(r"\[[^\[\]]*\]", "", re.sub(r"\[[^\[\]]*\]", "", re.sub(r"\[[^\[\]]*\]", "",
@@ -85,7 +85,7 @@ def test_help_is_enough_to_work_by():
     assert undocumented == []
     assert set(edgeproof.__all__) == {n for n in vars(edgeproof) if not n.startswith("_") and
                                       not inspect.ismodule(getattr(edgeproof, n))} | {"__version__"}
-    # What units, what is raised.
+    # The documentation names units and exceptions.
     assert "unit of the contact modulus" in edgeproof.Scene.pressure.__doc__
     assert "InputError" in edgeproof.Scene.__doc__ and "BudgetError" in edgeproof.Scene.__doc__
 

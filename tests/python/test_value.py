@@ -90,7 +90,7 @@ def test_comparison_is_refused_where_bounds_overlap(hertz, root):
 def test_exact_values_compare_exactly(hertz):
     assert hertz.a == 1 and hertz.a == hertz.b and not hertz.a < 1
     assert hertz.a.exact == 1
-    # x = 4/5: p = 3/10, which no enclosure tells from its neighbours
+    # x = 4/5: p = 3/10, which no enclosure distinguishes from its neighbours
     assert hertz.pressure("1/5").text == "0.3" + "0" * 49
     assert float(hertz.pressure("1/5")) == 0.3
 
@@ -119,7 +119,7 @@ def test_zero(hertz):
 
 
 def test_an_estimate_is_called_so():
-    # erf in g' is beyond the rigorous integration
+    # the rigorous integration does not support erf in g'
     scene = edgeproof.Scene(edgeproof.piecewise([], ["x + x^3"], symmetric=True), a="1/2",
                             contact_modulus=1)
     p = scene.pressure("1/4", digits=12)

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Over 0 < x < 1, as f(x, 1 - x); the integral is known in closed form.
+/// An integrand over 0 < x < 1, as f(x, 1 - x), whose integral is known in closed form.
 struct Known {
     const char* name;
     std::function<Real(const Real&, const Real&)> f;
@@ -45,7 +45,7 @@ TEST_CASE("a level foreseen to have the digits has them, before the next one sho
             CHECK(foreseen.converged);
             CHECK(foreseen.evaluations <= shown.evaluations);
             const Real exact = known.integral();
-            // The integral of |f| is less than ten times 1 + |that of f| for all of them.
+            // For all of them, the integral of |f| is less than ten times 1 + |the integral of f|.
             const Real allowed = (1 + abs(exact)) * 1000 * unit_roundoff<Real>();
             CHECK(abs(foreseen.value - exact) < allowed);
         }

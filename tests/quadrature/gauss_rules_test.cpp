@@ -14,7 +14,7 @@
 
 namespace {
 
-/// The rule's value for an f over -1 < x < 1.
+/// Returns the rule's value for an f over -1 < x < 1.
 template <class F> Real integral(const GaussLegendreRule& rule, const F& f) {
     Real sum(0);
     for (std::size_t k = 0; k < rule.x.size(); ++k) {
@@ -64,7 +64,7 @@ TEST_CASE("a table is made once, also when two threads ask for it together") {
     CHECK(one == other);
     CHECK(one->x.size() == 24);
     CHECK(gauss_legendre_balls(47, 334) != one);
-    // Of the precision asked for, whatever the thread works at.
+    // The rule has the precision asked for, at any precision of the thread.
     const PrecisionScope scope(20);
     CHECK(mpfr_get_prec(gauss_legendre_rule(47, 335).x[3].backend().data()) == 335);
 }
@@ -107,7 +107,8 @@ TEST_CASE("only so many tables are kept, and one that is held stays") {
 }
 
 TEST_CASE("the bound by Bernstein's ellipse holds, and is not far off") {
-    // 1/(t - x), t > 1: ln((t + 1)/(t - 1)); holomorphic up to t, at most 1/(t - vertex) inside.
+    // The integral of 1/(t - x), t > 1, is ln((t + 1)/(t - 1)); the integrand is holomorphic up to
+    // t, and at most 1/(t - vertex) inside.
     const PrecisionScope scope(120);
     for (const double t : {1.02, 1.3, 2.0, 5.0}) {
         for (const std::size_t n : {6U, 14U, 30U}) {
@@ -123,7 +124,7 @@ TEST_CASE("the bound by Bernstein's ellipse holds, and is not far off") {
             const double bound = gauss_legendre_log_error(ellipse, -std::log(t - 1 - excess), n);
             CHECK(error <= bound);
             CHECK(error >= bound - 11);
-            // The number of nodes that the same error asks for is this one.
+            // The same error needs the same number of nodes.
             CHECK(std::abs(gauss_legendre_nodes_needed(ellipse, -std::log(t - 1 - excess), bound) -
                            static_cast<double>(n)) < 1e-6);
         }
@@ -169,9 +170,9 @@ TEST_CASE("rules with the singular weight in them: exact below degree n, and no 
 }
 
 TEST_CASE("a product rule's bound holds for a pole beyond the end, and is not far off") {
-    // Weight t^(-1/2), of mean 1 (t = s^2): the mean of 1/(1 + g - t) is artanh(h)/h h^2,
-    // h = (1 + g)^(-1/2). Weight 1: ln(1 + 1/g), where Gauss's nodes do twice as well as is
-    // claimed.
+    // For the weight t^(-1/2) with mean 1 (t = s^2), the mean of 1/(1 + g - t) is artanh(h)/h h^2,
+    // h = (1 + g)^(-1/2). For the weight 1 it is ln(1 + 1/g); Gauss's nodes are twice as good as
+    // the bound.
     const PrecisionScope scope(120);
     for (const char* text : {"0.02", "0.3", "4"}) {
         for (const std::size_t n : {6U, 20U}) {
@@ -179,7 +180,7 @@ TEST_CASE("a product rule's bound holds for a pole beyond the end, and is not fa
             CAPTURE(n);
             const Real g(text);
             const double gap = static_cast<double>(g);
-            const double part = 0.5 / static_cast<double>(n); // of the gap, left to the pole
+            const double part = 0.5 / static_cast<double>(n); // of the gap, next to the pole
             const double rho = BernsteinEllipse::beyond(1, 2 * (1 - part) * gap).rho;
             const auto error = [&](const ProductRule& rule, const Real& exact) {
                 Real mean(0);
@@ -200,7 +201,7 @@ TEST_CASE("a product rule's bound holds for a pole beyond the end, and is not fa
             CHECK(missed >= bound(root) - 13);
         }
     }
-    // By hand: 2 M (1 + size)/((rho - 1) rho^(n - 1)) with M = e, size = 1, rho = 2, n = 3.
+    // 2 M (1 + size)/((rho - 1) rho^(n - 1)) with M = e, size = 1, rho = 2, n = 3.
     CHECK(std::abs(product_rule_log_error(3, 2, 1, 1) - 1) < 1e-12);
 }
 
@@ -211,7 +212,7 @@ TEST_CASE("the estimate by levels: what converges quadratically is seen to, what
     for (const int digits : {3, 6, 12, 24}) {
         error = quick.next(Real(1 + ten_to(-digits)));
     }
-    // The difference is 1e-12; 1.4 times as many digits are claimed.
+    // The difference is 1e-12; the estimate claims 1.4 times as many digits.
     CHECK(error < -16 * std::log(10.0));
     CHECK(error > -18 * std::log(10.0));
     LevelEstimate slow;

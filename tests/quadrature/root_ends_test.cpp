@@ -18,7 +18,7 @@ bool agrees(const std::optional<QuadratureResult<Real>>& found, const Real& righ
 
 } // namespace
 
-// The values are elementary integrals, by their antiderivatives.
+// The exact values are elementary integrals, by their antiderivatives.
 TEST_CASE("root ends: roots of every order at either end, at three precisions") {
     for (const unsigned digits : {30U, 70U, 400U}) {
         CAPTURE(digits);
@@ -37,7 +37,8 @@ TEST_CASE("root ends: roots of every order at either end, at three precisions") 
                    Real(the_pi() / 8)));
         CHECK(agrees(whole([](const Real& r, const Real&) { return Real(r * r); }, Real(1)),
                      Real(Real(1) / 3)));
-        // e^r/sqrt(rest) has no short antiderivative: r = 1 - t^2, and the series of e^(-t^2).
+        // For e^r/sqrt(rest), which has no short antiderivative: r = 1 - t^2, and the series of
+        // e^(-t^2).
         const auto found = whole(
             [](const Real& r, const Real& rest) { return Real(exp(r) / sqrt(rest)); }, Real(1));
         CHECK(agrees(found,
@@ -62,8 +63,8 @@ TEST_CASE("root ends: another root beyond an end, however near") {
                          },
                          Real(1), Real(0), beyond),
                      right));
-        // Both: the arc sine's density over part of its range, whose cosine is as exact as the
-        // ends.
+        // Both ends: the density of the arc sine over a part of its range, with exact distances
+        // from the ends.
         CHECK(agrees(integrate_root_ends(
                          [&](const Real& r, const Real& rest) {
                              return Real(1 / sqrt(Real((r + beyond) * (rest + beyond))));
@@ -109,7 +110,7 @@ TEST_CASE("root ends: the numbers of nodes, and an estimate that is not smaller 
         unsigned digits;
         std::size_t nodes;
     };
-    // Counted once; another number is a change of the rule, for better or worse.
+    // Recorded numbers; a different number means that the rule has changed.
     for (const Case& c : {Case{30, 106}, Case{70, 169}, Case{200, 481}}) {
         CAPTURE(c.digits);
         const PrecisionScope scope(c.digits);

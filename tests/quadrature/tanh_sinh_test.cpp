@@ -18,7 +18,7 @@ template <class T> bool near(const T& x, const T& exact) {
     return abs(T(x - exact)) <= tolerance * abs(exact);
 }
 
-/// The digits at which an arithmetic is tried: what it has, or for Real several.
+/// Returns the tested numbers of digits of an arithmetic: its own, or several for Real.
 template <class T> std::vector<unsigned> tried_digits() {
     if constexpr (std::is_same_v<T, Real>) {
         return {50, 100, 300};
@@ -34,7 +34,8 @@ TEST_CASE_TEMPLATE("end-point singularities cost no digits", T, double, long dou
     for (const unsigned digits : tried_digits<T>()) {
         CAPTURE(digits);
         const PrecisionScope scope(digits);
-        // B(1/2, 1/2) = pi; the integral of ln(x)/sqrt(x) is -4; of (x(1-x))^(3/2) is 3 pi/128.
+        // B(1/2, 1/2) = pi; the integral of ln(x)/sqrt(x) is -4; that of (x(1-x))^(3/2) is 3
+        // pi/128.
         const auto r1 = tanh_sinh<T>([](const T& lo, const T& hi) {
             using std::sqrt;
             return T(T(1) / sqrt(T(lo * hi)));
@@ -59,8 +60,8 @@ TEST_CASE_TEMPLATE("end-point singularities cost no digits", T, double, long dou
 TEST_CASE("the one-argument integrand loses half the digits: what the two distances are for") {
     const PrecisionScope scope(50);
     const auto careless = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
-        const Real x = 1 - hi;       // the distance from the right end, thrown away ...
-        const Real from_end = 1 - x; // ... cannot be had back
+        const Real x = 1 - hi;       // loses the distance from the right end ...
+        const Real from_end = 1 - x; // ... which cannot be recovered
         return Real(1 / sqrt(from_end + (from_end == 0 ? hi : Real(0)) + 0 * lo));
     });
     const Real error = abs(careless.value - 2);
@@ -72,7 +73,7 @@ TEST_CASE("a singularity just outside is mapped away, however near") {
     const PrecisionScope scope(50);
     for (const char* text : {"0.1", "1e-5", "1e-20", "1e-100"}) {
         const Real d(text);
-        // integral of 1/sqrt(x (x + d)) over (0, 1) = 2 asinh(1/sqrt(d))
+        // The integral of 1/sqrt(x (x + d)) over (0, 1) is 2 asinh(1/sqrt(d)).
         const Real exact = 2 * asinh(1 / sqrt(d));
         const auto f = [&](const Real& lo, const Real&) { return Real(1 / sqrt(lo * (lo + d))); };
         const auto right = integrate_near<Real>(f, Real(1), d, Real(0));
@@ -82,7 +83,7 @@ TEST_CASE("a singularity just outside is mapped away, however near") {
             [&](const Real& lo, const Real& hi) { return f(hi, lo); }, Real(1), Real(0), d);
         CHECK(abs(mirrored.value / exact - 1) < Real("1e-47"));
     }
-    // Near at both ends: of 1/sqrt((x + d)(1 + d - x)) over (0, 1).
+    // Poles near both ends: the integral of 1/sqrt((x + d)(1 + d - x)) over (0, 1).
     const Real d("1e-12");
     const auto both = integrate_near<Real>(
         [&](const Real& lo, const Real& hi) { return Real(1 / sqrt((lo + d) * (hi + d))); },
@@ -92,7 +93,7 @@ TEST_CASE("a singularity just outside is mapped away, however near") {
 
 TEST_CASE("a feature between the nodes is invisible: the reason for cutting at every knot") {
     const PrecisionScope scope(50);
-    // sqrt|x - c| with c inside: never converges to full digits in one piece, does in two.
+    // sqrt|x - c| with c inside: full digits are never reached in one piece, but in two.
     const Real c = Real(1) / 3;
     const auto whole = tanh_sinh<Real>(
         [&](const Real& lo, const Real&) { return Real(sqrt(abs(lo - c))); }, {.last_level = 9});
@@ -108,7 +109,7 @@ TEST_CASE("a feature between the nodes is invisible: the reason for cutting at e
 
 TEST_CASE("a whole series is integrated coefficient by coefficient") {
     const PrecisionScope scope(50);
-    // integral of (x + z)^(-1/2) (1-x)^(-1/2) about z = 1: derivatives of 2 atan(1/sqrt z).
+    // The integral of (x + z)^(-1/2) (1-x)^(-1/2) about z = 1: derivatives of 2 atan(1/sqrt z).
     const auto r = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
         Series<Real> z = Series<Real>::variable(Real(1) + lo, 12);
         return Real(1 / sqrt(hi)) / sqrt(z);
@@ -145,7 +146,7 @@ TEST_CASE("nodes belong to a thread and a precision") {
     };
     Real coarse;
     Real fine;
-    // Interleaved on one thread, and side by side on two: 100 digits after 50 are 100.
+    // Interleaved on one thread, and concurrently on two: 100 digits after 50 are 100 digits.
     const Real first = integral(50);
     std::thread one([&] { fine = integral(100); });
     std::thread two([&] { coarse = integral(30); });

@@ -9,9 +9,9 @@
 
 namespace edgeproof::test {
 
-/// Empty if every element of the markup is closed in its order, attributes are quoted and & begins
-/// a character reference; else what is wrong. `html`: elements without an end tag are known, and
-/// the content of script and style is not looked at.
+/// Returns an empty text if every element of the markup is closed in its order, attributes are
+/// quoted and & begins a character reference; else the error. `html`: elements without an end tag
+/// are allowed, and the content of script and style is not checked.
 inline std::string well_formed(std::string_view text, bool html = false) {
     static constexpr std::array empty_elements{"meta", "link", "input", "br", "hr", "img"};
     std::vector<std::string> open;

@@ -33,7 +33,7 @@ const std::vector<std::string> contacts{
                "P = \"1/9\""),
 };
 
-/// Places of all sorts in a contact of that length.
+/// Returns places of all kinds in a contact of that length.
 std::vector<double> places(double length) {
     std::vector<double> u{5e-324, 1e-300, 1e-30, 1e-12};
     for (int k = 1; k < 13; ++k) {
@@ -56,7 +56,7 @@ TEST_CASE("each is the binary64 nearest to what another route gives with 40 digi
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (const double u : places(length)) {
                 CAPTURE(u);
-                // Another formula than those of Binary64Pressures.
+                // This route uses another formula than Binary64Pressures.
                 const contact::Estimated p = contact.pressure(edge, formula::Exact::of(Rational(u)),
                                                               contact::Route::singular_integral);
                 CHECK(pressures(edge, u) == p.value.convert_to<double>());
@@ -81,8 +81,8 @@ TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
                     DomainError);
 }
 
-// Edges that are numbers, though nothing computes them as such: b = a/3 under sin(pi alpha/2 phi) =
-// 1/2, and a = 1 under P = pi/4 (E* = C = 1).
+// Edges that are numbers, but are not computed exactly: b = a/3 with sin(pi alpha/2 phi) = 1/2, and
+// a = 1 with P = pi/4 (E* = C = 1).
 TEST_CASE("zero on a far edge, infinite on a corner, where the edge is no known number") {
     const double inf = std::numeric_limits<double>::infinity();
     const Binary64Pressures wedge(
@@ -94,8 +94,8 @@ TEST_CASE("zero on a far edge, infinite on a corner, where the edge is no known 
     CHECK(wedge(Edge::left, std::nextafter(4.0, 0.0)) > 0);
 }
 
-// p = sqrt(u (2a - u))/2 at u = 2 in a contact of a = 1 + e: sqrt(e), far below what a solved edge
-// is looked at with.
+// p = sqrt(u (2a - u))/2 at u = 2 in a contact of a = 1 + e is sqrt(e), far below the precision of
+// a solved edge.
 TEST_CASE("a place closer to the far edge than 55 digits tell") {
     const auto hertz = [](const std::string& a) {
         return Binary64Pressures(
@@ -118,14 +118,14 @@ TEST_CASE("an array of places is the places one by one") {
     for (std::size_t i = 0; i < u.size(); ++i) {
         CHECK(p[i] == half(Edge::left, u[i]));
     }
-    // The greatest is in the middle.
+    // The greatest pressure is in the middle.
     CHECK(p[3] == *std::ranges::max_element(p));
 }
 
 TEST_CASE("closed forms are proved, a knot is no corner") {
     CHECK(Binary64Pressures(parsed(contacts[1])).proved());
     CHECK_FALSE(Binary64Pressures(parsed(contacts[5])).proved());
-    // x = t, where the flat ends: g' bends there and p is finite.
+    // At x = t, the end of the flat, g' has a bend and p is finite.
     CHECK(std::isfinite(Binary64Pressures(parsed(contacts[2]))(Edge::right, 0.5)));
 }
 

@@ -18,7 +18,8 @@ std::string text_of(const std::string& profile, const std::string& load, const s
 const char* const tilted = "knots = [\"0\", \"1/3\"]\nslopes = [\"-1/10 + sinh(x)\", "
                            "\"x^2 + x/7\", \"10/63 + tanh(x - 1/3)\"]";
 
-/// What is not proved, or is printed wider than 10 units of the last digit.
+/// Returns the fault of a value that is not proved, or is wider than 10 units of the last printed
+/// digit.
 std::string curved_fault(const BoundedValue& v, const Digits& digits) {
     const PrintedValue p = printed(v, digits);
     if (!v.proved) {
@@ -66,7 +67,7 @@ TEST_CASE("curved slopes: pressures, coefficients and extents are proved, and na
     CHECK(faults(text_of("symmetric = true\nslopes = [\"sinh(x)\"]", "P = \"1/3\"", all)) == "");
     CHECK(faults(text_of("symmetric = true\nslopes = [\"asinh(x) + x^2\"]", "a = \"3/4\"",
                          "quantities = [\"pressure\", \"coefficients\"]")) == "");
-    // An edge on a knot, given exactly; and a root there.
+    // An edge on a knot, given exactly; also with a root there.
     CHECK(faults(text_of("symmetric = true\nknots = [\"3/4\"]\nslopes = [\"x^(3/2)\", "
                          "\"x^(3/2) + (x - 3/4)\"]",
                          "a = \"3/4\"", "quantities = [\"pressure\", \"coefficients\"]")) == "");
@@ -91,14 +92,14 @@ TEST_CASE(
     const std::string open = faults(
         text_of("symmetric = true\nslopes = [\"x^3 - 9*x^2/10 + 27*x/100\"]", "a = \"3/4\"", ask));
     CHECK(open.find("estimated by") != std::string::npos);
-    // The same slope, written as what it is.
+    // The same slope in another form.
     CHECK(faults(text_of("symmetric = true\nslopes = [\"(x - 3/10)^3 + 27/1000\"]", "a = \"3/4\"",
                          ask)) == "");
     CHECK_THROWS_WITH_AS(
         faults(text_of("symmetric = true\nslopes = [\"x + sin(1000*x)/900\"]", "a = \"3/4\"", ask)),
         doctest::Contains("scene.toml:1: g' decreases near x = -0.5625"), InputError);
-    // At every power of 2 its rate is 1 + (1024 pi/3/950) cos = 0.4 or more: no sample sees it
-    // fall.
+    // At every power of 2 the rate is 1 + (1024 pi/3/950) cos, at least 0.4: samples there do not
+    // show the decrease.
     CHECK_THROWS_WITH_AS(
         faults(text_of("symmetric = true\nslopes = [\"x + sin(2*pi/3*1024*x)/1900\"]",
                        "a = \"3/4\"", ask)),

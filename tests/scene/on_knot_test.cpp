@@ -31,7 +31,7 @@ const char* const flat = "kind = \"piecewise\"\nknots = [\"-1/2\", \"1\"]\n"
 const char* const one_sided = "kind = \"piecewise\"\nknots = [\"0\", \"1\"]\n"
                               "slopes = [\"x\", \"0\", \"2*(x - 1)\"]";
 
-/// a - u at the right edge, u - b at the left.
+/// Checks that x is a - u at the right edge and u - b at the left one.
 void check_places(const SceneResult& result) {
     for (const PointRow& row : result.points) {
         const Ball u(row.u.rational(), 300);
@@ -107,8 +107,8 @@ TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is to
     CHECK(result.contact.b.exactly == Rational(1));
     CHECK(result.points[0].values.p->proved);
     CHECK(result.points[0].values.p_local[0].local.proved);
-    // In |x| < 1, by hand: x/5 gives sqrt(1 - x^2)/10, x^3 gives (x^2 + 1/2) sqrt(1 - x^2)/2; at
-    // x = -9/10: sqrt(19)/10 (1/10 + 131/200) = 151 sqrt(19)/2000.
+    // In |x| < 1, by hand: x/5 gives sqrt(1 - x^2)/10, x^3 gives (x^2 + 1/2) sqrt(1 - x^2)/2. At x
+    // = -9/10 the sum is sqrt(19)/10 (1/10 + 131/200) = 151 sqrt(19)/2000.
     const Ball p = sqrt(Ball(19, 200)) * 151 / 2000;
     CHECK(overlaps(result.points[0].values.p->value, p));
 }
@@ -117,7 +117,7 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
     const auto text = [](const BoundedValue& v) {
         return printed(v, {20, Rounding::nearest, false}).text;
     };
-    // Hertz within the arc: R = 2, a = b = 1/5: p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.
+    // Hertz within the arc: R = 2, a = b = 1/5, p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.
     const SceneResult hertz = run_scene(parsed(scene_text(rounded_punch, "P = \"pi*0.005\"")));
     CHECK(hertz.contact.a.exactly == Rational(1, 5));
     CHECK(hertz.contact.b.exactly == Rational(1, 5));
@@ -127,7 +127,7 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
         CHECK(overlaps(edge.c[0].value, c0));
         CHECK(overlaps(edge.c[1].value, -c0 * 5 / 4));
     }
-    // A wedge that leans by a third of its angle: b/a = (1 - sin pi/6)/(1 + sin pi/6) = 1/3
+    // A wedge tilted by a third of its angle: b/a = (1 - sin pi/6)/(1 + sin pi/6) = 1/3
     // (moore-hills.tex, line 301); at x = 2 G = ln((3 + 1)/(3 - 1)), p = ln 2/(10 pi).
     const SceneResult wedge = run_scene(parsed("[profile]\n" + std::string(leaning) +
                                                "\n[load]\na = \"3\"\ncontact_modulus = \"1\"\n"
@@ -135,7 +135,7 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
     CHECK(wedge.contact.b.exactly == Rational(1));
     CHECK(overlaps(wedge.points[0].values.p->value, log(Ball(2, 200)) / (Ball::pi(200) * 10)));
     // A flat from -1/2 to 1 is symmetric about 1/4: P = (s^2 acos(t/s) - t sqrt(s^2 - t^2))/2 with
-    // t = 3/4, a = 1/4 + s; solved with mpmath at 40 digits, and the pressure at s - 1/10 by
+    // t = 3/4, a = 1/4 + s, solved with mpmath at 40 digits. The pressure at s - 1/10 is from
     // mpmath's quad of G over both arcs.
     const SceneResult pad = run_scene(parsed(scene_text(flat, "P = \"0.1\"")));
     CHECK(text(pad.contact.a) == "1.2310977185734183323");
@@ -144,8 +144,8 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
     CHECK(text(*pad.points[3].values.p) == "0.083404414351848885849");
 }
 
-// P of flat-and-rounded at a = 1, t = 1/3: (acos(1/3) - sqrt(8)/9)/2; acos(1/3) = atan(sqrt(8)) is
-// not among what the algebra knows, and no number of bits tells a from 1.
+// P of flat-and-rounded at a = 1, t = 1/3 is (acos(1/3) - sqrt(8)/9)/2. The algebra does not know
+// that acos(1/3) = atan(sqrt(8)), and no number of bits distinguishes a from 1.
 TEST_CASE("an edge on a knot that nothing proves: an estimate, called so, and it ends") {
     const char* const profile = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
                                 "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]";
@@ -171,7 +171,7 @@ TEST_CASE("no first exit in the part: said so") {
     const Scene scene = parsed(hertz(
         "1",
         "terms = 1\ntolerance = \"1%\"\npart = [\"0\", \"1/100\"]\nquantities = [\"extent\"]\n"));
-    // 1 - u/4 ... differs by 1 % at u = 402/10201 (2 (1 - 1.01^-2)), beyond 2/100.
+    // 1 - u/4 ... differs by 1 % at u = 402/10201 (2 (1 - 1.01^-2)), which is beyond 2/100.
     const SceneResult result = run_scene(scene);
     CHECK_FALSE(result.extents[0].leaves);
     CHECK(result.extents[0].crossings.empty());

@@ -70,14 +70,14 @@ TEST_CASE("slip scenes that are refused, with the line") {
                  "scene.toml:10: without a shear force Q");
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\npath = \"together\"\nfriction = \"0.6\""),
                  "scene.toml:11: P and Q grow together");
-    // Exactly on the limit, P given, and P = pi/4 by its exact form; and beyond it.
+    // Exactly at the limit, with P given, and with the exact form P = pi/4; and beyond the limit.
     slip_refused(slip_scene(by_P, "Q = \"-0.6\"\nfriction = \"0.6\""),
                  "scene.toml:10: the contact slides: Q = -0.6 against f P = 0.6;");
     slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"3*pi/20\"\nfriction = \"0.6\""),
                  "scene.toml:10: the contact slides");
     slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"0.5\"\nfriction = \"0.6\""),
                  "scene.toml:10: the contact slides: Q = 0.5 against f P = 0.4712389");
-    // Hertz, P = 1: a = 2/sqrt(pi); the bound is 2 f a (1 - sqrt(1 - 1/2)) = 0.396593527551...
+    // Hertz, P = 1: a = 2/sqrt(pi); the limit is 2 f a (1 - sqrt(1 - 1/2)) = 0.396593527551...
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"0.4\"\nfriction = \"0.6\""),
                  "scene.toml:10: bulk_tension = 0.4 draws the stick zone beyond the left edge");
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"-0.4\"\nfriction = \"0.6\""),
@@ -111,8 +111,8 @@ TEST_CASE("slip zones of a scene next to no load and next to full sliding") {
 }
 
 // mpmath, 90 digits. Power laws: P = m a^(m + 1) B(m/2, 3/2)/2, stick zone a (1 - tau)^(1/(m + 1)).
-// Flat-and-rounded punch: s^2 arccos(t/s) - t sqrt(s^2 - t^2) = 2 (1 - tau) by findroot: all of the
-// flat sticks, however little force is left.
+// Flat-and-rounded punch: s^2 arccos(t/s) - t sqrt(s^2 - t^2) = 2 (1 - tau) by findroot: the whole
+// flat sticks even if little force is left.
 TEST_CASE("extreme profiles next to no load and next to full sliding") {
     const std::string power = "kind = \"power-law\"\nC = \"1\"\nm = ";
     const std::string flat = "kind = \"flat-and-rounded\"\nR = \"1\"\nt = ";
@@ -139,7 +139,7 @@ TEST_CASE("extreme profiles next to no load and next to full sliding") {
 }
 
 // mpmath 1.3 at 55 digits, as in tests/contact/slip_scenes.hpp; q = f (p - p*) with both pressures
-// by the regularised integral over theta.
+// from the regularised integral over theta.
 TEST_CASE("q and slip zones of a scene hold values from elsewhere") {
     const std::string shear = "Q = \"0.1\"\nbulk_tension = \"0.05\"\nfriction = \"0.6\"";
     Scene scene = parsed(slip_scene(slip_half, shear, "digits = 40\nu = [\"0.1\", \"0.5\"]\n"));
@@ -180,8 +180,8 @@ TEST_CASE("a stick zone that ends on a knot exactly") {
     }
 }
 
-// F(1/2) = pi/16 within the parabola. The edges: mpmath, 40 digits, findroot of force and
-// consistency by quadrature.
+// F(1/2) = pi/16 within the parabola. The edges are from mpmath, 40 digits, by findroot of force
+// and consistency by quadrature.
 TEST_CASE("a stick zone of a tilted contact that ends on a knot exactly") {
     const auto result = run_scene(parsed(
         slip_scene("[profile]\nkind = \"piecewise\"\nknots = [\"1/2\"]\nslopes = [\"x\", \"1/2 + "
@@ -193,7 +193,7 @@ TEST_CASE("a stick zone of a tilted contact that ends on a knot exactly") {
     CHECK(text_of(result.slips.at(1).size, 25) == "0.6458749358604694503912972");
 }
 
-// Hertz, a = 1, P = pi/4, tau = 3/4: the bound is 2 f E* (a - a/2)/R = 3/5.
+// Hertz, a = 1, P = pi/4, tau = 3/4: the limit is 2 f E* (a - a/2)/R = 3/5.
 TEST_CASE("a bulk tension at its bound exactly") {
     const std::string by_a = hertz_under("a = \"1\"");
     const auto shear = [](const std::string& tension) {
@@ -233,8 +233,8 @@ TEST_CASE("the route in Real gives the same slip, and calls it an estimate") {
     CHECK(y.work.counts == y.plan.counts);
 }
 
-// The scene mirrored: Q and sigma_0 keep their signs in a mirror only with the edges exchanged and
-// both turned round, -Q with the same tension.
+// In a mirror the edges are exchanged, and Q and sigma_0 change: the mirrored scene has -Q and the
+// same tension.
 TEST_CASE("a mirror exchanges the slip zones") {
     const auto one = run_scene(parsed(slip_scene(
         hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.1\"\nfriction = \"0.6\"")));

@@ -14,7 +14,7 @@ namespace edgeproof::scenes {
 
 inline Scene parsed(const std::string& text) { return parse_scene(text, "scene.toml"); }
 
-/// g' = x: with E* = 1 the pressure is sqrt(a^2 - x^2)/2.
+/// Returns the scene with g' = x; for E* = 1 the pressure is sqrt(a^2 - x^2)/2.
 inline std::string hertz(const std::string& a, const std::string& ask) {
     return "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\na = \"" + a +
            "\"\ncontact_modulus = \"1\"\n[ask]\n" + ask;
@@ -27,7 +27,7 @@ inline std::string tilted_wedge(const std::string& more, const std::string& ask)
            more + "[ask]\n" + ask;
 }
 
-/// The scenes that come with the program, by name.
+/// Returns the scenes that come with the program.
 inline std::vector<std::filesystem::path> examples() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry :

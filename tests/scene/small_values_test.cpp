@@ -13,7 +13,7 @@ namespace {
 
 std::string error_text(const Approximation& a) { return printed(a.relative_error, {20}).text; }
 
-/// rel_1, rel_2, rel_3 at one point.
+/// Returns rel_1, rel_2, rel_3 at one point.
 std::vector<std::string> errors_at(const std::string& profile, const std::string& u,
                                    bool of_shear) {
     const Scene scene =
@@ -31,7 +31,7 @@ std::vector<std::string> errors_at(const std::string& profile, const std::string
     return texts;
 }
 
-/// Digits and exponent of a text such as 3.125e-802.
+/// Returns the digits and the exponent of a text such as 3.125e-802.
 std::pair<std::string, long> parts(const std::string& text) {
     const std::size_t e = text.find('e');
     return {text.substr(0, e), e == std::string::npos ? 0 : std::stol(text.substr(e + 1))};
@@ -40,7 +40,8 @@ std::pair<std::string, long> parts(const std::string& text) {
 } // namespace
 
 TEST_CASE("relative errors far below binary64 are no zeros: Hertz by hand") {
-    // p = c_0 sqrt(u) sqrt(1 - u/2), a = 1: what n terms leave out is u/4, u^2/32, u^3/128, ...
+    // p = c_0 sqrt(u) sqrt(1 - u/2), a = 1: the relative remainder of n terms is u/4, u^2/32,
+    // u^3/128, ...
     for (const long k : {400L, 1000L, 90000L}) {
         CAPTURE(k);
         const auto texts =
@@ -53,8 +54,8 @@ TEST_CASE("relative errors far below binary64 are no zeros: Hertz by hand") {
 }
 
 TEST_CASE("the omitted terms give the digits that the difference gives at a larger distance") {
-    // rel_n = K u^n (1 + O(u)): at 1e-30 by the difference of p and its terms, at 1e-700 by the
-    // terms that are left out.
+    // rel_n = K u^n (1 + O(u)): at 1e-30 from the difference of p and its terms, at 1e-700 from the
+    // omitted terms.
     for (const char* const profile : {"kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
                                       "kind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"",
                                       "kind = \"power-law\"\nm = \"5/2\"\nC = \"1\"",
@@ -75,8 +76,8 @@ TEST_CASE("the omitted terms give the digits that the difference gives at a larg
 }
 
 TEST_CASE("slip loads of 1e-300 and 1e-1000: d, and what n terms leave out") {
-    // d = a (1 - sqrt(1 - tau)), tau = Q/(f P): a (tau/2 + tau^2/8 + tau^3/16 + 5 tau^4/128 + ...)
-    // with tau = 2 Q here, so that rel_n = tau/4, tau^2/8, 5 tau^3/64.
+    // d = a (1 - sqrt(1 - tau)), tau = Q/(f P): a (tau/2 + tau^2/8 + tau^3/16 + 5 tau^4/128 + ...).
+    // Here tau = 2 Q, and rel_n = tau/4, tau^2/8, 5 tau^3/64.
     for (const long k : {300L, 1000L}) {
         const Scene scene =
             parsed("[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
@@ -110,8 +111,8 @@ TEST_CASE("0 is printed of what is known to be 0, and of nothing else") {
         CHECK(printed_text(maybe, digits) == printed(maybe, digits).text);
         CHECK_FALSE(printed(maybe, digits).complete);
     }
-    // c_1 of m = 5/8 vanishes (moore-hills.tex, line 182), and that is proved; c_0 does not, and
-    // c_1 of an exponent as near to it as 1e-500 does not either.
+    // c_1 for m = 5/8 vanishes (moore-hills.tex, line 182), and this is proved. c_0 does not
+    // vanish, nor does c_1 for an exponent that differs by only 1e-500.
     const auto c1 = [](const std::string& m) {
         const SceneResult result =
             run_scene(parsed("[profile]\nkind = \"power-law\"\nm = \"" + m +

@@ -12,10 +12,10 @@ struct Sampled {
     const char* name;
     const char* profile;
     const char* load;
-    const char* u; ///< besides those near the edge
+    const char* u; ///< in addition to points near the edge
 };
 
-/// Every profile of the paper, and one of one's own, in the regimes where digits are lost.
+/// Every profile of the paper, and a user's own, in the regimes where digits are lost.
 const Sampled sampled[] = {
     {"wedge", "kind = \"power-law\"\nm = \"0\"\nC = \"0.3\"", "a = \"0.7\"",
      "\"0.7 - 1e-30\", \"0.7 + 1e-300\""},
@@ -63,7 +63,8 @@ std::string text_of(const Sampled& s) {
            s.u + "]\nquantities = [\"pressure\", \"shear\", \"coefficients\", \"contact\"]\n";
 }
 
-/// Proved, and printed within 10 units of the last digit: what is wrong, or nothing.
+/// Returns the fault of a value that is not proved, or not printed within 10 units of the last
+/// digit; empty if there is none.
 std::string fault(const BoundedValue& v, const Digits& digits) {
     const PrintedValue p = printed(v, digits);
     if (!v.proved) {

@@ -14,12 +14,13 @@ std::string p_text(const PointRow& row, const Digits& digits) {
     return printed(*row.values.p, digits).text;
 }
 
-/// sqrt(q), q < 1, to 50 digits after the leading zeros, by the integer square root alone.
+/// Returns sqrt(q), q < 1, to 50 digits after the leading zeros, using only the integer square
+/// root.
 std::string root_digits(const Rational& q, unsigned places) {
     using namespace boost::multiprecision;
     const Rational scaled = q * Rational(pow(Integer(100), places));
     Integer root = sqrt(Integer(numerator(scaled) / denominator(scaled)));
-    // To nearest: the next half unit squared against what is left.
+    // Round to nearest: compare the square of the next half unit.
     const Rational half = Rational(root) + Rational(1, 2);
     if (half * half < scaled) {
         ++root;
@@ -43,7 +44,7 @@ TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
         CAPTURE(row.u.text());
         const Rational u = row.u.rational();
         const Rational square = u * (2 - u) / 4;
-        // As many places as give 50 digits: the leading zeros of p.
+        // Enough places for 50 digits after the leading zeros of p.
         const std::string text = p_text(row, scene.ask.digits);
         unsigned places = 50;
         while (root_digits(square, places).size() < 50) {
@@ -56,7 +57,7 @@ TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
 }
 
 TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
-    // 3-4-5: u = 1/5, 2/5, 1 give p = 3/10, 2/5, 1/2.
+    // 3-4-5 triangles: u = 1/5, 2/5, 1 give p = 3/10, 2/5, 1/2.
     const std::string text = hertz("1", "u = [\"1/5\", \"2/5\", \"1\"]\ndigits = 12\n");
     for (const Rounding mode : {Rounding::nearest, Rounding::down, Rounding::up}) {
         Scene scene = parsed(text);
@@ -69,7 +70,7 @@ TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
             const Rational value = parse_decimal(p.text);
             CHECK(p.text == expected[i]);
             CHECK(abs(Rational(value - exactly)) <= parse_decimal(p.bound));
-            // A unit of the last place, which the bound's two digits round up.
+            // One unit of the last place, rounded up to the two digits of the bound.
             CHECK(parse_decimal(p.bound) <= parse_decimal("1.1e-12"));
         }
         CHECK(printed(result.points[1].values.x, scene.ask.digits).text == "0.600000000000");
@@ -176,8 +177,8 @@ TEST_CASE("P and Q in proportion: q/p is Q/P at every point") {
 }
 
 TEST_CASE("the shear of a given contact, by hand") {
-    // a = b = 1, Q = pi, sigma_0 = 8: q = (1 + 2x)/sqrt(1 - x^2); x = 3/5 at u = 2/5 from the
-    // right: 11/4; x = -3/5 from the left: -1/4.
+    // a = b = 1, Q = pi, sigma_0 = 8: q = (1 + 2x)/sqrt(1 - x^2). At x = 3/5, which is u = 2/5 from
+    // the right edge, q = 11/4; at x = -3/5, from the left edge, q = -1/4.
     const std::string text = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"
                              "a = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"pi\"\n"
                              "bulk_tension = \"8\"\n[ask]\nedges = [\"right\", \"left\"]\n"
@@ -187,8 +188,8 @@ TEST_CASE("the shear of a given contact, by hand") {
     REQUIRE(result.points.size() == 2);
     CHECK(printed(*result.points[0].values.q, scene.ask.digits).text == "2.7500000000000000000");
     CHECK(printed(*result.points[1].values.q, scene.ask.digits).text == "-0.25000000000000000000");
-    // K_II = (Q/pi +- sigma_0 (a + b)/8)/sqrt(a + b) = 3/sqrt 2 and -1/sqrt 2, over sqrt(2/5):
-    // 3 sqrt 5/2 = 3.3541..., -sqrt 5/2.
+    // K_II = (Q/pi +- sigma_0 (a + b)/8)/sqrt(a + b) = 3/sqrt 2 and -1/sqrt 2; divided by
+    // sqrt(2/5): 3 sqrt 5/2 = 3.3541..., -sqrt 5/2.
     CHECK(printed(result.points[0].values.q_local[0].local, scene.ask.digits).text ==
           "3.3541019662496845446");
     CHECK(printed(result.points[1].values.q_local[0].local, scene.ask.digits).text ==
@@ -196,7 +197,7 @@ TEST_CASE("the shear of a given contact, by hand") {
 }
 
 TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
-    // m = 5/8: the second coefficient is zero (moore-hills.tex, line 182).
+    // For m = 5/8 the second coefficient is zero (moore-hills.tex, line 182).
     const Scene scene =
         parsed("[profile]\nkind = \"power-law\"\nm = \"5/8\"\nC = \"1\"\n[load]\na = \"1\"\n"
                "contact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = [\"coefficients\"]\n");
@@ -208,9 +209,9 @@ TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
 }
 
 TEST_CASE("the middle of a power law's contact is told exactly, and proved") {
-    // By Gauss's theorem p(0) = P'/(pi m), and by moore-hills.tex line 144 P' = 11 (sqrt pi/2)
-    // Gamma(6)/Gamma(13/2) a^10 for m = 10, Gamma(13/2) = 10395 sqrt(pi)/64: p(0) = 128 a^10/(315
-    // pi) = 0.129344969623889542720108709280519608510544981935101... a^10.
+    // Gauss's theorem gives p(0) = P'/(pi m), and moore-hills.tex line 144 gives P' = 11 (sqrt
+    // pi/2) Gamma(6)/Gamma(13/2) a^10 for m = 10, Gamma(13/2) = 10395 sqrt(pi)/64. Hence p(0) = 128
+    // a^10/(315 pi) = 0.129344969623889542720108709280519608510544981935101... a^10.
     const Scene scene =
         parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
                "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
@@ -223,7 +224,8 @@ TEST_CASE("the middle of a power law's contact is told exactly, and proved") {
     CHECK(result.points[1].values.p->proved);
 }
 
-// x on a knot exactly, in exact binary and not: 26 values of the tables once had no proved bound.
+// x is exactly on a knot, which is a binary number or not: 26 values of the tables once had no
+// proved bound.
 TEST_CASE("on a knot the pressure is proved, and is what it is 1e-60 beside it") {
     const auto flat = [](const std::string& t, const std::string& u) {
         return "[profile]\nkind = \"flat-and-rounded\"\nt = \"" + t +
@@ -297,7 +299,7 @@ TEST_CASE("a load that no contact carries, and points that have no pressure, nam
     std::string wedge = hertz("1", "u = \"1\"\n");
     wedge.replace(wedge.find("m = \"1\""), 7, "m = \"0\"");
     refused(wedge, 9, "infinite at a corner");
-    // Nothing holds this body up on the left.
+    // The slope is zero on the left.
     refused("[profile]\nkind = \"piecewise\"\nknots = [\"0\"]\nslopes = [\"0\", \"x\"]\n[load]\n"
             "a = \"1\"\ncontact_modulus = \"1\"\n[ask]\nu = \"0.1\"\n",
             6, "no position of the other edge closes this contact");

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D SOURCE=<tree> -D WORK=<scratch> -D CXX=<compiler> -P flags.cmake
-# A compiler newer than ours has warnings that we have not seen: they must not break what a user
-# builds. So -Werror stands in the commands of the preset `ci`, and in none of `release` nor of a
-# configuration without a preset; and each developer preset asks for it. -ffp-contract=off, which double
-# words rest on, stands in every command of all of them.
+# A newer compiler may have new warnings, which must not break a user's build. Therefore -Werror is
+# in the commands of the preset `ci`, but not in those of `release` or of a configuration without a
+# preset; each developer preset sets it. -ffp-contract=off, on which double words depend, is in
+# every command of all of them.
 function(compiled_with_werror result)
     file(REMOVE_RECURSE ${WORK}/build)
     execute_process(COMMAND ${CMAKE_COMMAND} ${ARGN} -G Ninja -B ${WORK}/build

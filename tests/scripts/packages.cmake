@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty> -P packages.cmake
-# Makes the Debian packages of a build, looks at them by lintian where that is installed, unpacks them
-# side by side, and runs what they hold.
+# Makes the Debian packages of a build, checks them with lintian if it is installed, unpacks them
+# together, and runs their programs.
 function(run)
     execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output
         RESULT_VARIABLE status WORKING_DIRECTORY ${WORK})
@@ -40,7 +40,7 @@ foreach(package IN LISTS packages)
     run(dpkg-deb -x ${package} root)
 endforeach()
 
-# From their own folders alone, with nothing set.
+# Only their own folders are used, without environment variables.
 set(ENV{PYTHONPATH} "")
 run(root/usr/bin/edgeproof verify moore-hills --only "EQ18*" --digits 20)
 expect("as recorded in moore-hills.expected.csv")

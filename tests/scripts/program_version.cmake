@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D SOURCE=<tree> -D WORK=<scratch> -D GIT=<git, or nothing> -P program_version.cmake
-# The commit that a build names: an archive's, else git's (and whether files differ from it), else
-# none; and the source that holds it is written where it changes, only.
+# Checks the commit in a build: an archive's, else git's (and whether files differ from it), else
+# none. The source that contains it is written only if it changes.
 set(script ${SOURCE}/cmake/program_version.cmake)
 set(made ${WORK}/made.cpp)
 file(REMOVE_RECURSE ${WORK})

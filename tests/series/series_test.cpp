@@ -14,7 +14,7 @@ using S = Series<Rational>;
 Rational q(int n, int d = 1) { return Rational(n) / d; }
 
 S sample() {
-    // 1 + z/2 - z^2/3 + z^3/5 ...: nothing special about it.
+    // 1 + z/2 - z^2/3 + z^3/5 ...: a series without special properties.
     S s(q(1), terms);
     for (std::size_t k = 1; k < terms; ++k) {
         s[k] = q(k % 2 == 0 ? -1 : 1, static_cast<int>(k) + 1);
@@ -103,7 +103,7 @@ TEST_CASE("elementary functions invert each other to the last term") {
     CHECK(small(pow(x, Real(1) / 3) * pow(x, Real(2) / 3) - x));
     CHECK(small(log1p(x) - log(x + Real(1))));
     CHECK(small(tanh(x) - sinh(x) / cosh(x)));
-    // ... and against factorials, which nothing above would notice being wrong together.
+    // ... and compares with factorials, which finds a common error of the functions above.
     const R e = exp(R::variable(Real(0), 30));
     Real factorial = 1;
     for (std::size_t k = 1; k < 30; ++k) {
@@ -121,7 +121,7 @@ TEST_CASE("a truncated antiderivative undoes the derivative") {
 }
 
 TEST_CASE("the beta weight of a polynomial in sigma") {
-    // integral of sigma^j (1 - sigma)^(-1/2) = 2, 4/3, 16/15, 32/35 (B(j+1, 1/2)).
+    // The integral of sigma^j (1 - sigma)^(-1/2) is 2, 4/3, 16/15, 32/35 (B(j+1, 1/2)).
     using P = Polynomial<Rational>;
     CHECK(P(q(1)).integrate_beta() == 2);
     CHECK(P::monomial(q(1), 1).integrate_beta() == q(4, 3));
@@ -140,7 +140,7 @@ TEST_CASE("divided differences do not cancel") {
     const auto f = [](const auto& z) {
         return exp(sin(z)) + pow_int(z, 3) / (sqrt(z) + log(z)) + atan(z);
     };
-    // At a distance where subtraction keeps 20 of 40 digits, 200-digit subtraction is the judge.
+    // If subtraction keeps only 20 of 40 digits, compare with a subtraction at 200 digits.
     for (const char* step : {"1e-20", "-1e-35", "0.3"}) {
         const D d = f(D::variable(Real(2), Real(step)));
         Real expected;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A test speaks of names of several modules.
+/// Tests use the names of several modules.
 namespace edgeproof {
 namespace audit {}
 namespace certificate {}

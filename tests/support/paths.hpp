@@ -6,14 +6,14 @@
 
 namespace edgeproof::test {
 
-/// The root of the source tree.
+/// Returns the root of the source tree.
 [[nodiscard]] std::filesystem::path source_dir();
 
-/// The program `edgeproof` of this build.
+/// Returns the program `edgeproof` of this build.
 [[nodiscard]] std::filesystem::path program();
 
-/// The folder with the paper's TeX source, where it is at hand: the environment variable
-/// EDGEPROOF_PAPER, else the CMake option of that name.
+/// Returns the folder with the paper's TeX source, if it is available: from the environment
+/// variable EDGEPROOF_PAPER, else from the CMake option of that name.
 [[nodiscard]] std::optional<std::filesystem::path> paper_dir();
 
 } // namespace edgeproof::test

@@ -12,15 +12,15 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def files_of(tree):
-    """The files below tree, relative to it, without what is built there."""
+    """The files below tree, relative to it, without built files."""
     return {path.relative_to(tree) for top in tree.iterdir()
             if not re.fullmatch(r"\.git|build.*|out", top.name)
             for path in ([top] if top.is_file() else top.rglob("*")) if path.is_file()}
 
 
 def synchronise(tree, changed):
-    """Makes tree hold what the working tree holds, with the texts of `changed` in place of its own.
-    Files that are equal keep their time stamp, so that little is built again."""
+    """Makes tree a copy of the working tree, except for the texts in `changed`. Files that are
+    equal keep their time stamp, so that little is built again."""
     tree.mkdir(parents=True, exist_ok=True)
     wanted = files_of(ROOT)
     for name in files_of(tree) - wanted:
@@ -35,7 +35,7 @@ def synchronise(tree, changed):
 
 
 class Copy:
-    """The copy in `folder`; kept, so that the next run builds less."""
+    """The copy in `folder`, which is kept so that the next run builds less."""
 
     def __init__(self, folder, jobs, changed=None, options=()):
         self.tree = folder / "tree"
@@ -59,7 +59,7 @@ class Copy:
                               start_new_session=True) as process:
             try:
                 output, _ = process.communicate(timeout=limit)
-            except BaseException:  # too long, or interrupted: nothing of it runs on
+            except BaseException:  # too long, or interrupted: end all its processes
                 os.killpg(process.pid, signal.SIGKILL)
                 raise
         return subprocess.CompletedProcess(command, process.returncode, output)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The named wrong edits of tests/mutations, whose README tells the format."""
+"""The named wrong edits of tests/mutations, whose README gives the format."""
 import contextlib
 import tomllib
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ class Mutation:
     ctest: str | None = None
 
     def test(self):
-        """What identifies the test, so that each is tried once on the code as it is."""
+        """The identity of the test; each test is run once on the unchanged code."""
         return (self.target, self.case, self.ctest)
 
     def command(self, build):
@@ -35,7 +35,7 @@ class Mutation:
         return [str(build / "bin" / self.target), chosen]
 
     def fault(self, root):
-        """Why the edit does not apply to the tree at root, or None."""
+        """The reason why the edit does not apply to the tree at root, or None."""
         path = root / self.file
         if not path.is_file():
             return f"no file {self.file}"
@@ -44,7 +44,7 @@ class Mutation:
 
     @contextlib.contextmanager
     def made(self, tree):
-        """The edit made in tree, and taken back behind the block."""
+        """Makes the edit in tree, and undoes it after the block."""
         path = tree / self.file
         original = path.read_text()
         path.write_text(original.replace(self.find, self.replace))
@@ -70,7 +70,7 @@ def load(path):
 
 
 def load_all(names=()):
-    """Those of these names, or all."""
+    """The edits with these names, or all."""
     files = {path.stem: path for path in sorted(FOLDER.glob("*.toml"))}
     unknown = [name for name in names if name not in files]
     if unknown:
@@ -79,6 +79,6 @@ def load_all(names=()):
 
 
 def first_errors(built):
-    """What a compiler said, for one line."""
+    """The first error in a compiler's output, or the end of the output."""
     errors = [line for line in built.stdout.splitlines() if "error:" in line]
     return errors[0] if errors else built.stdout[-300:]

@@ -43,7 +43,7 @@ TEST_CASE(
 }
 
 TEST_CASE("q in a stick zone on a corner that no algebra tells is held against both sides of it") {
-    // A tilted wedge with b = 5 enclosed only; five of its places are u = 5, the apex.
+    // A tilted wedge with b = 5 only enclosed; five of its places are u = 5, the apex.
     const Binary64Contact found = count_binary64_contact(options(11, 10'000), 7969, 10'000);
     CHECK(found.findings.empty());
     Binary64Options wrong = options(11, 10'000);

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Numbers of contacts that take no time: of piecewise linear g'.
+/// The index of a contact that takes little time, with a piecewise linear g'.
 constexpr std::size_t quick_contact = 1;
 
 CountOptions small(std::size_t values, unsigned digits = 20) {
@@ -53,7 +53,8 @@ std::string message_of(const std::string& text, const CountState& wanted) {
 } // namespace
 
 TEST_CASE("the same seed draws the same contacts, another seed others; every value is inside") {
-    // The same for every compiler, whatever order it evaluates a sum in: as GCC 12 and clang 14 do.
+    // Every compiler, in particular GCC 12 and clang 14, must give these, regardless of the order
+    // in which it evaluates a sum.
     CHECK(sampled_contact(3, 0, 1).text.find("m = \"10\"\nC = \"5.404e-1\"\n") !=
           std::string::npos);
     CHECK(sampled_contact(3, 0, 1).text.find("Q = \"-1.53e1\"\nbulk_tension = \"3.67e-3\"\n") !=
@@ -88,19 +89,19 @@ TEST_CASE("one value held to a second: excluded, wrong, wide, undecided are told
     CHECK(good.values == 1);
     CHECK(good.failures() == 0);
 
-    CountCell excluded; // the ball is 1e-15 wide and the other value 1e-10 off
+    CountCell excluded; // the ball is 1e-15 wide, but the other value is 1e-10 off
     CHECK(held(around("0.33333333333333333333", 15), around("0.333333333333333333333333", 20),
                Real(third + pow(Real(10), -10)), excluded)
               .find("excludes") != std::string::npos);
     CHECK(excluded.excluded == 1);
     CHECK(excluded.wrong == 0);
 
-    CountCell wrong; // 0.33333 against 0.33334
+    CountCell wrong; // 0.33333 and 0.33334
     CHECK(held(around("0.333334", 15), around("0.333336", 15), Real(0.333334), wrong)
               .find("digits printed") != std::string::npos);
     CHECK(wrong.wrong == 1);
 
-    CountCell wide; // 4e-4 wide where 10 units are 1e-4
+    CountCell wide; // 4e-4 wide, while 10 units are 1e-4
     CHECK(held(Ball::around(third, Real(2) / 10000, 200), around("0.333333333333333333333333", 20),
                third, wide)
               .find("too wide") != std::string::npos);

@@ -85,8 +85,8 @@ TEST_CASE("Hertz, 3-4-5: p = 3/10; and u = 1e-40, where the textbook formula has
     CHECK(easy.second_routes[1].route == "singular-integral");
     CHECK(easy.plain[0] >= 14);
     CHECK(easy.plain[3] >= 48);
-    // sqrt(u (2 - u))/2 = 1e-20/sqrt(2) (1 - u/4 ...): x = 1 - u is 1 in double and __float128,
-    // and has 10 digits of u left in 50.
+    // sqrt(u (2 - u))/2 = 1e-20/sqrt(2) (1 - u/4 ...): x = 1 - u is 1 in double and __float128, and
+    // keeps 10 of the 50 digits of u.
     const CaseOutcome hard = run_case(hertz("1e-40"), 50);
     CHECK(hard.fault == "");
     CHECK(hard.value.substr(0, 20) == "7.071067811865475244");
@@ -101,7 +101,7 @@ TEST_CASE("a residual and a tilt difference, which are made of other values, by 
         parse_scene("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"
                     "a = \"1\"\ncontact_modulus = \"1\"\n",
                     "hertz");
-    // One term is sqrt(2/(2 - u)) of p: 10/9 of it at u = 19/50.
+    // The ratio of one term to p is sqrt(2/(2 - u)): 10/9 at u = 19/50.
     const AskedValue residual{Quantity::residual, 1, Edge::right, Exact::parse("19/50")};
     const BoundedValue one = enclosed_value(hertz, residual, 40);
     CHECK(one.proved);
@@ -112,7 +112,7 @@ TEST_CASE("a residual and a tilt difference, which are made of other values, by 
                                     "alpha = \"1/20\"\n[load]\na = \"1\"\n"
                                     "contact_modulus = \"1\"\n",
                                     "wedge");
-    // Upright p = (E* phi/pi) arcosh(a/x): at x = 1/3, arcosh 3 = ln(3 + sqrt(8)).
+    // The upright wedge has p = (E* phi/pi) arcosh(a/x): at x = 1/3, arcosh 3 = ln(3 + sqrt(8)).
     const AskedValue p{.quantity = Quantity::p, .u = Exact::parse("2/3")};
     AskedValue difference = p;
     difference.quantity = Quantity::tilt_difference;
@@ -127,7 +127,7 @@ TEST_CASE("hard cases: one of each class, by ball and by two routes") {
     std::map<std::string, bool> seen;
     std::vector<HardCase> sample;
     for (HardCase& c : all_cases()) {
-        // Of the power laws and rounded punches the quick ones.
+        // Only the quick ones of the power laws and rounded punches.
         const bool quick = c.asked.quantity != Quantity::c &&
                            c.asked.quantity != Quantity::residual &&
                            c.asked.quantity != Quantity::extent &&

@@ -46,14 +46,14 @@ TEST_CASE(
     CHECK(row_of(rows, "liar").understated == 3);
     CHECK(row_of(rows, "liar").worst_ratio == doctest::Approx(3).epsilon(1e-6));
     CHECK(row_of(rows, "liar").least_right == 19);
-    // Half of the digits are lost to x + node, which the integrator is not told.
+    // Half of the digits are lost in x + node, which the integrator does not know.
     CHECK(row_of(rows, "plain Boost, double").least_right < 12);
 }
 
 TEST_CASE("honesty: at every number of digits, each point has a value or none" *
           doctest::test_suite("slow")) {
     // u from 1e-30 to 1/2 at 5 ... 60 digits: x = a - u from far below roundoff to far above it,
-    // where the plain integrator has only some of its nodes apart from the ends.
+    // where the plain integrator distinguishes only some of its nodes from the ends.
     std::vector<HonestyPoint> points;
     for (HonestyPoint& p : honesty_points()) {
         if (p.profile == "Hertz" || p.profile == "wedge" || p.profile == "tilted wedge") {
@@ -86,9 +86,9 @@ TEST_CASE("honesty: plain tanh-sinh over intervals of a few units of the last pl
             const auto f = [&](const Real& s) { return Real(1 / sqrt(Real((s - x) * (1 - s)))); };
             try {
                 const auto r = plain_tanh_sinh<Real>(f, x, Real(1));
-                CHECK((!isfinite(r.value) || r.value < 10)); // some value, however bad
+                CHECK((!isfinite(r.value) || r.value < 10)); // some value, even if it is bad
             } catch (const std::exception&) {
-                CHECK(k >= digits - 2); // it says that it has none
+                CHECK(k >= digits - 2); // it reports that it has none
             }
         }
     }

@@ -33,7 +33,7 @@ std::string coq_name(const std::string& id) {
             (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         c = plain ? c : '_';
     }
-    // Words that Coq keeps to itself; beside them, the files that certificates are stated in.
+    // Coq's keywords. The names of the imported Coq files are excluded, too.
     static constexpr auto taken = std::to_array<std::string_view>(
         {"as",    "at",      "cofix",  "else", "end",        "exists", "exists2",
          "fix",   "for",     "forall", "fun",  "if",         "in",     "let",

@@ -105,7 +105,7 @@ one that is printed, or agrees with it. That there is no other (uniqueness) is n
 
 void write_certificates(const std::vector<Certificate>& certificates,
                         const std::filesystem::path& folder, const FolderTitle& title) {
-    std::map<std::string, std::string> ids; // by the name of the file
+    std::map<std::string, std::string> ids; // the id for each file name
     for (const Certificate& c : certificates) {
         const auto [known, is_new] = ids.emplace(c.file, c.id);
         if (!is_new) {

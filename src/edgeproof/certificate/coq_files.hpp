@@ -5,34 +5,33 @@
 
 namespace edgeproof::certificate {
 
-/// The Coq files that certificates are stated in, as they stand in share/edgeproof/coq: made by
-/// CMake.
+/// The Coq files that certificates import, copied from share/edgeproof/coq by CMake.
 namespace coq_files {
 
 extern const std::string_view Contact_v; ///< the contact problem; Barber and Mossakovskii
 extern const std::string_view
-    Coefficients_v;                    ///< the pressure over the root of u, and its derivatives
-extern const std::string_view Edges_v; ///< coefficients at the right and the left edge
-extern const std::string_view ClosedForm_v;     ///< what closed forms of pressures are proved by
+    Coefficients_v; ///< the pressure divided by the root of u, and its derivatives
+extern const std::string_view Edges_v;          ///< coefficients at the right and the left edge
+extern const std::string_view ClosedForm_v;     ///< lemmas for proofs of closed forms of pressures
 extern const std::string_view Symmetric_v;      ///< symmetric punches, piecewise linear
 extern const std::string_view TiltedWedge_v;    ///< tilted wedges
-extern const std::string_view FlatAndRounded_v; ///< an integral that is printed
+extern const std::string_view FlatAndRounded_v; ///< a printed integral of this profile
 extern const std::string_view Shear_v;          ///< full stick
 extern const std::string_view Tactics_v;        ///< proofs of identities and of inequalities
 extern const std::string_view Expansions_v;     ///< Taylor polynomials in a small eps
 extern const std::string_view HalfPowers_v;     ///< expansions in half powers of eps
-extern const std::string_view PressureExpansions_v; ///< of pressures near an edge
+extern const std::string_view PressureExpansions_v; ///< expansions of pressures near an edge
 
-extern const std::string_view Uniform_v; ///< an expansion for all of a variable at once
+extern const std::string_view Uniform_v; ///< an expansion uniform in a variable
 
 } // namespace coq_files
 
 struct TheoryFile {
     std::string_view name; ///< without .v
     std::string_view content;
-    std::string_view needs; ///< as a Makefile has it: "Contact.vo Edges.vo"
+    std::string_view needs; ///< in Makefile syntax: "Contact.vo Edges.vo"
 };
-/// In the order in which they are compiled.
+/// Returns the files in the order in which they are compiled.
 [[nodiscard]] const std::vector<TheoryFile>& theory_files();
 
 } // namespace edgeproof::certificate

@@ -13,17 +13,17 @@ namespace {
 
 /// A function of eps whose expansion the Coq files derive.
 struct Expanded {
-    std::string_view of; ///< as a ledger writes it
+    std::string_view of; ///< in the syntax of ledgers
     std::string_view through;
     std::string_view exact; ///< in Coq
     std::string_view lemma;
-    std::size_t order; ///< of the Taylor polynomial: of the function, or of it times sqrt(eps)
+    std::size_t order; ///< of the Taylor polynomial of the function (times sqrt(eps), if halves)
     bool symmetric;
     std::string_view variables;
-    bool halves = false; ///< of powers eps^(-1/2), eps^(1/2), ...
+    bool halves = false; ///< the powers are eps^(-1/2), eps^(1/2), ...
     std::string_view conditions = {};
     std::string_view names_of_conditions = {};
-    std::string_view pressures = {}; ///< what `p` is, where the function is of it
+    std::string_view pressures = {}; ///< the definition of `p`, if the function contains it
 };
 
 constexpr std::array<Expanded, 8> expanded{
@@ -61,7 +61,7 @@ const Expanded& expanded_of(const audit::Claim& claim) {
     throw NotStated(fmt::format("the Coq files derive no expansion of {}", claim.text("of")));
 }
 
-/// Of the power of eps whose coefficient is number k.
+/// Returns the exponent of eps whose coefficient has index k.
 std::string exponent_text(const Expanded& e, std::size_t k) {
     return e.halves ? fmt::format("{}/2", 2 * static_cast<long>(k) - 1) : fmt::format("{}", k);
 }
@@ -71,8 +71,8 @@ std::string power_text(std::string_view exponent) {
     return whole ? fmt::format("eps^{}", exponent) : fmt::format("eps^({})", exponent);
 }
 
-/// The printed and the derived coefficient of each power from 0 on, as the audit found them;
-/// nothing rests on them but the proof that is proposed.
+/// The printed and the derived coefficient of each power from 0 on, as the audit found them. Only
+/// the choice of the proposed proof depends on them.
 struct Coefficients {
     std::vector<std::string> printed;
     std::vector<std::string> derived;
@@ -103,7 +103,7 @@ public:
         return (*this)(
             expand_definitions(parse_formula(text, claim_.vocabulary), claim_.vocabulary));
     }
-    /// What `I eps` is, or empty.
+    /// Returns the definition of `I eps`, or an empty text.
     [[nodiscard]] const std::string& integral() const { return integral_; }
 
 private:
@@ -153,11 +153,11 @@ std::string hypotheses(const Expanded& e) {
                          "  is_left_edge a b b1 b2 b3 alpha ->\n";
 }
 
-/// What a theorem says between its hypotheses and its proof, and how the proof begins.
+/// The statement of a theorem between its hypotheses and its proof, and how the proof begins.
 struct Claimed {
     const Expanded& e;
-    std::string polynomial; ///< printed or corrected, a function of eps
-    std::string integral;   ///< what `I eps` in it is, or empty
+    std::string polynomial; ///< the printed or the corrected polynomial, a function of eps
+    std::string integral;   ///< the definition of `I eps` in it, or empty
 
     [[nodiscard]] std::string text(const std::string& name, const std::string& differ) const {
         const std::string variables =
@@ -231,7 +231,7 @@ std::string refuted_theorem(const std::string& name, const Claimed& claimed,
         unknown, equal, k, e.halves ? "half_powers" : "field; repeat split; lra", name);
 }
 
-/// That there is a contact at which the coefficients differ: of a wedge.
+/// States that there is a contact, a wedge, at which the coefficients differ.
 std::string instance_theorem(const std::string& name, const Claimed& claimed,
                              const Coefficients& all) {
     const Expanded& e = claimed.e;
@@ -248,8 +248,8 @@ std::string instance_theorem(const std::string& name, const Claimed& claimed,
         e.conditions.empty() ? "" : " split; [lra |].");
 }
 
-/// Under one reading; `mark` is the end of the theorems' names. Whether the theorems say all that
-/// the verdict does.
+/// States a claim under one reading. `mark` is the end of the theorems' names. Returns true if the
+/// theorems state everything that the verdict does.
 bool state(const audit::Claim& claim, const audit::Outcome& outcome, bool refuted,
            const std::string& mark, Certificate& certificate) {
     const Expanded& e = expanded_of(claim);
@@ -291,9 +291,9 @@ bool state(const audit::Claim& claim, const audit::Outcome& outcome, bool refute
 
 } // namespace
 
-// Printed as f = T + O(eps^(n+1)): refuted, at every contact at which the first coefficients that
-// differ do, f - T is not o(eps^n); proved or corrected, at every contact it is. Under each
-// reading.
+// The claim is f = T + O(eps^(n+1)). If it is refuted: f - T is not o(eps^n) at any contact at
+// which the first pair of different coefficients has different values. If it is proved or
+// corrected: f - T is o(eps^n) at every contact. Both are stated under each reading.
 void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& ledger,
                        Certificate& certificate) {
     const audit::Claim& claim = result.claim;

@@ -10,7 +10,8 @@
 namespace edgeproof::certificate {
 namespace {
 
-/// The scene of a family whose right edge is at 1, so that a reader can follow, or else the first.
+/// Returns a scene of the family whose right edge is at 1, because it is easy to read, or else the
+/// first scene.
 audit::SceneSpec scene_of(const audit::Ledger& ledger, const audit::Claim& claim) {
     const auto all = draw_scenes(ledger.family(claim.text("over")), ledger.families);
     const auto plain = std::find_if(all.begin(), all.end(), [](const audit::SceneSpec& scene) {
@@ -21,8 +22,8 @@ audit::SceneSpec scene_of(const audit::Ledger& ledger, const audit::Claim& claim
 
 } // namespace
 
-// |p - local sum| <= tolerance p up to one distance from the edge, and not at another just beyond:
-// the first exit lies between.
+// States that |p - local sum| <= tolerance p up to one distance from the edge, and not at another
+// just beyond it: the first exit lies between them.
 void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
@@ -39,8 +40,8 @@ void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledge
                                     "origin, not of {}",
                                     base));
     }
-    // From "49.237 %", a figure rounded: whole hundredths of a percent that are certainly below and
-    // above.
+    // The computed value is a rounded figure such as "49.237 %": take whole hundredths of a percent
+    // that are certainly below and above the exact value.
     const double hundredths = std::stod(*result.outcome.computed) * 100;
     const auto cut = static_cast<long>(std::floor(hundredths - 0.1));
     const auto top = static_cast<long>(std::ceil(hundredths + 0.1));

@@ -8,8 +8,8 @@
 
 namespace edgeproof::certificate {
 
-// A quoted figure at one place of a wedge or a parabola, confirmed: the exact value is within half
-// a unit of the last digit that is quoted.
+// States a confirmed figure that is quoted for one place of a wedge or a parabola: the exact value
+// is within half a unit of the last quoted digit.
 void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;

@@ -15,7 +15,7 @@ bool is_symmetric(const std::vector<std::string>& profiles) {
     });
 }
 
-/// The exponent q of a load that is given as a factor free of a times a^q.
+/// Returns the exponent q of a load given as c a^q, where c does not depend on a.
 std::string exponent_of_load(const audit::Claim& claim) {
     const formula::Expr& load = claim.formulas("given").front();
     const bool is_power =
@@ -31,7 +31,7 @@ std::string exponent_of_load(const audit::Claim& claim) {
 
 } // namespace
 
-// For all contacts: the coefficients exist, and the printed formula is what is said of them.
+// States, for all contacts, that the coefficients exist and that the printed formula gives them.
 void certify_identity(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate) {
     const audit::Claim& claim = result.claim;

@@ -7,8 +7,8 @@
 
 namespace edgeproof::certificate {
 
-// "Grows with the exponent m" of power laws, refuted under every reading by two of them: a wedge,
-// m = 0, at which it is larger than it is of a parabola, m = 1.
+// States the refutation of "grows with the exponent m" for power laws, under every reading, by two
+// of them: the quantity is larger for a wedge, m = 0, than for a parabola, m = 1.
 void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate) {
     const audit::Claim& claim = result.claim;
@@ -45,7 +45,7 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
     }
     const std::string name = coq_name(claim.id) + "_refuted";
     std::string inner = of_parabola.proof("repeat split; numbers constants");
-    inner.erase(inner.rfind('.')); // of_wedge.proof ends it
+    inner.erase(inner.rfind('.')); // of_wedge.proof adds the final dot
     Theory both = wedge.theory;
     both.constants.push_back(parabola.theory.constants.back());
     certificate.text =

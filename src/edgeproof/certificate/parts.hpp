@@ -8,7 +8,8 @@
 
 namespace edgeproof::certificate {
 
-/// Fill in theorems and text for claims of one kind. Throw NotStated.
+/// Each of these functions adds the theorems and the text for claims of one kind. They throw
+/// NotStated.
 void certify_identity(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate);
 void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger,
@@ -26,16 +27,17 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
 void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& ledger,
                         Certificate& certificate);
 
-/// Text inside a comment of Coq: no comment opens, closes, or begins a string in it.
+/// Returns the text changed so that it can stand inside a Coq comment: it opens and closes no
+/// comment and begins no string.
 [[nodiscard]] std::string in_comment(std::string text);
-/// What is printed where, as the comment that a file begins with.
+/// Returns the comment at the beginning of a file: the claim, its place in the source, its text.
 [[nodiscard]] std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger);
-/// What a file needs of Coq and of the files that it is stated in.
+/// Returns the commands that import Coq's libraries and `files`.
 [[nodiscard]] std::string imports_text(const std::vector<std::string>& files);
-/// Both.
+/// Returns the comment, then the imports.
 [[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                                     const Theory& theory);
-/// The profiles of a family, those of the members of a union in their order.
+/// Returns the profiles of a family; for a union, those of its members in their order.
 [[nodiscard]] std::vector<std::string> profiles_of(const audit::Ledger& ledger,
                                                    std::string_view family);
 

@@ -23,7 +23,7 @@ std::string edge_name(contact::Edge edge) {
     return edge == contact::Edge::right ? "right" : "left";
 }
 
-/// "Rabs (p0 - (value)) <= half a unit of its last digit", and the value as it is printed.
+/// The text "Rabs (p0 - (value)) <= half a unit of its last digit", and the value as printed.
 struct Rounded {
     std::string conclusion;
     std::string text;
@@ -31,7 +31,7 @@ struct Rounded {
 Rounded rounded(const std::string& name, const BoundedValue& value, const scene::Digits& digits) {
     const std::string text = printed(value, digits).text;
     const CoqDecimal decimal = coq_decimal(text);
-    // What is not told from zero is zero to the digits that are asked for.
+    // A value that is not distinguished from zero is printed as zero: it has the digits asked for.
     const long last = decimal.value == 0 ? -static_cast<long>(digits.count) : decimal.last;
     return {fmt::format("Rabs ({} - ({})) <= {}", name, decimal.text,
                         last <= 0 ? fmt::format("5 / 10 ^ {}", 1 - last)
@@ -39,7 +39,7 @@ Rounded rounded(const std::string& name, const BoundedValue& value, const scene:
             text};
 }
 
-/// The right edge: as it is given, or of a force where it has a closed form.
+/// Returns the right edge: as given, or computed from the force where there is a closed form.
 formula::Exact right_edge(const scene::Scene& scene) {
     if (scene.load.kind == contact::Load::Kind::right_edge) {
         return scene.load.value;
@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    /// A certificate, or why there is none.
+    /// Adds a certificate, or the reason why there is none.
     void add(const std::string& id, const std::function<void(Certificate&)>& state) {
         Certificate c;
         c.id = id;
@@ -126,7 +126,7 @@ private:
         std::string name = scene_.title.empty() ? scene_.file : scene_.title;
         return "(* Of the scene: " + in_comment(std::move(name)) + " *)\n";
     }
-    /// Of a value at the distance u from the edge.
+    /// Returns the proof for a value at the distance u from the edge.
     [[nodiscard]] std::string proof_by_bits(double u = 1, double length = 1) const {
         const double lost = std::max(0.0, std::log2(length / u)); // roots of small numbers
         return fmt::format("plain constants; integrals; interval with (i_prec {})",
@@ -219,7 +219,7 @@ private:
             throw NotStated("there is no first exit");
         }
         const auto u = static_cast<double>(extent.first_exit.value.midpoint());
-        // Four digits on both sides, a tenth of a unit away at least.
+        // Round to four digits on both sides, at least a tenth of a unit of the last digit away.
         const double tenth = std::pow(10.0, std::floor(std::log10(u)) - 4);
         const ExtentStatement statement{extent.n, *scene_.ask.tolerance,
                                         coq_decimal(u - tenth, 4, false),

@@ -7,9 +7,10 @@
 
 namespace edgeproof::certificate {
 
-/// The values of a scene as theorems, a file for the load, and at each edge one for the
-/// coefficients, one for the pressures and one for each extent: that the value printed is the exact
-/// one, rounded. What cannot be stated has no theorem, and says why. `verdict` of each is "value".
+/// States the values of a scene as theorems: the printed value is the exact value, rounded. There
+/// is one file for the load, and at each edge one for the coefficients, one for the pressures and
+/// one for each extent. A value that cannot be stated has no theorem, and its certificate gives the
+/// reason. The `verdict` of each certificate is "value".
 [[nodiscard]] std::vector<Certificate> certify_scene(const scene::Scene& scene,
                                                      const scene::SceneResult& result);
 

@@ -17,17 +17,17 @@ namespace {
 using formula::Exact;
 using formula::Expr;
 
-/// As Symmetric.v has it.
+/// The same fields as `part` in Symmetric.v.
 struct Part {
     Exact from;
     Exact corner;
     Exact curvature;
 };
 
-/// What is 0 is written so.
+/// Writes a number that is zero as 0.
 Exact simplified(Exact number) { return number.sign() == 0 ? Exact() : std::move(number); }
 
-/// The parts of a symmetric profile within the contact.
+/// Returns the parts of a symmetric profile within the contact.
 std::vector<Part> parts_of(const contact::Profile& profile, double a) {
     const auto& parameters = profile.parameters();
     const Exact zero;
@@ -244,7 +244,8 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
         throw NotStated("extents are stated of up to three terms");
     }
     const auto tolerance = extent.tolerance.to<double>();
-    // Up to `near` the logarithms' arguments are so small that two terms of their series will do.
+    // Up to `near`, the arguments of the logarithms are so small that two terms of their series
+    // suffice.
     const double least = std::min(0.2, tolerance / (5 * edge.cancelling));
     const CoqDecimal squares = coq_decimal(least, 2, true);
     const double depth = edge.distance - edge.innermost;

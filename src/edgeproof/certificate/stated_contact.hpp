@@ -8,47 +8,48 @@
 
 namespace edgeproof::certificate {
 
-/// A decimal number in Coq: "1234 / 10 ^ 3", "12 * 10 ^ 5", with its value.
+/// A decimal number in Coq ("1234 / 10 ^ 3", "12 * 10 ^ 5") and its value.
 struct CoqDecimal {
     std::string text;
     double value = 0;
-    long last = 0; ///< the power of ten of its last digit, as it was written
+    long last = 0; ///< the exponent of ten of the last digit as written
 };
-/// From "-1.23e-5". Throws NotStated for what is no decimal number.
+/// Converts a number such as "-1.23e-5". Throws NotStated if the text is not a decimal number.
 [[nodiscard]] CoqDecimal coq_decimal(const std::string& number);
-/// `digits` significant digits of a positive number, downwards or upwards.
+/// Rounds a positive number to `digits` significant digits, downwards or upwards.
 [[nodiscard]] CoqDecimal coq_decimal(double number, int digits, bool upwards);
-/// A number as a factor or argument.
+/// Returns a number as a Coq factor or argument, in parentheses where they are needed.
 [[nodiscard]] std::string in_coq(const formula::Exact& number);
 
 /// A contact of a given punch, seen from one of its edges.
 struct StatedEdge {
-    std::string slope;     ///< in Coq, of the punch that has this edge on the right
+    std::string slope;     ///< in Coq, of the punch with this edge on the right
     std::string edge;      ///< its distance from the origin, in Coq
-    double distance = 0;   ///< the same
-    double innermost = 0;  ///< the place beyond which all knots are nearer to the origin
-    double steepness = 0;  ///< y^2/u of the logarithms of the pressure at a small distance u
-    double cancelling = 1; ///< the logarithms' parts of the pressure there, beside the pressure
+    double distance = 0;   ///< the same as a number
+    double innermost = 0;  ///< all knots are at this distance from the origin or nearer
+    double steepness = 0;  ///< y^2/u for the arguments y of the pressure's logarithms at a small u
+    double cancelling = 1; ///< size of the logarithmic terms, relative to the pressure
     Fact series;           ///< coefficients r0, r1, r2
-    /// The proofs that begin with what is said of `pressure_at`, for places beyond all knots.
+    /// Proofs about `pressure_at` at places beyond all knots.
     struct Proofs {
-        std::string pressure; ///< of is_pressure
-        std::string near;     ///< takes the root of u out of it
+        std::string pressure; ///< proves is_pressure
+        std::string near;     ///< takes the root of u out of the pressure
     };
-    /// Throws NotStated for a place on a knot or nearer to the origin than one.
+    /// Throws NotStated for a place at a knot, or between a knot and the origin.
     [[nodiscard]] Proofs at(double u, const std::string& what) const;
-    /// "is_pressure Es (slope punch) a (a - u) p0".
+    /// Returns "is_pressure Es (slope punch) a (a - u) p0".
     [[nodiscard]] std::string pressure_at(const std::string& u, const std::string& p) const;
 
     bool wedge = false;
     bool mirrored = false;
 };
 
-/// A punch that the Coq files have a theory of: symmetric and piecewise linear, or a tilted wedge.
+/// A punch for which the Coq files have a theory: symmetric and piecewise linear, or a tilted
+/// wedge.
 struct StatedContact {
     std::vector<std::string> imports;
     std::vector<Constant> constants;
-    std::string lemma; ///< of the file, after its constants
+    std::string lemma; ///< a lemma of the file, after its constants
     Fact load;         ///< P0
     StatedEdge right;
     StatedEdge left;
@@ -56,7 +57,7 @@ struct StatedContact {
     [[nodiscard]] const StatedEdge& at(contact::Edge edge) const {
         return edge == contact::Edge::right ? right : left;
     }
-    /// Imports, definitions and lemma, behind the comment that a file begins with.
+    /// Returns `comment`, then imports, definitions and lemma: the beginning of a file.
     [[nodiscard]] std::string head(const std::string& comment) const;
 };
 
@@ -64,8 +65,9 @@ struct StatedContact {
 [[nodiscard]] StatedContact stated_contact(const contact::Profile& profile, const formula::Exact& a,
                                            const formula::Exact& contact_modulus);
 
-/// n terms stay within `tolerance` of the pressure for all u up to `within`, and do not at
-/// `beyond`; `more`: a further conclusion, or empty. Throws NotStated for more than three terms.
+/// The statement that n terms stay within `tolerance` of the pressure for all u up to `within`, and
+/// do not at `beyond`. `more` is a further conclusion, or empty. extent_theorem throws NotStated
+/// for more than three terms.
 struct ExtentStatement {
     std::size_t terms = 1;
     formula::Exact tolerance;

@@ -8,15 +8,16 @@
 namespace edgeproof::certificate {
 namespace {
 
-// What Uniform.v bounds for all sigma at once, less its approximation.
+// The bracket for which Uniform.v has a bound for all sigma at once, before its approximation is
+// subtracted.
 constexpr std::string_view bracket = "(-b+eps+bof(a+(binv(b-eps)-a)*sigma))/(eps*(1-sigma))";
 constexpr std::string_view bracket_in_coq =
     "(- b a + eps + b (a + (alpha (b a - eps) - a) * sigma)) / (eps * (1 - sigma))";
 
 } // namespace
 
-// "Breaks down as sigma -> 1", refuted at every contact: what is left over eps^2 has a bound that
-// is the same for all sigma.
+// States the refutation of "breaks down as sigma -> 1" at every contact: the remainder divided by
+// eps^2 has a bound that is the same for all sigma.
 void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& ledger,
                         Certificate& certificate) {
     const audit::Claim& claim = result.claim;

@@ -13,7 +13,7 @@ namespace {
 
 using formula::Expr;
 
-/// `least <= Rabs (...)` or `Rabs (...) <= most`, with its proof.
+/// Returns the theorem `least <= Rabs (...)` or `Rabs (...) <= most`, with its proof.
 std::string theorem(const std::string& name, const Theory& theory, const Expr& formula,
                     const Expr& exact, const std::optional<std::string>& least) {
     Statement statement(theory);
@@ -32,7 +32,7 @@ std::optional<Expr> correction(const audit::ClaimResult& result) {
         return expand_definitions(parse_formula(*result.outcome.correct, result.claim.vocabulary),
                                   result.claim.vocabulary);
     } catch (const Error&) {
-        return std::nullopt; // a correction in words
+        return std::nullopt; // the correction is in words
     }
 }
 
@@ -43,7 +43,7 @@ bool is_of_shear(const Expr& e) {
     });
 }
 
-/// The sample at which the two differ most, beside their size.
+/// Returns the sample at which the relative difference of the two is largest.
 const SampledTheory* clearest(const std::vector<SampledTheory>& theories, const Expr& printed,
                               const Expr& exact, Gap& gap) {
     const SampledTheory* best = nullptr;

@@ -10,7 +10,7 @@
 namespace edgeproof::certificate {
 namespace {
 
-/// What the ratio sig0 d/Q is corrected to, from "sig0*d/Q = -(4/(3*Pi)) for left.s1".
+/// Returns the corrected ratio sig0 d/Q, read from "sig0*d/Q = -(4/(3*Pi)) for left.s1".
 std::optional<formula::Expr> corrected_ratio(const audit::ClaimResult& result) {
     const std::string& ratio = result.claim.text("ratio");
     if (!result.outcome.correct || !result.outcome.correct->starts_with(ratio + " = ")) {
@@ -40,8 +40,8 @@ std::string size_theorem(const std::string& name, const SampledTheory& t, const 
 
 } // namespace
 
-// A coefficient of the shear traction is said to vanish where the tension has one ratio to the
-// force: it does not, and it does at the corrected ratio.
+// The claim is that a coefficient of the shear traction vanishes at one ratio of tension to force.
+// States that it does not, and that it does at the corrected ratio.
 void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& ledger,
                        Certificate& certificate) {
     const audit::Claim& claim = result.claim;

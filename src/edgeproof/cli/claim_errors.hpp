@@ -6,8 +6,8 @@
 
 namespace edgeproof::cli {
 
-/// Claims of a ledger that could not be read or judged: a line each on stderr. Returns 2, the exit
-/// status, or 0 where there are none.
+/// Writes a line on stderr for each claim of a ledger that could not be read or judged. Returns the
+/// exit status: 2, or 0 if there are none.
 [[nodiscard]] int report_claim_errors(const std::vector<audit::ClaimError>& errors);
 
 } // namespace edgeproof::cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// The program's subcommands, a file each. Every one adds itself to the command line and, when it
-/// is the one asked for, leaves its exit code in `code`: 0 good, 1 differs or fails the target, 2
-/// bad input. An interruption (130, 143) is thrown (signals.hpp).
+/// The program's subcommands, one file each. Every add_... function adds its command to the command
+/// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
+/// target, 2 bad input. An interruption (130, 143) is thrown (signals.hpp).
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -32,16 +32,15 @@ void add_certify(CLI::App& app, int& code);
 void add_bounds(CLI::App& app, int& code);
 void add_cost(CLI::App& app, int& code);
 
-/// A count of work done, with its rate and what is left, on stderr, only where that is a terminal
-/// that obeys escapes;
-/// wiped when it ends.
+/// Shows the number of items done, the rate and the time left on stderr, if that is a terminal that
+/// obeys escape sequences. The line is wiped at the end.
 class Progress {
 public:
     explicit Progress(std::string what);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    /// From any thread.
+    /// May be called from any thread.
     void operator()(std::size_t done, std::size_t total);
 
 private:
@@ -50,20 +49,21 @@ private:
     std::mutex showing_;
     std::chrono::steady_clock::time_point begun_;
     std::chrono::steady_clock::time_point last_;
-    std::size_t first_ = 0; ///< done already when it was first told
+    std::size_t first_ = 0; ///< the number done at the first call
     std::size_t shown_ = 0;
 };
 
-/// Columns of the terminal on stdout, 100 where it is none.
+/// The width of the terminal on stdout in columns; 100 if it is not a terminal.
 [[nodiscard]] std::size_t terminal_width();
-/// Columns that a table on stdout has: 0, as many as it takes, where that is no terminal.
+/// The greatest width of a table on stdout in columns; 0, unlimited, if it is not a terminal.
 [[nodiscard]] std::size_t width_to_wrap_at();
-/// A terminal that obeys escapes (TERM is set and not "dumb"), and colours are not refused by
-/// NO_COLOR (no-color.org).
+/// True if stdout is a terminal that obeys escape sequences (TERM is set and not "dumb") and
+/// NO_COLOR (no-color.org) does not refuse colours.
 [[nodiscard]] bool stdout_takes_colour();
 
-/// What is wrong with a command line that CLI11 refused, where a subcommand or an option is not
-/// known: "unknown option '--digit'; did you mean --digits? write one of ...". Empty where all are.
+/// Returns the error in a command line that CLI11 refused because of an unknown subcommand or
+/// option: "unknown option '--digit'; did you mean --digits? write one of ...". Empty if all are
+/// known.
 [[nodiscard]] std::string unknown_on_command_line(const CLI::App& app, int argc,
                                                   const char* const* argv);
 

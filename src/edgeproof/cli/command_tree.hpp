@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-/// What a command line says of itself.
+/// Access to the names, commands and options of a CLI11 command line.
 namespace edgeproof::cli {
 
 [[nodiscard]] inline std::vector<const CLI::App*> subcommands(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
 }
 
-/// "-h", "--help".
+/// Returns the names with their hyphens: "-h", "--help".
 [[nodiscard]] inline std::vector<std::string> names_of(const CLI::Option& option) {
     std::vector<std::string> names;
     for (const std::string& name : option.get_snames()) {
@@ -28,7 +28,7 @@ namespace edgeproof::cli {
     return option.get_type_size() > 0 && option.get_expected_max() > 0;
 }
 
-/// The options of a command, without its arguments and what is hidden.
+/// Returns the options of a command, without its arguments and hidden options.
 [[nodiscard]] inline std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
     return app.get_options([](const CLI::Option* option) {
         return !option->get_positional() && !option->get_group().empty();

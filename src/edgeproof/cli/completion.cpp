@@ -8,7 +8,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// The characters of `special` with a backslash before each.
+/// Puts a backslash before each of the characters of `special`.
 std::string escaped(std::string_view text, std::string_view special) {
     std::string out;
     for (const char c : text) {
@@ -17,7 +17,7 @@ std::string escaped(std::string_view text, std::string_view special) {
     return out;
 }
 
-/// A word of zsh without quotes.
+/// Returns an unquoted word for zsh.
 std::string zsh_word(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -28,7 +28,7 @@ std::string zsh_word(std::string_view text) {
     return out;
 }
 
-/// In single quotes of a POSIX shell.
+/// Returns the text in single quotes for a POSIX shell.
 std::string single_quoted(std::string_view text) {
     std::string out = "'";
     for (const char c : text) {
@@ -47,11 +47,11 @@ std::string words_of(const CLI::App& app) {
             words += name + " ";
         }
     }
-    words.pop_back(); // there is --help at least
+    words.pop_back(); // the last character is a space: there is at least --help
     return words;
 }
 
-/// A line for each command: what was typed of it, and the words that may follow.
+/// Returns a line for each command: the words typed so far, and those that may follow.
 std::string bash_cases(const CLI::App& app, const std::string& typed) {
     std::string out = "        '" + typed + "') words='" + words_of(app) + "' ;;\n";
     for (const CLI::App* sub : subcommands(app)) {

@@ -6,9 +6,9 @@
 
 namespace edgeproof::cli {
 
-/// The claims of a ledger whose id matches `only`, judged to `digits` digits by `threads` threads
-/// (0: as many as the machine has); how far it is, on stderr. Claims that cannot be judged are
-/// among the result's errors. `timed`: with the processor time of each.
+/// Judges the claims of a ledger whose id matches `only` to `digits` digits with `threads` threads
+/// (0: as many as the machine has), and shows the progress on stderr. Claims that cannot be judged
+/// are among the result's errors. `timed`: also records the processor time of each claim.
 [[nodiscard]] audit::AuditResult judged_ledger(const audit::Ledger& ledger, unsigned digits,
                                                int threads, const std::string& only,
                                                bool timed = false);

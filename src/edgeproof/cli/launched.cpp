@@ -14,7 +14,8 @@
 namespace edgeproof::cli {
 namespace {
 
-/// Of the module that is all of MPI here, from the program's own folder; empty: not built.
+/// The path of the module that contains all use of MPI, relative to the program's folder; empty:
+/// not built.
 constexpr std::string_view module_path = EDGEPROOF_MPI_MODULE;
 
 std::size_t number_in(const char* variable) {
@@ -36,7 +37,8 @@ std::size_t number_in(const char* variable) {
 } // namespace
 
 std::size_t launched_count() {
-    // Open MPI's mpirun; other launchers (and srun --mpi=pmi2); srun --mpi=pmix.
+    // These variables are set by Open MPI's mpirun; by other launchers (and srun --mpi=pmi2). For
+    // srun --mpi=pmix, see below.
     for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
         if (const std::size_t n = number_in(variable); n > 0) {
             return n;
@@ -58,7 +60,7 @@ std::unique_ptr<parallel::Processes> launched_together() {
     std::error_code failed;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
     const auto file = (self.parent_path() / module_path).lexically_normal();
-    // Open MPI loads parts of its own, which look for its symbols among those of all.
+    // Open MPI loads further modules, which need its symbols to be global.
     void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (module == nullptr) {
         const char* const why = ::dlerror();

@@ -6,13 +6,13 @@
 
 namespace edgeproof::cli {
 
-/// The processes that this one was started with by mpirun or srun; null where it was started alone,
-/// which costs a look at the environment and no more. Throws InputError where it was started as one
-/// of several and cannot tell the others: a build without MPI, or an srun that does not connect
+/// Returns the processes that mpirun or srun started together with this one, or null if it was
+/// started alone (then only the environment is read). Throws InputError if it is one of several
+/// processes that it cannot reach: in a build without MPI, or under an srun that does not connect
 /// them.
 [[nodiscard]] std::unique_ptr<parallel::Processes> launched_together();
 
-/// As how many it was started, 1 for alone.
+/// Returns the number of processes started together, 1 for one alone.
 [[nodiscard]] std::size_t launched_count();
 
 } // namespace edgeproof::cli

@@ -14,16 +14,16 @@
 #include <string_view>
 
 namespace {
-/// One line, fit for a terminal.
+/// Returns one line that is safe for a terminal.
 std::string shown(std::string_view message) {
     return edgeproof::printable(edgeproof::shortened(message, 1500));
 }
-/// What concerns no file.
+/// Prints a message that does not concern a file.
 void say(std::string_view message) {
     edgeproof::cli::say_at_the_end("edgeproof: " + shown(message));
 }
 
-/// Runs the command, and sees that all it printed is written.
+/// Runs the command, and checks that all its output is written.
 void run_command(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     cli::add_cost(app, code);
     cli::add_verify(app, code);
     try {
-        if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // of the build
+        if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // used by the build
             cli::write_manual(app, std::string(report::program_version), argv[2]);
             return 0;
         }

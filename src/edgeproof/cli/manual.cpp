@@ -11,7 +11,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// Text that roff prints as it stands.
+/// Escapes a text for roff.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {

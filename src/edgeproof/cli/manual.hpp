@@ -7,13 +7,13 @@
 
 namespace edgeproof::cli {
 
-/// Writes what the command line says of itself into a folder: man1/edgeproof.1, a page for each
+/// Writes the documentation of the command line into a folder: man1/edgeproof.1, a page for each
 /// subcommand, man1/edgeproof-NAME.1, and completions for three shells: edgeproof.bash, _edgeproof
 /// (zsh) and edgeproof.fish.
 void write_manual(const CLI::App& app, const std::string& version,
                   const std::filesystem::path& folder);
 
-/// The page of one subcommand, or (`of` is `app`) of the program, in roff's man macros.
+/// Returns the page of one subcommand, or of the program (`of` is `app`), in roff's man macros.
 [[nodiscard]] std::string man_page(const CLI::App& app, const CLI::App& of,
                                    const std::string& version);
 

@@ -5,8 +5,8 @@
 
 namespace edgeproof::cli {
 
-/// What programs that are run say on their standard error, on ours as it comes, and no more than
-/// most_bytes of it in all: then one line says that the rest is left out.
+/// Copies the standard error of programs that are run to ours as it arrives, up to most_bytes in
+/// all; then one line states that the rest is left out.
 class ProgramMessages {
 public:
     static constexpr std::size_t most_bytes = 65'536;

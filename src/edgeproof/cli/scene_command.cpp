@@ -39,7 +39,7 @@ report::TableFormat format_of(const std::string& name) {
     return *format;
 }
 
-/// The scene that the quantities on the command line stand for.
+/// Returns the scene for the quantities on the command line.
 scene::Scene stated_scene(const SceneOptions& o) {
     scene::SceneEntries entries = o.stated.entries();
     if (!o.edges.empty()) {
@@ -62,7 +62,7 @@ scene::Scene stated_scene(const SceneOptions& o) {
     try {
         scene::Scene scene = scene::parse_scene(scene_text(entries), "");
         scene.file = "command line";
-        // Nobody sees the lines of what nobody wrote.
+        // Errors in a scene given on the command line have no line numbers.
         for (std::size_t* line : {&scene.profile_line, &scene.load_line, &scene.ask_line,
                                   &scene.friction_line, &scene.tension_line}) {
             *line = 0;
@@ -193,7 +193,7 @@ void check_state(const std::string& file) {
 }
 
 scene::Scene asked_scene(const SceneOptions& o) {
-    (void)format_of(o.format); // before any work
+    (void)format_of(o.format); // checked before any work
     const Rounding rounding = rounding_of(o.rounding);
     scene::Scene scene = given_scene(o);
     if (!o.digits.empty()) {
@@ -381,7 +381,7 @@ void emit(const report::Table& table, const SceneOptions& o) {
     const std::string text =
         write_table(table, format_of(o.format), shown ? width_to_wrap_at() : 0);
     if (!shown) {
-        io::write_output(o.out, text); // where that fails, its message is all that is said
+        io::write_output(o.out, text); // if this fails, its message is the only one
     }
     show_as_file(o);
     if (shown) {

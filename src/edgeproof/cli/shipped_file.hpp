@@ -5,14 +5,15 @@
 
 namespace edgeproof::cli {
 
-/// What comes with the program, by the folder that it is kept in.
+/// The folders of the files that come with the program.
 inline constexpr std::string_view shipped_ledgers = "verify";
 inline constexpr std::string_view shipped_recipes = "reference";
 inline constexpr std::string_view shipped_scenes = "examples/scenes";
 inline constexpr std::string_view shipped_designs = "examples/design";
 
-/// The file that a command is given. A bare name ("moore-hills") that is no file here is that of a
-/// file which came with the program, if there is one; anything else is as it was given.
+/// Returns the file for a command. A bare name ("moore-hills") that is not a file in the current
+/// folder means a file that came with the program, if there is one; anything else is returned
+/// unchanged.
 [[nodiscard]] std::string file_or_shipped(const std::string& given, std::string_view folder);
 
 } // namespace edgeproof::cli

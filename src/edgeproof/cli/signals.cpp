@@ -28,21 +28,22 @@ namespace {
 
 constexpr int bad_input = 2;
 constexpr int signalled = 128;
-/// For work to notice that it is to end, and to say what is kept.
+/// The time for the work to notice the interruption and to report what is kept.
 constexpr std::chrono::seconds grace{1};
-/// For children to be ended and files to be removed; on a disk that hangs they stay.
+/// The time for ending children and removing files; if a disk hangs, files remain.
 constexpr suseconds_t longest_cleanup_us = 500'000;
 
 std::atomic<int> last_status{bad_input};
-/// The main thread, which notices an interruption, and the one that waits for a second signal may
-/// both come to the end of the program: the first of them says why.
+/// The main thread, which notices an interruption, and the thread that waits for a second signal
+/// may both reach the program's end: the first one gives the reason.
 std::atomic<bool> reason_said{false};
 
 extern "C" void end_now(int) { ::_exit(last_status); }
 
 void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::strlen(text)); }
 
-/// Ends the process without its threads. `line`: what to say; empty: that it is interrupted.
+/// Ends the process without its threads. `line`: the message; empty: the message of an
+/// interruption.
 [[noreturn]] void end_without_threads(int status, const char* line) {
     last_status = status;
     std::signal(SIGALRM, end_now);
@@ -57,7 +58,7 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
         ::_exit(status);
     }
     if (::isatty(STDERR_FILENO) == 1) {
-        write_error("\r\033[K"); // what Progress showed
+        write_error("\r\033[K"); // clears the line of Progress
     }
     if (*line != '\0') {
         write_error(line);
@@ -99,13 +100,13 @@ void wait_for_signals(const sigset_t& set) {
     end_without_threads(interrupted_status(), "");
 }
 
-/// Once: an abort while this process ends already must not come back here.
+/// Runs once: an abort while the process already ends must not come back here.
 [[noreturn]] void give_up(const char* line) {
     static std::atomic<bool> begun{false};
     if (begun.exchange(true)) {
         ::_exit(interruption_requested() != 0 ? interrupted_status() : bad_input);
     }
-    // FLINT has put a line of its own there.
+    // FLINT has written a line of its own to stdout.
     __fpurge(stdout);
     end_without_threads(bad_input, line);
 }
@@ -115,7 +116,7 @@ constexpr const char* beyond_library =
     "edgeproof: a number grows beyond what the arithmetic libraries can hold; ask for fewer "
     "digits, or for smaller exponents";
 
-// To clang, FLINT asks for a function of this type, of which [[noreturn]] is no part.
+// FLINT's parameter has this type for clang; [[noreturn]] is not a part of it.
 __attribute__((noreturn)) void on_flint_abort() { give_up(beyond_library); }
 extern "C" void on_abort(int) {
     give_up(
@@ -143,7 +144,7 @@ extern "C" void on_abort(int) {
     give_up(line.c_str());
 }
 
-// GMP's own functions print a line and abort.
+// GMP's own functions would print a line and abort.
 void* allocate(std::size_t size) {
     void* const memory = std::malloc(size);
     if (memory == nullptr) {
@@ -178,7 +179,7 @@ void say_at_the_end(const std::string& line) {
 
 void open_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        if (::fcntl(stream, F_GETFD) < 0) { // the lowest free number is this one
+        if (::fcntl(stream, F_GETFD) < 0) { // open() takes the lowest free number: this stream's
             (void)!::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
         }
     }
@@ -188,13 +189,13 @@ void take_signals() {
     const sigset_t set = ending_signals();
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal,
-                    SIG_DFL); // a shell starts what is in the background with SIGINT ignored
+                    SIG_DFL); // a shell starts background programs with SIGINT ignored
     }
     sigset_t before;
     pthread_sigmask(SIG_BLOCK, &set, &before);
     try {
         std::thread([set] { wait_for_signals(set); }).detach();
-    } catch (const std::system_error&) { // no more threads: the system ends us then
+    } catch (const std::system_error&) { // no more threads: the signals keep their default action
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
     }
 }

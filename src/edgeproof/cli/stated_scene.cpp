@@ -27,7 +27,7 @@ constexpr std::array stated_profiles{
 
 enum class StatedSection { profile, load, shear, ask };
 struct StatedQuantity {
-    std::string_view key; ///< of a scene's file; an underscore is a hyphen on the command line
+    std::string_view key; ///< in a scene's file; an underscore is a hyphen on the command line
     StatedSection section;
     std::string_view help;
 };

@@ -10,24 +10,26 @@
 
 namespace edgeproof::cli {
 
-/// A scene by its quantities on the command line, in place of a file: --hertz --R 100 --P 120 ...
+/// A scene given by its quantities on the command line, in place of a file: --hertz --R 100 --P 120
+/// ...
 class StatedScene {
 public:
     void add_options(CLI::App& sub);
-    /// Any of them is given that a file would have outside [ask].
+    /// True if an option is given whose key is outside [ask] in a file.
     [[nodiscard]] bool given() const;
-    /// What is asked, of a scene by its file as well: its points, its process zone.
+    /// Returns the entries of [ask], which may accompany a file as well: points and the process
+    /// zone.
     [[nodiscard]] std::vector<scene::SceneEntry> asked() const;
-    /// What the scene's file would hold. Throws InputError for none or several profiles, and for a
-    /// parameter that the profile does not have.
+    /// Returns the content of the scene's file. Throws InputError for none or several profiles, and
+    /// for a parameter that the profile does not have.
     [[nodiscard]] scene::SceneEntries entries() const;
 
 private:
-    std::map<std::string, bool> profiles_;          ///< by kind
-    std::map<std::string, std::string> quantities_; ///< by key of a scene's file
+    std::map<std::string, bool> profiles_;          ///< for each kind
+    std::map<std::string, std::string> quantities_; ///< for each key of a scene's file
 };
 
-/// "1e-3,a/2": its parts.
+/// Returns the parts of a list such as "1e-3,a/2".
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& text);
 
 } // namespace edgeproof::cli

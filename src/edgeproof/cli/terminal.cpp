@@ -14,7 +14,7 @@ namespace edgeproof::cli {
 namespace {
 constexpr std::chrono::milliseconds shown_every{100};
 
-/// Whether what shows the output obeys escape sequences.
+/// True if the terminal obeys escape sequences.
 bool obeys_escapes(int file) {
     const char* kind = std::getenv("TERM");
     return ::isatty(file) == 1 && kind != nullptr && *kind != '\0' &&

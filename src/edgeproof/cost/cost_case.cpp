@@ -14,7 +14,7 @@ constexpr std::size_t many = 40;
 constexpr std::size_t some = 10;
 constexpr unsigned digits_of_places = 6;
 
-/// In equal ratios from 1e-8 to 1, as decimals of 6 digits, times `unit`.
+/// Returns a geometric sequence from 1e-8 to 1, as decimals of 6 digits, times `unit`.
 std::vector<formula::Exact> geometric_places(std::size_t count, const std::string& unit) {
     const PrecisionScope scope(30);
     std::vector<formula::Exact> u;
@@ -63,7 +63,7 @@ std::vector<CostCase> usual_cases() {
     };
     std::vector<formula::Exact> off_centre = geometric_places(some, "1");
     off_centre.back() =
-        formula::Exact::parse("1/2"); // at u = a is the apex, where some p are infinite
+        formula::Exact::parse("1/2"); // u = a is the apex, where p is infinite for some profiles
     add("flat-and-rounded", flat, geometric_places(many, "1"));
     add("wedge", wedge, off_centre);
     add("power law, m = 1/2", power, off_centre);

@@ -24,7 +24,7 @@ long bits_of(unsigned digits) {
     return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 64;
 }
 
-/// A route that is a template, in a machine's own arithmetic.
+/// A route that is a template, in a hardware arithmetic.
 template <Arithmetic T> class InMachine : public ReadyContact {
 public:
     InMachine(const CostCase& c, contact::Route route)
@@ -81,7 +81,7 @@ private:
     contact::Route route_;
 };
 
-/// BatchPressure, by one of its rules.
+/// BatchPressure with one of its rules.
 class InBatch : public ReadyContact {
 public:
     InBatch(const CostCase& c, unsigned digits, contact::BatchPressure::Rule rule)
@@ -90,7 +90,7 @@ public:
                                    digits, rule) {
         const bool by_knot = c.near.sign() != 0;
         for (std::size_t i = 0; i < c.u.size(); ++i) {
-            // The distance from a knot is a difference, and is to have its digits too.
+            // The distance from a knot is a difference and must have the full digits, too.
             const double lost = by_knot ? std::max(0.0, -std::log10(c.distance(i))) : 0;
             const PrecisionScope scope(digits + guard_digits + static_cast<unsigned>(lost));
             u_.push_back(c.u[i].to<Real>());
@@ -110,7 +110,7 @@ private:
     std::vector<Real> u_;
 };
 
-/// An enclosure at so many bits as the digits need where nothing cancels.
+/// An enclosure with as many bits as the digits need if nothing cancels.
 template <class Contact> class InBalls : public ReadyContact {
 public:
     InBalls(const CostCase& c, unsigned digits)
@@ -126,7 +126,7 @@ private:
     Contact contact_;
 };
 
-/// As `edgeproof pressure` has it: more and more bits until it rounds to the digits asked for.
+/// The method of `edgeproof pressure`: more and more bits until the value rounds as asked.
 class AsPrinted : public ReadyContact {
 public:
     AsPrinted(const CostCase& c, unsigned digits) : case_(c), scene_(c.scene) {
@@ -164,7 +164,8 @@ bool curved(const scene::Scene& scene) {
     return !closed(scene) && contact::IntegratedContact::handles(*scene.profile);
 }
 
-/// Where g' is curved, what Barber-Mossakovskii integrates is itself an integral: minutes a point.
+/// For a curved g', the integrand of Barber-Mossakovskii is itself an integral: minutes for each
+/// point.
 std::function<bool(const scene::Scene&)> taken_by(contact::Route route, bool machine) {
     return route == contact::Route::barber_mossakovskii ? closed
            : route != contact::Route::closed_form       ? any

@@ -12,35 +12,34 @@
 
 namespace edgeproof::cost {
 
-/// What a route made of a point. A route that proves its values gives the ball as well.
+/// The result of a route at a point. A route that proves its values gives the ball as well.
 struct CostValue {
     Real value;
-    std::optional<std::size_t> evaluations = {}; ///< of an integrand, where it counts them
+    std::optional<std::size_t> evaluations = {}; ///< of an integrand, if the route counts them
     std::optional<Ball> ball = {};
 };
 
-/// A contact made ready for one route at one precision: what is done once a contact is done.
+/// A contact prepared for one route at one precision: the work that is done once for each contact.
 class ReadyContact {
 public:
     virtual ~ReadyContact() = default;
-    /// p at point number i of the case. Throws what the route throws.
+    /// Returns p at the point with index i of the case. Throws the route's errors.
     [[nodiscard]] virtual CostValue at(std::size_t i) = 0;
 };
 
-/// One way to a pressure, in one arithmetic.
+/// One route to a pressure, in one arithmetic.
 struct CostRoute {
     std::string name;
     std::string arithmetic;
-    unsigned digits = 0; ///< that the arithmetic has; 0: as many as are asked for
+    unsigned digits = 0; ///< of the arithmetic; 0: as many as are asked for
     bool proves = false;
-    bool expensive =
-        false; ///< takes so long that it is timed at few points and digits, unless asked to
-    /// Whether the route takes this profile.
+    bool expensive = false; ///< so slow that it is timed at few points and digits, unless asked to
+    /// True if the route takes this profile.
     std::function<bool(const scene::Scene&)> takes;
     std::function<std::unique_ptr<ReadyContact>(const CostCase&, unsigned digits)> ready;
 };
 
-/// All of them; a new one is an entry of this list.
+/// Returns all routes; a new route is a new entry of this list.
 [[nodiscard]] const std::vector<CostRoute>& cost_routes();
 
 } // namespace edgeproof::cost

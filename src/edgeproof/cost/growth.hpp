@@ -10,21 +10,22 @@
 
 namespace edgeproof::cost {
 
-/// How the cost of one route in one arithmetic grows with the digits, over one case.
+/// The growth of the cost of one route in one arithmetic with the digits, over one case.
 struct Growth {
     std::string scene;
     std::string route;
     std::string arithmetic;
-    roots::PowerLawFit time;                       ///< median seconds a value
+    roots::PowerLawFit time;                       ///< median seconds for each value
     std::optional<roots::PowerLawFit> evaluations; ///< median
-    /// What a value of ten digits more costs, as a ratio, at 50 digits by the fit.
+    /// Returns the ratio by which ten more digits raise the cost of a value, at 50 digits by the
+    /// fit.
     [[nodiscard]] double ten_more() const;
 };
-/// Of routes with two digits or more, in the order of the cells. Cells that were not timed, or
-/// failed at every point, are left out.
+/// Returns the growth of each route measured at two or more numbers of digits, in the order of the
+/// cells. Cells that were not timed, or failed at every point, are left out.
 [[nodiscard]] std::vector<Growth> growths(const std::vector<CostCell>& cells);
 
-/// What a proof costs: the median time of an enclosure over that of the bare value.
+/// The cost of a proof: the median time of an enclosure, compared with that of the bare value.
 struct BoundCost {
     std::string scene;
     unsigned digits = 0;
@@ -33,7 +34,7 @@ struct BoundCost {
     double enclosure_seconds = 0;
     double rounded_seconds = 0; ///< enclosed, and rounded to the digits asked for
 };
-/// For each case and number of digits that has both.
+/// Returns an entry for each case and number of digits that has both.
 [[nodiscard]] std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells);
 
 } // namespace edgeproof::cost

@@ -6,7 +6,7 @@
 
 namespace edgeproof::cost {
 
-/// Where times were taken, as name and value: processor, cores, compiler, libraries with versions.
+/// Returns the machine as names and values: processor, cores, compiler, libraries with versions.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> machine();
 
 } // namespace edgeproof::cost

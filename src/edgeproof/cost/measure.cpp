@@ -17,20 +17,21 @@
 namespace edgeproof::cost {
 namespace {
 
-constexpr unsigned more_digits = 30;    ///< of the enclosure that errors are taken against
-constexpr double batch_seconds = 2e-5;  ///< timed together, so that the clock's own time is little
-constexpr double enough_seconds = 4e-3; ///< a point
+constexpr unsigned more_digits = 30;    ///< of the enclosure from which errors are computed
+constexpr double batch_seconds = 2e-5;  ///< at least, timed together: more than a clock reading
+constexpr double enough_seconds = 4e-3; ///< for each point
 constexpr std::size_t fewest_samples = 3;
 constexpr std::size_t most_samples = 15;
-constexpr double too_long = 0.2; ///< for more than one sample
+constexpr double too_long = 0.2; ///< to take more than one sample
 
-/// Enclosures of the points chosen, by the route in balls, which shares no code with the others.
+/// Returns enclosures at the chosen points, by the route in balls, which shares no code with the
+/// others.
 std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& chosen,
                              unsigned digits) {
     const contact::Profile& profile = *c.scene.profile;
     const bool closed = contact::BallContact::has_closed_form(profile);
     const long wanted = static_cast<long>(static_cast<double>(digits) * 3.3219281) + 8;
-    std::map<long, contact::IntegratedContact> curved; // by bits
+    std::map<long, contact::IntegratedContact> curved; // for each number of bits
     std::vector<Ball> exact;
     for (const std::size_t i : chosen) {
         if (closed) {
@@ -55,7 +56,7 @@ std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& 
     return exact;
 }
 
-/// What a look at the clock takes, with the two calls that a sample makes.
+/// Returns the time of a clock reading, with the two calls that a sample makes.
 double clock_seconds() {
     static const double seconds = [] {
         std::vector<double> looks;
@@ -68,8 +69,9 @@ double clock_seconds() {
     return seconds;
 }
 
-/// Times of some points, in rounds: each point's samples lie apart, so that what disturbs the
-/// machine for a while does not meet one point alone, and no point is asked for twice in a row.
+/// Times some points in rounds: the samples of each point lie apart, so that a temporary
+/// disturbance of the machine does not affect one point only, and no point is evaluated twice in a
+/// row.
 class Timing {
 public:
     Timing(ReadyContact& contact, std::vector<PointCost>& points)
@@ -122,7 +124,7 @@ private:
     std::vector<std::vector<double>> samples_;
 };
 
-/// One point: what it gives.
+/// Returns the cost of one point, without its times.
 PointCost point_cost(ReadyContact& contact, std::size_t i, const Ball& exact) {
     PointCost cost;
     cost.point = i;
@@ -133,12 +135,13 @@ PointCost point_cost(ReadyContact& contact, std::size_t i, const Ball& exact) {
         if (value.ball && !(value.ball->is_finite() && overlaps(*value.ball, exact))) {
             cost.failure = value.ball->is_finite() ? "the enclosures are disjoint" : "not finite";
         } else if (value.ball) {
-            // What it proves, not how near its middle is.
+            // Count the digits that it proves, not the distance of its midpoint from the exact
+            // value.
             cost.right = std::min(cost.right, digits_reached(value.ball->midpoint(), *value.ball));
         }
     } catch (const Error& error) {
         cost.failure = error.what();
-    } catch (const std::exception& error) { // Boost throws its own
+    } catch (const std::exception& error) { // Boost throws its own types
         cost.failure = error.what();
     }
     return cost;
@@ -183,7 +186,7 @@ public:
             const double begun = parallel::thread_seconds();
             const auto contact = route->ready(case_, digits);
             cell.contact_seconds = parallel::thread_seconds() - begun;
-            for (std::size_t p = 0; p < chosen.size(); ++p) { // tables are made, caches warm
+            for (std::size_t p = 0; p < chosen.size(); ++p) { // fills tables and caches
                 check_interruption();
                 cell.points.push_back(point_cost(*contact, chosen[p], exact[p]));
             }

@@ -10,12 +10,12 @@ namespace {
 
 using validation::Dice;
 
-/// h(y), h(0) = 0, which rises for y > 0.
+/// A function h(y) with h(0) = 0 that increases for y > 0.
 struct Slope {
     const char* h;
-    bool odd = false;     ///< so that it may be the slope of both sides
+    bool odd = false;     ///< it may be the slope of both sides
     bool bounded = false; ///< too weak to balance another side
-    bool ends = false;    ///< of y <= 1 only
+    bool ends = false;    ///< defined for y <= 1 only
 };
 
 constexpr std::array<Slope, 26> slopes{{
@@ -59,7 +59,7 @@ const Slope& drawn_slope(Dice& dice, bool odd, bool unbounded, bool endless) {
 std::string with_argument(const std::string& h, const std::string& y) {
     std::string text;
     for (std::size_t i = 0; i < h.size(); ++i) {
-        const bool alone = h[i] == 'y'; // no function's name has one
+        const bool alone = h[i] == 'y'; // no function's name contains a y
         text += alone ? "(" + y + ")" : h.substr(i, 1);
     }
     return text;
@@ -88,16 +88,16 @@ std::string curved_scene(Dice& dice) {
     case 0: // one formula
         profile += "symmetric = true\nknots = []\nslopes = " + list(slope(true, false, "x"));
         break;
-    case 1: // a flat, and beyond it a curve
+    case 1: // a flat, and a curve beyond it
         profile += "symmetric = true\nknots = " + list(half) +
                    "\nslopes = " + list("0", slope(false, false, "(x - " + half + ")"));
         break;
-    case 2: // a cylinder, and a curve more beyond a knot
+    case 2: // a cylinder, and an added curve beyond a knot
         profile += "symmetric = true\nknots = " + list(half) + "\nslopes = " +
                    list("x/(3*" + a + ")",
                         "x/(3*" + a + ") + " + slope(false, false, "(x - " + half + ")"));
         break;
-    default: { // two sides that differ, with a flat between
+    default: { // two different sides, with a flat between them
         const std::string left = slope(false, true, "(-x)");
         profile += "knots = " + list("0", half) + "\nslopes = " +
                    list("-(" + left + ")", "0", slope(false, true, "(x - " + half + ")"));

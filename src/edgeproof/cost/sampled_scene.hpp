@@ -6,15 +6,15 @@
 
 namespace edgeproof::cost {
 
-/// A scene that is drawn, to be timed.
+/// A random scene to be timed.
 struct SampledScene {
-    std::string kind; ///< of the profile: its neighbours are the scenes of that kind
-    std::string text; ///< as TOML
+    std::string kind; ///< the kind of profile: a scene is compared with those of its kind
+    std::string text; ///< in TOML
 };
 
-/// The scene of that number, the same for the same seed whatever else is drawn. Every other one has
-/// a curved slope: whole, half and odd powers, functions with poles or branch points near the
-/// contact or on a knot, symmetric or not, by `a` or by P; the others are those of
+/// Returns the scene with that number; it depends only on the seed and the number. Every second
+/// scene has a curved slope: whole, half and odd powers, functions with poles or branch points near
+/// the contact or on a knot, symmetric or not, loaded by `a` or by P. The others are those of
 /// validation/counts/sample.hpp.
 [[nodiscard]] SampledScene sampled_scene(std::uint64_t seed, std::size_t number);
 

@@ -12,7 +12,7 @@
 
 namespace edgeproof::cost {
 
-/// What is asked of every scene: a subcommand of the program with its options.
+/// A subcommand of the program with its options, run with every scene.
 struct ScannedCommand {
     const char* name;
     const char* options;
@@ -26,34 +26,34 @@ inline constexpr std::array<ScannedCommand, 3> scanned_commands{{
 /// One answer: how long it took, and how it ended.
 struct TimedAnswer {
     double seconds = 0;   ///< of the processor
-    bool stopped = false; ///< at the limit: it would have taken longer
-    std::string failure;  ///< what was said where there is no answer; empty else
+    bool stopped = false; ///< ended at the time limit
+    std::string failure;  ///< the message if there is no answer; else empty
 };
 
 struct SpeedOptions {
     std::uint64_t seed = 1;
     std::size_t scenes = 100;
-    std::optional<std::size_t> only; ///< this scene alone
+    std::optional<std::size_t> only; ///< only this scene
     std::vector<unsigned> digits{50, 200};
     unsigned threads = 1; ///< 0: as many as the machine has
-    /// Answers a scene, timed. Called from several threads.
+    /// Answers a scene, and times it. Called from several threads.
     std::function<TimedAnswer(const SampledScene&, const ScannedCommand&, unsigned digits)> answer;
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
-/// The scenes of one kind, asked the same at the same digits.
+/// The scenes of one kind, with the same command and digits.
 struct SpeedCell {
     std::string kind;
-    std::size_t command = 0; ///< of scanned_commands
+    std::size_t command = 0; ///< an index into scanned_commands
     unsigned digits = 0;
     struct Scene {
         std::size_t number;
         TimedAnswer answer;
     };
-    std::vector<Scene> scenes; ///< the slowest first
+    std::vector<Scene> scenes; ///< the slowest comes first
 
     [[nodiscard]] double median() const;
-    /// Of the slowest, to the median.
+    /// Returns the ratio of the slowest to the median.
     [[nodiscard]] double ratio() const;
     [[nodiscard]] std::size_t stopped() const;
     [[nodiscard]] std::size_t failed() const;

@@ -5,7 +5,7 @@
 #include <string>
 
 /// The Python module: the library's values, scenes, audits and conformance checks as Python
-/// objects. It computes nothing itself. One function a source, each of which adds its part:
+/// objects. It computes nothing itself. Each source has one function, which adds its part:
 ///   errors.cpp   the library's exceptions as those of edgeproof.errors
 ///   value.cpp    Value
 ///   scene.cpp    NativeScene
@@ -16,7 +16,7 @@
 ///   relations.cpp  relations
 namespace edgeproof::python {
 
-/// None for an empty text.
+/// Returns None for an empty text.
 [[nodiscard]] inline pybind11::object text_or_none(const std::string& text) {
     return text.empty() ? pybind11::object(pybind11::none())
                         : pybind11::object(pybind11::str(text));

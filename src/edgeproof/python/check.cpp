@@ -125,7 +125,8 @@ py::dict result_of(const report::Conformance& c) {
     return d;
 }
 
-/// What is given of `answers` (text, and its name), `recipe`, `command` says who answers.
+/// Checks the text `answers`, called `name` (with or without a recipe), or the program `command`,
+/// which answers `recipe`.
 py::dict check(const std::optional<std::string>& answers, const std::string& name,
                const std::optional<std::string>& recipe, const std::optional<std::string>& command,
                bool json, double seconds, std::optional<double> digits, std::optional<double> ulps,

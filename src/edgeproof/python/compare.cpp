@@ -23,7 +23,7 @@ namespace {
 using comparison::Norm;
 using OptionalText = std::optional<std::string>;
 
-/// Texts of result tables, each with the name that errors call it by.
+/// Texts of result tables, each with its name for errors.
 using Results = std::vector<std::pair<std::string, std::string>>;
 
 Norm norm_named(const std::string& name) {
@@ -90,7 +90,7 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             report.comparison.tolerances = tolerances_of(tolerance, of, edge_zone, tolerance_a,
                                                          tolerance_P, tolerance_c0, partial);
             const auto at = origin == "auto"
-                                ? std::nullopt // fitted, as asked
+                                ? std::nullopt // fitted to the data
                                 : std::optional(origin ? parse_decimal(*origin) : Rational(0));
             const comparison::ResultReading reading = reading_of(scene, columns, scale);
             std::vector<comparison::ResultTable> tables; // all are read before any work

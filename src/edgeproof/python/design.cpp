@@ -30,7 +30,7 @@ contact::DesignOptions search_of(const std::string& gap, long digits) {
     return search;
 }
 
-/// By what its bounds come about.
+/// Returns the method that gave the bounds.
 const char* route_of(const scene::DesignResult& result) {
     return result.proved() ? "branch-and-bound" : "samples";
 }

@@ -12,7 +12,7 @@
 
 namespace edgeproof::python {
 
-/// What a scene is asked, by names and exact texts; what is left out stays as the scene has it.
+/// The questions for a scene, by names and exact texts; a missing one keeps the scene's value.
 struct AskedByName {
     std::optional<std::vector<std::string>> edges;
     std::optional<std::vector<std::string>> u;
@@ -24,20 +24,20 @@ struct AskedByName {
     std::optional<long> digits;
 };
 
-/// "right" or "left". Throws InputError.
+/// Returns the edge "right" or "left". Throws InputError for other names.
 [[nodiscard]] contact::Edge edge_named(const std::string& name);
 
-/// A scene with the text that it was read from. Any number of threads may use one.
+/// A scene with the text from which it was read. Several threads may use one.
 class NativeScene {
 public:
     NativeScene(std::string text, scene::Scene scene);
 
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
     [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
-    /// The scene with other questions. Throws InputError for what makes no sense.
+    /// Returns the scene with other questions. Throws InputError for questions that make no sense.
     [[nodiscard]] scene::Scene asking(const AskedByName& ask) const;
-    /// Binary64Pressures of each; `p` and `u` of one size. Solved contacts are kept for the next
-    /// call, one for each thread that calls at the same time.
+    /// Computes Binary64Pressures at each u; `p` and `u` have the same size. Solved contacts are
+    /// kept for the next call, one for each thread that calls at the same time.
     void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
 
 private:

@@ -15,7 +15,7 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-/// The JSON of `edgeproof relations`.
+/// Returns the JSON of `edgeproof relations`.
 std::string relations(std::vector<std::string> quantities, long degree, bool symmetric,
                       std::vector<std::pair<std::string, std::string>> given,
                       std::vector<std::string> free) {

@@ -11,7 +11,7 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-/// Makes values of one number of digits.
+/// Makes values with one number of digits.
 class Maker {
 public:
     explicit Maker(unsigned digits) : digits_(digits) {}

@@ -6,11 +6,12 @@
 
 namespace edgeproof::python {
 
-/// A result as nested dicts and lists of Value, from which edgeproof/results.py makes its objects.
+/// Returns a result as nested dicts and lists of Value, from which edgeproof/results.py makes its
+/// objects.
 [[nodiscard]] pybind11::dict results_of(const scene::Scene& scene,
                                         const scene::SceneResult& result);
 
-/// What a scene's file asks for: quantities, edges, terms, u, digits.
+/// Returns the questions of a scene's file: quantities, edges, terms, u, digits.
 [[nodiscard]] pybind11::dict asked_of(const scene::Scene& scene);
 
 } // namespace edgeproof::python

@@ -61,7 +61,7 @@ py::dict run(const NativeScene& self, std::optional<Texts> edges, std::optional<
     return results_of(*scene, result);
 }
 
-/// "u[3]", "u[0, 2]": an element by its place in memory.
+/// Returns the name of the element at a place in memory: "u[3]", "u[0, 2]".
 std::string element_name(const py::array& u, py::ssize_t place) {
     std::string indices;
     for (py::ssize_t k = u.ndim(); k-- > 0;) {

@@ -7,7 +7,7 @@
 
 namespace edgeproof::python {
 
-/// A question that the bounds of the values do not answer.
+/// Thrown if the bounds of the values do not answer a question.
 class UndecidedError : public Error {
 public:
     UndecidedError(const std::string& problem, std::string advice)

@@ -21,7 +21,8 @@ namespace {
 
 constexpr long most_digits = 100'000;
 
-/// By hexadecimal digits: Python refuses to read decimal numbers of more than 4300 digits.
+/// Converts by hexadecimal digits, because Python refuses to read decimal numbers of more than 4300
+/// digits.
 py::object integer_of(const Integer& n) {
     const std::unique_ptr<char, void (*)(void*)> hex(mpz_get_str(nullptr, 16, n.backend().data()),
                                                      [](void* text) { std::free(text); });
@@ -39,7 +40,7 @@ Rational rational_of_real(const Real& x) {
     return q;
 }
 
-/// Both ends of what encloses the value, exactly.
+/// Returns both ends of the value's enclosure, exactly.
 std::pair<Rational, Rational> ends(const Value& v) {
     if (v.value().exactly) {
         return {*v.value().exactly, *v.value().exactly};
@@ -53,7 +54,7 @@ std::pair<Rational, Rational> ends(const Value& v) {
     throw UndecidedError("the bounds of the two values overlap", "ask for both with more digits");
 }
 
-/// -1, 0 or 1.
+/// Returns -1, 0 or 1.
 int compared(const std::pair<Rational, Rational>& x, const std::pair<Rational, Rational>& y) {
     if (x.second < y.first) {
         return -1;
@@ -67,7 +68,7 @@ int compared(const std::pair<Rational, Rational>& x, const std::pair<Rational, R
     refuse_comparison();
 }
 
-/// The ends of the other side of a comparison; nothing for what is no number.
+/// Returns the ends of the other side of a comparison; no value if it is not a number.
 std::optional<std::pair<Rational, Rational>> ends_of(const py::object& other) {
     if (py::isinstance<Value>(other)) {
         return ends(other.cast<const Value&>());
@@ -101,7 +102,7 @@ template <class Test> auto comparison(const Test& test) {
     };
 }
 
-/// The number that the text states. Throws UndecidedError where it states two.
+/// Returns the number in the value's text. Throws UndecidedError if the text contains two.
 std::string one_number(const Value& v) {
     if (v.printed().text.empty() || v.printed().text.front() == '[') {
         throw UndecidedError("the rounding of the value is undecided: " + v.printed().text,
@@ -281,7 +282,7 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
             },
             "to_dict()\n\n{\"text\", \"bound\", \"proved\", \"route\"}.")
         .def(py::pickle(&state_of, &from_state));
-    value.attr("__hash__") = py::none(); // equal values need not be known to be equal
+    value.attr("__hash__") = py::none(); // the bounds may not decide whether two values are equal
     value.attr("__module__") = "edgeproof";
 }
 

@@ -6,16 +6,16 @@
 
 namespace edgeproof::python {
 
-/// A value of the library with the digits that it was asked for: edgeproof.Value.
+/// edgeproof.Value: a value of the library with the digits for which it was computed.
 class Value {
 public:
-    /// Throws BudgetError for a ball that is not finite: no value is ever NaN.
+    /// Throws BudgetError for a ball that is not finite: a value is never NaN.
     Value(scene::BoundedValue value, unsigned digits);
 
     [[nodiscard]] const scene::BoundedValue& value() const noexcept { return value_; }
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
     [[nodiscard]] const scene::PrintedValue& printed() const noexcept { return printed_; }
-    /// Throws UndecidedError where several binary64 may be the nearest.
+    /// Throws UndecidedError if several binary64 may be the nearest.
     [[nodiscard]] double nearest() const;
 
 private:
@@ -24,7 +24,7 @@ private:
     scene::PrintedValue printed_;
 };
 
-/// How values are asked for: with the bits that a binary64 needs.
+/// Returns the digits with which values are computed, including the bits that a binary64 needs.
 [[nodiscard]] scene::Digits digits_asked(unsigned count);
 
 /// Throws DomainError outside 2 ... 100,000.

@@ -12,7 +12,7 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-struct sigaction pythons_own; ///< the action that ours stands before
+struct sigaction pythons_own; ///< the action that ours calls after its own work
 
 extern "C" void on_ctrl_c(int signal, siginfo_t* info, void* context) {
     request_interruption(signal);
@@ -50,7 +50,8 @@ InterruptedByCtrlC::~InterruptedByCtrlC() {
         return;
     }
     struct sigaction now = {};
-    if (sigaction(SIGINT, nullptr, &now) == 0 && is_ours(now)) { // not set anew meanwhile
+    if (sigaction(SIGINT, nullptr, &now) == 0 &&
+        is_ours(now)) { // it has not been replaced meanwhile
         sigaction(SIGINT, &pythons_own, nullptr);
     }
     withdraw_interruption();
@@ -85,7 +86,7 @@ void after_interruption() {
         throw py::error_already_set();
     }
     const py::gil_scoped_release released;
-    while (interruption_requested() != 0) { // that of another thread
+    while (interruption_requested() != 0) { // the request is for another thread
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }

@@ -11,9 +11,9 @@
 
 namespace edgeproof::python {
 
-/// While it lives, SIGINT requests an interruption besides what Python does with it; in the main
-/// thread, where Python handles signals, and only if Python handles this one. To be made and
-/// destroyed with the GIL held. At its end the request is taken back.
+/// During its life, SIGINT also requests an interruption, in addition to Python's own action. This
+/// applies only in the main thread, where Python handles signals, and only if Python handles this
+/// one. Must be made and destroyed with the GIL held. Its end withdraws the request.
 class InterruptedByCtrlC {
 public:
     InterruptedByCtrlC();
@@ -25,18 +25,19 @@ private:
     bool active_ = false;
 };
 
-/// After work that ended by Interrupted, with the GIL held: throws what Python makes of the signal
-/// (KeyboardInterrupt as a rule). Returns where that is nothing, or where the signal was for the
-/// work of another thread, once the request is withdrawn: the work can be done again.
+/// Called, with the GIL held, after work that ended by Interrupted: throws the exception that
+/// Python raises for the signal (usually KeyboardInterrupt). If there is none, or if the signal was
+/// for the work of another thread, it returns when the request is withdrawn, and the work can be
+/// repeated.
 void after_interruption();
 
-/// A Python function that is told (done, total), from any thread, or None. What it raises ends the
-/// work.
+/// Calls a Python function (or None) with (done, total), from any thread. An exception of the
+/// function ends the work.
 class Progress {
 public:
     explicit Progress(pybind11::object callback) : callback_(std::move(callback)) {}
     void operator()(std::size_t done, std::size_t total);
-    /// With the GIL held: throws what the function has raised.
+    /// Throws the function's exception, if there was one. Needs the GIL.
     void rethrow();
 
 private:
@@ -45,7 +46,7 @@ private:
     std::exception_ptr raised_;
 };
 
-/// f() without the GIL, so that other Python threads run. Ctrl-C ends it at its next look
+/// Runs f() without the GIL, so that other Python threads run. Ctrl-C ends it at its next check
 /// (check_interruption) with KeyboardInterrupt.
 template <class F> auto without_gil(const F& f, Progress* progress = nullptr) {
     for (;;) {

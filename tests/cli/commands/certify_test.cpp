@@ -9,7 +9,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-// c0 of a wedge is 2 calP sqrt(gam)/(Pi sqrt(1 + gam) sqrt(a)): `says` is wrong, or right.
+// c0 of a wedge is 2 calP sqrt(gam)/(Pi sqrt(1 + gam) sqrt(a)); `says` is right or wrong.
 std::string wedge_ledger(const std::string& says) {
     return "[ledger]\nname = \"own\"\n[[family]]\nname = \"wedges\"\nprofile = \"tilted-wedge\"\n"
            "count = 2\n[family.parameters]\ngam = [\"1/3\", \"1/2\"]\nphi = [\"1/50\"]\n"
@@ -21,7 +21,7 @@ std::string wedge_ledger(const std::string& says) {
 const std::string wedge_wrong = "2*Es*phi/(Pi*sqrt(1+gam)*sqrt(a))";
 const std::string wedge_right = "2*Es*phi*sqrt(gam)/(Pi*sqrt(1+gam)*sqrt(a))";
 
-/// The claim as `verify` writes it.
+/// Returns the claim in verdicts.json.
 nlohmann::json verified_claim(const Folder& folder, const std::string& more = "") {
     REQUIRE(run(folder, "verify own.toml --digits 20 --out out" + more).code == 0);
     return nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json")).at("claims").at(0);
@@ -46,12 +46,12 @@ TEST_CASE("verify names the certificate of a verdict, and what the verdict rests
     CHECK(file_text(folder.path() / "out/verdicts.md").find("`certificates/c0.v`") !=
           std::string::npos);
 
-    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is of another formula
+    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is about another formula
     CHECK(verified_claim(folder).at("certificate").is_null());
     REQUIRE(run(folder, "certify own.toml --out certificates").code == 0);
     const auto confirmed = verified_claim(folder);
     CHECK(confirmed.at("certificate") == "certificates/c0.v");
-    CHECK(confirmed.at("rests_on") == "enclosures"); // a theorem of one contact
+    CHECK(confirmed.at("rests_on") == "enclosures"); // a theorem about one contact
 }
 
 TEST_CASE("verify shows no certificate that is stated in other definitions") {
@@ -66,7 +66,7 @@ TEST_CASE("verify shows no certificate that is stated in other definitions") {
     CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate").is_null());
 }
 
-// What the page links to is the certificate, wherever the page is, there already or new.
+// The page links to the certificate from any folder, whether the folder exists or not.
 TEST_CASE("the page links to the certificate from where it is written") {
     const Folder folder;
     folder.write("own.toml", wedge_ledger(wedge_wrong));
@@ -82,7 +82,7 @@ TEST_CASE("the page links to the certificate from where it is written") {
         const auto linked = folder.path() / out / page.substr(begin, end - begin);
         CHECK(std::filesystem::equivalent(linked, folder.path() / "proofs/c0.v"));
     }
-    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is of another formula
+    folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is about another formula
     REQUIRE(run(folder, "verify own.toml --digits 20 --certificates proofs --out out").code == 0);
     CHECK(file_text(folder.path() / "out/report.html").find("certificate</a>") ==
           std::string::npos);

@@ -21,7 +21,8 @@ std::string third_party(const char* file) {
 
 TEST_CASE("check: pass and fail against a target, the worst case of each regime named") {
     const Folder folder;
-    // 0.3 and 0.4 by 3-4-5; the second is wrong in its seventh digit.
+    // The exact values are 0.3 and 0.4 (3-4-5 triangle); the second one is wrong in its seventh
+    // digit.
     folder.write("a.csv", header + "one" + hertz_cells + "p,right,0.2,0.3\ntwo" + hertz_cells +
                               "p,left,0.4,0.40000004\n");
     const Outcome pass = run(folder, "check a.csv --digits 6.9");
@@ -39,7 +40,7 @@ TEST_CASE("check: pass and fail against a target, the worst case of each regime 
     CHECK(has(junit, "tests=\"3\" failures=\"1\""));
     CHECK(has(junit, "name=\"two\">\n    <failure message=\"7.0 digits"));
     CHECK(run(folder, "check a.csv --ulps 1").code == 1);
-    // Without a target a wrong number fails all the same: 12 digits are the least.
+    // The default target is 12 digits.
     const Outcome none = run(folder, "check a.csv");
     CHECK(none.code == 1);
     CHECK(has(none.out, "target: 12 digits, or an error that the conditioning explains (none is "
@@ -77,7 +78,7 @@ TEST_CASE("check: what stands beside a number never passes, and the report is wh
         CHECK(o.code != 0);
         CHECK_FALSE(has(o.out, "pass:"));
     }
-    // Bytes that would cut the report off, clear the screen or feign a line of it.
+    // Bytes that would cut the report off, clear the screen or imitate a line of the report.
     folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2,0.3" + std::string(1, '\0') +
                               "\n2" + hertz_cells + "p,right,0.4,\"\x1b[2J\npass: all\xff\"\n" +
                               "3\x1b[2J" + hertz_cells + "p,right,0.4,0.4\n");
@@ -98,8 +99,8 @@ TEST_CASE("check: the counts of the last line add up to what was asked") {
     folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"0.75\", \"1\"]\nquantities = "
                            "[\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = "
                            "\"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n");
-    // One right (in the last place asked, but first), one wrong, one garbage, one missing; one
-    // twice, one that was not asked.
+    // One answer is right, one wrong, one garbage and one missing; one occurs twice, one was not
+    // asked.
     folder.write("a.csv", "id,value\nh:right:u=1:p,0.5\nh:right:u=0.25:p,0.4\nh:right:u=0.5:p,x\n"
                           "h:right:u=1:p,0.5\nh:right:u=7:p,1\n");
     const Outcome o = run(folder, "check a.csv --recipe r.toml");
@@ -171,7 +172,7 @@ TEST_CASE("a program in Python: its closed forms hold in double, and the faults 
     const Outcome right = run(folder, "check right.csv --digits 13");
     CHECK(right.code == 0);
     CHECK(lines(right.out).back() == "pass: 220 answers, 0 failures");
-    CHECK(run(folder, "check right.csv --digits 17").code == 1); // a double has no 17 digits
+    CHECK(run(folder, "check right.csv --digits 17").code == 1); // a double does not have 17 digits
 
     answers_of("wrong_on_purpose.py", "wrong.csv");
     const Outcome wrong =
@@ -206,7 +207,7 @@ TEST_CASE("check --exec: the program is run and asked; however it ends, the chec
     const Outcome good = check("sh good.sh");
     CHECK(good.code == 0);
     CHECK(lines(good.out).back() == "pass: 3 answers, 0 failures");
-    // The ids tell which answer is which.
+    // The ids identify the answers.
     const Outcome turned = check("sh good.sh >all; head -n 1 all; tail -n 3 all | sort -r");
     CHECK(turned.code == 0);
     CHECK(has(turned.out, "2 rows stand in another order than asked"));
@@ -229,7 +230,7 @@ TEST_CASE("check --exec: the program is run and asked; however it ends, the chec
         CHECK(o.code == 1);
         CHECK(has(o.out, bad.said));
     }
-    // What it says on its standard error is shown, and cut where it does not end.
+    // Its standard error is shown, but cut if it is too long.
     const Outcome loud = check("head -c 300000 /dev/zero >&2; sh good.sh");
     CHECK(loud.code == 0);
     CHECK(loud.err.size() > 65536);
@@ -243,7 +244,7 @@ TEST_CASE("check --exec: the program is run and asked; however it ends, the chec
 
 TEST_CASE("check: a file of many answers is reported as one that is read at once") {
     const Folder folder;
-    // 3-4-5 and 5-12-13 triangles, some of them wrong; one id twice, and a row that is torn.
+    // 3-4-5 and 5-12-13 triangles, some values wrong; one id occurs twice, and a row is torn.
     std::string text = "# questions: 6000\n" + header;
     for (int k = 0; k < 5500; ++k) {
         const bool wrong = k % 1100 == 7;
@@ -255,7 +256,7 @@ TEST_CASE("check: a file of many answers is reported as one that is read at once
     }
     folder.write("a.csv", text);
     const Outcome blocks = run(folder, "check a.csv --errors 4");
-    const Outcome once = run(folder, "check a.csv --errors 4 --junit j.xml"); // that needs them all
+    const Outcome once = run(folder, "check a.csv --errors 4 --junit j.xml"); // needs them all
     CHECK(blocks.code == 1);
     CHECK(once.code == 1);
     CHECK(blocks.out == once.out);

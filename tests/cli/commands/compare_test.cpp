@@ -20,7 +20,8 @@ const std::string compared_scene =
     "kind = \"hertz\"\nR = \"2\"\n[load]\nwidth = \"3\"\ncontact_modulus = "
     "\"3\"\n";
 
-/// p = E*/(2R) sqrt(a^2 - x^2) with a = 3/2, E* = 3, R = 2 (Johnson, eq. 4.45), times `factor`.
+/// Rows of p = E*/(2R) sqrt(a^2 - x^2) with a = 3/2, E* = 3, R = 2 (Johnson, eq. 4.45), times
+/// `factor`.
 std::string compared_rows(int n, double factor = 1) {
     std::string text = "x,p\n";
     for (int i = 0; i <= n; ++i) {
@@ -81,7 +82,7 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml right.csv --edge-zone 2x", "--edge-zone 2x");
     refused("scene.toml right.csv --origin left", "--origin left");
     refused("scene.toml right.csv --columns x=2", "one column is taken for two");
-    // No node inside: another origin, another unit, or no pressure at all.
+    // No node lies inside: the origin or the unit differs, or there is no pressure at all.
     const std::string none = " nodes lies inside the contact, ";
     refused("scene.toml right.csv --origin 100",
             "right.csv: none of the 65" + none +
@@ -93,8 +94,8 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml still.csv", "none of the 3" + none + "-1.5 < x < 1.5, and none presses");
     refused("scene.toml right.csv still.csv --json --html none.html", "still.csv: none of the 3");
     CHECK_FALSE(std::filesystem::exists(c.folder.path() / "none.html"));
-    // Too few nodes inside: a finer mesh, or another unit; zones that leave none of them, though
-    // nodes outside are left.
+    // Too few nodes inside: the mesh is too coarse, or the unit differs; or the zones leave none of
+    // them, although nodes outside are left.
     c.folder.write("coarse.csv", "x,p\n-3,0\n-1,0.8385\n1,0.8385\n3,0\n");
     refused("scene.toml coarse.csv",
             "coarse.csv: 2 of the 4 nodes lie inside the contact, -1.5 < x < 1.5: too few to judge "
@@ -108,13 +109,13 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     CHECK(run(c.folder, "compare scene.toml right.csv --edge-zone 1.4").code == 0);
     c.folder.write("three.csv", "x,p\n-3,0\n-1,0.83853\n0,1.125\n1,0.83853\n3,0\n");
     const Outcome three = run(c.folder, "compare scene.toml three.csv");
-    CHECK(three.code == 1); // by trapezoids P is 3.64 in place of 2.65
+    CHECK(three.code == 1); // by the trapezoidal rule P is 3.64 instead of 2.65
     CHECK(has(three.out, "FAIL: P is not determined: "));
     CHECK(run(c.folder, "compare scene.toml three.csv --partial").code == 0);
     CHECK(run(c.folder, "compare scene.toml three.csv --partial --tolerance-P 1%").code == 1);
     c.folder.write("wide.csv", "x,p\n-3,1\n-1,0.83853\n0,1.125\n1,0.83853\n3,1\n");
     CHECK(run(c.folder, "compare scene.toml wide.csv").code == 1);
-    // No folder of figures where there is nothing to draw, and none where it cannot be.
+    // No folder of figures is made if there is nothing to draw or if it cannot be made.
     refused("scene.toml none.csv --figures none", "none.csv");
     refused("scene.toml right.csv still.csv --figures none/there", "still.csv: none of the 3");
     refused("scene.toml right.csv --figures none --tolerance 0", "--tolerance 0");
@@ -124,7 +125,7 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml nan.csv", "nan.csv:3: the row holds 'nan'");
     c.folder.write("bad.toml", "[profile]\nkind = \"hertz\"\n");
     refused("bad.toml right.csv", "bad.toml");
-    // Numbers that are not finite in double precision after scaling: the first that is not 0.
+    // Numbers that overflow double precision after scaling: the first one that is not 0.
     refused("scene.toml right.csv --scale p=1e309", "right.csv:11: '");
     refused("scene.toml right.csv --scale x=1e309", "right.csv:2: '");
     refused("scene.toml right.csv --scale x=1e309", "times its scale is beyond the range");
@@ -163,7 +164,7 @@ TEST_CASE("compare: a fitted origin passes only where the user asks for it") {
         std::snprintf(origin, sizeof origin, " --origin %.17g", 3 * part);
         CHECK(run(c.folder, "compare scene.toml shifted.csv --tolerance 1e-6" + std::string(origin))
                   .code == 0);
-        if (std::abs(part) >= 0.02) { // a smaller shift is an error under a fitted origin, too
+        if (std::abs(part) >= 0.02) { // smaller shifts remain an error with a fitted origin
             CHECK(run(c.folder, "compare scene.toml shifted.csv --origin auto").code == 0);
         }
     }
@@ -216,7 +217,7 @@ TEST_CASE("compare: the page shows the shear where data and scene have one") {
     }
     const ComparedFiles c;
     c.folder.write("sheared.toml", compared_scene + "[shear]\nQ = \"1\"\n");
-    // q = Q/(pi sqrt(a^2 - x^2)), and the second node from the left is a third off.
+    // q = Q/(pi sqrt(a^2 - x^2)), but the second node from the left is a third off.
     std::string rows = "x,p,q\n";
     for (int i = -63; i <= 63; i += 2) {
         const double x = i / 42.0;
@@ -235,7 +236,7 @@ TEST_CASE("compare: the page shows the shear where data and scene have one") {
     CHECK(has(page, "Error of q: sheared.csv"));
     CHECK_FALSE(has(page, "Shear traction: right.csv")); // it has no q
     CHECK(has(file_text(c.folder.path() / "figures" / "sheared-shear.svg"), "</svg>"));
-    // The exact curve of the figure at the middle, and the error at its size.
+    // The figure has the exact curve in the middle, and the right size of the error.
     const std::string curve = file_text(c.folder.path() / "figures" / "sheared-shear.csv");
     bool middle = false;
     for (const std::string& line : lines(curve)) {

@@ -19,7 +19,7 @@ bool shell_has(const char* command) {
     return there;
 }
 
-/// The committed pack, copied.
+/// A copy of the committed pack.
 struct PackCopy {
     Folder folder;
     PackCopy() {
@@ -28,7 +28,7 @@ struct PackCopy {
             std::filesystem::copy(entry.path(), folder.path() / entry.path().filename());
         }
     }
-    /// Exit status of a command of the shell, in the folder.
+    /// Runs a shell command in the folder, and returns its exit status.
     int shell(const std::string& command) const {
         const int status = std::system(
             ("cd '" + folder.path().string() + "' && " + command + " >out 2>&1").c_str());
@@ -49,7 +49,7 @@ struct PackLanguage {
     const char* hold_b;
     const char* hold_c;
     const char* example;
-    /// To a code in binary64, where the example is not one.
+    /// The edit that makes the example compute in binary64, if it does not already.
     std::pair<const char*, const char*> in_double;
     std::pair<const char*, const char*> slightly_wrong; ///< 1e-14: too much for level B
     std::pair<const char*, const char*> grossly_wrong;  ///< 5 %: too much for level A
@@ -125,11 +125,11 @@ TEST_CASE("pack: the committed one is made anew in every byte; an edited one is 
     const std::string manifest_text = file_text(empty.path() / "made" / "MANIFEST");
     CHECK(
         has(manifest_text, "# commit: abc\n# date: 2026-01-02\n# command: edgeproof pack made\n"));
-    // sha256sum, which is another program, agrees.
+    // sha256sum is an independent program.
     if (shell_has("sha256sum --version")) {
-        CHECK(other.shell("sha256sum --quiet -c MANIFEST") == 1); // the name that was edited
+        CHECK(other.shell("sha256sum --quiet -c MANIFEST") == 1); // the manifest has an edited name
         CHECK(PackCopy().shell("sha256sum --quiet --strict -c MANIFEST") == 0);
-        CHECK(copy.shell("sha256sum --quiet -c MANIFEST") == 1); // the row that was edited
+        CHECK(copy.shell("sha256sum --quiet -c MANIFEST") == 1); // the edited row
     }
 }
 
@@ -149,7 +149,8 @@ TEST_SUITE("slow") {
             CHECK(has(file_text(right.folder.path() / "out"), ": 104 answered, 0 wrong,"));
             CHECK(right.shell(language.hold_b) == 0);
             CHECK(has(file_text(right.folder.path() / "out"), ": 77 answered, 0 wrong,"));
-            // A few units in the last place are within level B, and not correctly rounded.
+            // An error of a few units in the last place passes level B, but is not correctly
+            // rounded.
             CHECK(right.shell(language.hold_c) == 1);
             CHECK(has(file_text(right.folder.path() / "out"), "power:m=1:"));
             CHECK(has(file_text(right.folder.path() / "out"), "level C: 77 answered, "));
@@ -157,7 +158,7 @@ TEST_SUITE("slow") {
             slightly.edit(language.example, language.slightly_wrong.first,
                           language.slightly_wrong.second);
             REQUIRE(slightly.shell(language.build) == 0);
-            CHECK(slightly.shell(language.hold_a) == 0); // an engineer does not mind
+            CHECK(slightly.shell(language.hold_a) == 0); // level A tolerates it
             CHECK(slightly.shell(language.hold_b) == 1);
             CHECK(has(file_text(slightly.folder.path() / "out"),
                       "power:m=1:C=1:a=1:right:u=1e-15:p: "));
@@ -167,7 +168,7 @@ TEST_SUITE("slow") {
             REQUIRE(grossly.shell(language.build) == 0);
             CHECK(grossly.shell(language.hold_a) == 1);
             CHECK(has(file_text(grossly.folder.path() / "out"), ":p: "));
-            // A file of another pack, and none.
+            // A file with another header is refused.
             const PackCopy cut;
             cut.edit("level-a.csv", "id,kind", "id,sort");
             REQUIRE(cut.shell(language.build) == 0);
@@ -182,7 +183,7 @@ TEST_SUITE("slow") {
         const PackCopy copy;
         CHECK(copy.shell("python3 driver.py C cases.csv hard-cases.csv") == 0);
         CHECK(copy.shell("python3 driver.py D cases.csv hard-cases.csv") == 0);
-        // In 40 digits there are not 50.
+        // 40 digits are not 50.
         copy.edit("example.py", "prec = 80", "prec = 40");
         copy.edit("example.py", "context.prec = 1500", "context.prec = 40");
         CHECK(copy.shell("python3 driver.py D cases.csv hard-cases.csv") == 1);

@@ -14,7 +14,7 @@ const std::string drawn_hertz =
 
 } // namespace
 
-// sqrt(2 u) against sqrt(u (2 - u)): 1 % off at u = 2 - 2/1.0201 = 0.0394079.
+// The error of sqrt(2 u) for sqrt(u (2 - u)) is 1 % at u = 2 - 2/1.0201 = 0.0394079.
 TEST_CASE("plot: every kind of file, and letters") {
     const Folder folder;
     folder.write("s.toml", drawn_hertz + "[ask]\nterms = [1, 2]\ntolerance = \"1%\"\n");
@@ -26,7 +26,7 @@ TEST_CASE("plot: every kind of file, and letters") {
     const std::pair<const char*, const char*> files[] = {
         {"p.svg", "<svg"}, {"p.png", "PNG"}, {"p.pdf", "%PDF"}, {"p.html", "<!DOCTYPE html>"}};
     for (const auto& [name, begin] : files) {
-        const char* const file = name; // a lambda of CAPTURE takes no structured binding in clang
+        const char* const file = name; // clang's lambda in CAPTURE takes no structured binding
         CAPTURE(file);
         const Outcome o = run(folder, "plot s.toml --out " + std::string(file));
         CAPTURE(o.err);

@@ -50,14 +50,15 @@ TEST_CASE("slip: Hertz by hand") {
     }
     CHECK(json["Q/(f P)"]["value"] == "0.750000000000");
     CHECK(json["stick_a"]["value"] == "0.500000000000");
-    // Slip times traction by mpmath: 16 f/pi times the integral over Q and over the slip zone of
-    // p arcosh(x/c), which a step of Q adds to the slip where c sticks (Johnson, 2.7a).
+    // Slip times traction by mpmath: 16 f/pi times the integral over Q and over the slip zone of p
+    // arcosh(x/c). A step of Q adds this to the slip if c is the edge of the stick zone (Johnson,
+    // 2.7a).
     CHECK(json["cycle_energy"]["value"] == "0.0345445660097");
     folder.write("t.toml", slipping_hertz + "bulk_tension = \"1/100\"\n");
     const Outcome pulled = run(folder, "slip t.toml --digits 12");
     CHECK(pulled.code == 0);
     CHECK(pulled.out.find("cycle_energy") == std::string::npos);
-    // -1/2 of d at full sliding: never left.
+    // At full sliding the error is -1/2 of d: it stays within the tolerance.
     const auto never = nlohmann::json::parse(
         run(folder, "slip s.toml --digits 12 --terms 1 --tolerance 51% --edge left --format json")
             .out);
@@ -98,7 +99,8 @@ TEST_CASE("slip: bad input") {
     refused("slip-table --tolerance x", "edgeproof: --tolerance x");
 }
 
-// Hertz in closed form, 4 (tol - tol^2); a wedge's size is linear in Q, so one term is exact.
+// Hertz has the closed form 4 (tol - tol^2); a wedge's size is linear in Q, so that one term is
+// exact.
 TEST_CASE("slip-table: the paper's profiles") {
     const Folder folder;
     const Outcome o = run(folder, "slip-table --digits 6");

@@ -13,10 +13,11 @@ std::string table_command(const std::string& options) {
     return "'" + program().string() + "' table r.toml --out t.csv " + options;
 }
 
-/// Kills the run after so many tenths of a millisecond, again and again, later and later (a build
-/// with sanitizers takes a while to start), until one ends by itself: how often.
-/// A run that is killed between the naming of the table and the removing of its part file leaves
-/// both, and the next one ends what was left: done is a table without a part file.
+/// Kills a run after `first` tenths of a millisecond, then again after later and later times, until
+/// a run ends by itself; returns the number of killed runs. The times also grow with the number of
+/// runs, because a build with sanitizers starts slowly. A run killed after the table is renamed but
+/// before its part file is removed leaves both, and the next run completes the work: the end is a
+/// table without a part file.
 int kill_and_resume(const Folder& folder, int first, int step, const std::string& options) {
     for (int runs = 0;; ++runs) {
         const int slower = 1 + runs / 20;
@@ -31,8 +32,9 @@ int kill_and_resume(const Folder& folder, int first, int step, const std::string
     }
 }
 
-/// Interrupts the table of tilted_recipe(contacts) as soon as it has a part file; of ever more
-/// contacts, until one is not over first. What it says; nothing if none could be interrupted.
+/// Interrupts the table of tilted_recipe(contacts) as soon as it has a part file. The number of
+/// contacts grows until a run is slow enough. Returns the output; empty if no run could be
+/// interrupted.
 std::string interrupt_a_table(const Folder& folder, const std::string& options) {
     for (int contacts = 100; contacts < 50000; contacts *= 3) {
         folder.write("r.toml", tilted_recipe(contacts, 40));
@@ -52,7 +54,7 @@ std::string interrupt_a_table(const Folder& folder, const std::string& options) 
 
 TEST_CASE("table --out: killed at many moments and begun again, the same bytes in the end") {
     int killed = 0;
-    // Of more contacts where the machine is too fast to be killed once.
+    // More contacts, if the machine is too fast for a run to be killed.
     for (int contacts = 40; killed == 0 && contacts < 20000; contacts *= 3) {
         const Folder folder;
         folder.write("r.toml", tilted_recipe(contacts, 40));
@@ -61,7 +63,7 @@ TEST_CASE("table --out: killed at many moments and begun again, the same bytes i
         // 0.0040 s, 0.0047 s, ...: the program is killed while it starts, computes, writes.
         killed = kill_and_resume(folder, 40, 7, "--threads 2");
         CHECK(file_text(folder.path() / "t.csv") == whole);
-        CHECK(folder.files() == 2); // and no part file
+        CHECK(folder.files() == 2); // there is no part file
     }
     CHECK(killed > 0);
 }
@@ -69,7 +71,7 @@ TEST_CASE("table --out: killed at many moments and begun again, the same bytes i
 TEST_CASE(
     "table --out: what a run killed before it removed its part file left, the next one ends") {
     const Folder folder;
-    // Interrupted, so that there is a part file; kept; and laid beside the whole table again.
+    // Make a part file by an interruption, keep it, and put it next to the whole table again.
     REQUIRE_FALSE(interrupt_a_table(folder, "--threads 1").empty());
     std::filesystem::copy(folder.path() / "t.csv.part", folder.path() / "kept");
     REQUIRE(run(folder, "table r.toml --out t.csv").code == 0);
@@ -111,7 +113,7 @@ TEST_CASE("table --out: a full disk is one line, no half file, and the run goes 
     const Folder folder;
     folder.write("r.toml", tilted_recipe(20, 40));
     folder.write("t.csv", "old\n");
-    // A limit on the size of files, in blocks of 512 bytes, is met as a full disk is.
+    // A limit on the size of files, in blocks of 512 bytes, acts like a full disk.
     for (const char* blocks : {"0", "1", "40"}) {
         CAPTURE(blocks);
         const std::string said =
@@ -129,7 +131,7 @@ TEST_CASE("table --out: a full disk is one line, no half file, and the run goes 
 TEST_CASE("table --out: a folder that is gone is one line; a recipe that is wrong leaves nothing") {
     const Folder folder;
     std::string said;
-    // Of more contacts where the table is done before its folder goes.
+    // More contacts, if the table is done before its folder disappears.
     for (int contacts = 200; said.empty() && contacts < 50000; contacts *= 3) {
         folder.write("r.toml", tilted_recipe(contacts, 40));
         said = shell_text(

@@ -38,7 +38,7 @@ std::map<std::string, std::string> by_id(const std::string& csv, const char* col
     return values;
 }
 
-/// A digit in the middle of the row's value, changed.
+/// Changes a digit in the middle of the row's value.
 std::string spoilt(std::string text, const std::string& id) {
     const std::size_t row = text.find("\n" + id + ",");
     const std::size_t at = text.find("0.4000", row) + 7;
@@ -141,7 +141,7 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     auto twice = all;
     twice.push_back(all.back());
     CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
-    // A table of other digits is refused by its rows alone.
+    // A table with other digits is refused because of its rows.
     folder.write("h.toml", std::string(hertz_recipe).replace(hertz_recipe.find("20"), 2, "21"));
     CHECK(said(good).find("row hertz:P: value is 0.78539816339744830962, made anew "
                           "0.785398163397448309616") != std::string::npos);
@@ -178,7 +178,7 @@ TEST_CASE("table and points: bad input is one line with file and line; exit 2; n
 
 namespace {
 
-/// Every recipe under reference/ against the table beside it.
+/// Checks every recipe under reference/ against the table next to it.
 std::size_t check_reference_tables(const std::string& options) {
     const Folder folder;
     std::size_t rows = 0;

@@ -14,7 +14,7 @@ const std::string& head = hertz_head;
 const std::string& right = hertz_right;
 const std::string& wrong = hertz_wrong;
 
-/// The head with one line written otherwise, and a claim that is right.
+/// Returns the head with `line` replaced, and a right claim.
 std::string with(const std::string& line, const std::string& instead) {
     std::string text = head + hertz_claim("one", "Es*C/2*sqrt(a^2-x^2)");
     return text.replace(text.find(line), line.size(), instead);
@@ -26,7 +26,7 @@ TEST_CASE("verify: the table, the files, and the JSON that other programs read")
     const Folder folder;
     folder.write("own.toml", head + right + wrong);
     const Outcome o = run(folder, "verify own.toml --out out");
-    CHECK(o.code == 0); // nothing is recorded beside the ledger
+    CHECK(o.code == 0); // there are no recorded verdicts
     CHECK(o.err.empty());
     for (const char* file :
          {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex", "report.html"}) {
@@ -61,7 +61,7 @@ TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they dif
     CHECK(changed.code == 1);
     CHECK(changed.out.find("differs from own.expected.csv: right") != std::string::npos);
     folder.write("own.toml", head + right + hertz_claim("new", "Es*C/2*sqrt(a^2-x^2)"));
-    CHECK(run(folder, "verify own.toml").code == 1); // a claim without a recorded verdict
+    CHECK(run(folder, "verify own.toml").code == 1); // a claim has no recorded verdict
 }
 
 TEST_CASE("verify: what is malformed is named by file and line, with what to write; exit 2") {
@@ -69,7 +69,7 @@ TEST_CASE("verify: what is malformed is named by file and line, with what to wri
         std::string ledger;
         const char* line;
     };
-    // What a family's scenes turn out to be is told at the family; what a line says, at the line.
+    // Errors in a family's scenes are reported at the family; errors in a line, at the line.
     const Bad all[] = {
         {head + hertz_claim("one", "Es*K/2"), "own.toml:22: unknown name 'K'"},
         {head + hertz_claim("one", "Es*C/"), "own.toml:22: "},
@@ -136,8 +136,8 @@ TEST_CASE("verify: a claim that cannot be read is named, the others are judged; 
     REQUIRE(json.at("errors").size() == 7);
     CHECK(json.at("errors")[0].at("id") == "unknown");
     CHECK(json.at("errors")[0].at("line") == 30);
-    CHECK(run(folder, "verify own.toml --only good").code == 2);  // the id stands twice
-    CHECK(run(folder, "verify own.toml --only wrong").code == 0); // of the claims asked for none
+    CHECK(run(folder, "verify own.toml --only good").code == 2);  // the id occurs twice
+    CHECK(run(folder, "verify own.toml --only wrong").code == 0); // no error in the selection
     CHECK(run(folder, "verify own.toml --record").code == 2);
     CHECK_FALSE(std::filesystem::exists(folder.path() / "own.expected.csv"));
 }

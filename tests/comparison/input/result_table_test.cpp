@@ -12,7 +12,7 @@ ResultTable parsed_result(const std::string& text, const ResultReading& reading 
     return parse_result(text, "r.csv", reading);
 }
 
-/// x = -1/2, 0, 1/2 and p = 1, 3/2, 1: what each of the texts below says.
+/// Checks for x = -1/2, 0, 1/2 and p = 1, 3/2, 1, the content of each of the texts below.
 void check_three(const ResultTable& table) {
     REQUIRE(table.rows.size() == 3);
     CHECK(table.rows[0].x == Rational(-1, 2));
@@ -23,7 +23,7 @@ void check_three(const ResultTable& table) {
     CHECK(table.rows[2].p == 1);
 }
 
-/// The one line that a text is refused with.
+/// Returns the one-line message of a refused text.
 std::string refusal(const std::string& text, const ResultReading& reading = {}) {
     try {
         (void)parsed_result(text, reading);
@@ -77,7 +77,7 @@ TEST_CASE("results: separators, decimal commas, exponents, line ends") {
         CAPTURE(text);
         check_three(parsed_result(text));
     }
-    // Fortran drops the letter where the exponent has three digits.
+    // Fortran drops the letter if the exponent has three digits.
     const ResultTable tiny = parsed_result("x p\n1.0-103 2.5+100\n1 1\n");
     CHECK(tiny.rows[0].x.convert_to<double>() == 1e-103);
     CHECK(tiny.rows[0].p.convert_to<double>() == 2.5e100);
@@ -111,7 +111,8 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
     CHECK(found(parsed_result("x,p\n0,1\n2,1.5\n1,1\n"), "not in the order of x"));
     CHECK(found(parsed_result("0,1\n1,1\n"), "taken to be column 1"));
     CHECK(found(parsed_result("x,p\n0,1\n1,1\nTotal\n"), "1 line of text"));
-    // In place of a node's number, whatever stands behind it; a cell without one says nothing.
+    // Text in the place of a node's number makes a line of text; a row with an empty number does
+    // not count.
     CHECK(found(parsed_result("n,x,p\n1,0,1\n2,1,1\nSum,1,2\n"), "1 line of text"));
     CHECK(parsed_result("n,x,p\n1,0,1\n,1,1\n,,\n3,2,1\n").rows.size() == 3);
     CHECK(found(parsed_result("x,p\n0,1\n0,2\n1,1\n"), "repeat the x"));
@@ -141,7 +142,7 @@ TEST_CASE("results: scale") {
     ResultReading scaled;
     parse_scale("x=0.001,p=1e6", scaled);
     check_three(parsed_result("x,p\n-500,1e-6\n0,1.5e-6\n500,1e-6\n", scaled));
-    // What the user says goes before what the file says.
+    // The user's units have precedence over those in the file.
     ResultReading both = in_mm_and_MPa();
     parse_scale("x=1", both);
     check_three(parsed_result("x [m],p\n-0.5,1\n0,1.5\n0.5,1\n", both));
@@ -196,14 +197,14 @@ TEST_CASE("results: blanks separate, and a name has several words") {
         CAPTURE(header);
         check_three(parsed_result(header + "\n" + rows, in_mm_and_MPa()));
     }
-    // Units that the words say count.
+    // Units count if they are words of the header.
     check_three(parsed_result("Node Label x m p kPa\n7 -5e-4 1e3\n3 0 1.5e3\n9 5e-4 1e3\n",
                               in_mm_and_MPa()));
-    // Two columns, and one of text.
+    // Two columns, and one with text.
     check_three(parsed_result("X Contact Pressure\n-0.5 1\n0 1.5\n0.5 1\n"));
     check_three(parsed_result("Part Instance Node Label COORD1 CPRESS\nA 7 -0.5 1\nA 3 0 1.5\n"
                               "A 9 0.5 1\n"));
-    // A title of words is none: that of a table with a header, and that of one without.
+    // A title of words is not a header: in a table with a header, and in one without.
     check_three(parsed_result("Contact Pressure over x\nNode Label x p\n" + rows));
     const auto told = [&](const std::string& header) {
         const std::string line = refusal(header + "\n" + rows);
@@ -213,9 +214,9 @@ TEST_CASE("results: blanks separate, and a name has several words") {
     };
     CHECK(told("Contact Pressure over x"));
     CHECK(told("Gauge Name x p"));
-    // Coord X | Pos | p, or Coord | X Pos | p.
+    // This may mean Coord X | Pos | p, or Coord | X Pos | p.
     CHECK(told("Coord X Pos p"));
-    // What it says to write helps.
+    // The advice of the message works.
     check_three(parsed_result("Gauge Name x p\n" + rows, with_columns("x=2,p=3")));
     check_three(parsed_result("Gauge_Name x p\n" + rows));
     check_three(parsed_result("'Gauge Name' x p\n" + rows));

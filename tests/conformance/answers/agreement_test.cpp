@@ -17,7 +17,8 @@ namespace {
 
 const std::string agreement_header =
     "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
-// Hertz, a = 1: p = sqrt(u (2 - u))/2, so 0.3 at u = 0.2 and 0.4 at u = 0.4 by 3-4-5.
+// Hertz, a = 1: p = sqrt(u (2 - u))/2, so that p = 0.3 at u = 0.2 and 0.4 at u = 0.4 (3-4-5
+// triangle).
 const std::string hertz_cells = ",power-law,1,1,,,1,1,";
 
 Answers answered(const std::string& rows) {
@@ -88,8 +89,8 @@ TEST_CASE("digits and ulps by hand") {
 }
 
 TEST_CASE("the unit in the last place of a power of two, whose ball reaches below it") {
-    // p = C sqrt(u (2 - u))/2: 0.6 C/2 at u = 0.2, 0.8 C/2 at 0.4 and 0.28 C/2 at 0.04; 1/2 + 2^-53
-    // is the double after 1/2, one unit off.
+    // p = C sqrt(u (2 - u))/2: 0.6 C/2 at u = 0.2, 0.8 C/2 at 0.4 and 0.28 C/2 at 0.04. The double
+    // after 1/2 is 1/2 + 2^-53, one unit off.
     const std::string next = "0.50000000000000011102230246251565404236316680908203125\n";
     const Answers answers = answered("1,power-law,1,5/3,,,1,1,p,right,0.2," + next +
                                      "2,power-law,1,5/4,,,1,1,p,right,0.4," + next +
@@ -102,12 +103,12 @@ TEST_CASE("the unit in the last place of a power of two, whose ball reaches belo
 }
 
 TEST_CASE("the reference is computed at what the row says, to the last bit") {
-    // u a little larger than 0.2, as binary64 has it: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
+    // The binary64 u is a little larger than 0.2: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
     const Answers answers =
         answered("u" + hertz_cells +
                  "p,right,0.200000000000000011102230246251565404236316680908203125," + "0.3\n");
     const Agreements a = held(answers);
-    // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18 of 0.3
+    // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18, relative to 0.3
     CHECK(a.cases[0].digits == doctest::Approx(-std::log10(7.401486830834377e-18 / 0.3)));
 }
 
@@ -222,7 +223,7 @@ TEST_CASE("a point outside the contact is a row without a reference, and the oth
     CHECK(a.cases[5].no_reference.empty());
     CHECK(a.cases[6].pass);
     CHECK(infer_conventions(answers, a, {}).empty());
-    // Where none is inside there is nothing to check.
+    // If no point is inside, there is nothing to check.
     CHECK_THROWS_WITH_AS(
         (void)held(answered("1" + hertz_cells + "p,right,2.5,0.3\n")),
         "a.csv:2: u = 2.5 from the right edge: the point lies outside the contact; "
@@ -250,7 +251,7 @@ TEST_CASE("the same answers in the dress of a spreadsheet are the same answers")
             }
         }
     }
-    // Where commas separate, a comma within a number is none of ours to read.
+    // If commas separate cells, a comma inside a number is not read as a decimal point.
     const Answers comma = answered("1" + hertz_cells + "p,right,0.2,\"0,3\"\n");
     CHECK(comma.given.at(0).state == Answer::State::garbage);
     CHECK_THROWS_AS(
@@ -265,10 +266,10 @@ TEST_CASE("a row that repeats another contact, u or tolerance than was asked is 
         return answers_to(asked, parse_csv(agreement_header + rows, "a.csv")).faults.size();
     };
     CHECK(faults("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n") == 0);
-    // Rounded, as %.8g writes a number, is the same question; another value is not.
+    // A rounded value, as %.8g writes it, is the same question; another value is not.
     CHECK(faults("1,power-law,1,1.0000000000000001,,,1,1,p,right,0.20000000298,0.3\n") == 0);
     CHECK(faults("1,power-law,1,2,,,1,1,p,right,0.2,0.6\n") == 1);
-    // As pandas writes a column of numbers.
+    // The format in which pandas writes a column of numbers.
     CHECK(faults("1,power-law,1.0,1.0,,,1.0,1.0,p,right,0.2,0.3\n2,power-law,1.0,1.0,,,1.0,1.0,P,,,"
                  "1.0\n") == 0);
     CHECK(faults("1,power-law,1,1,,,1,1.001,p,right,0.2,0.3\n") == 1);
@@ -279,7 +280,8 @@ TEST_CASE("a row that repeats another contact, u or tolerance than was asked is 
 
 namespace {
 
-/// Points of a tilted wedge at both edges, answered by f(reference, reference at the other edge).
+/// Returns the conventions found for points of a tilted wedge at both edges, answered by
+/// f(reference, reference at the other edge).
 template <class F> std::vector<Convention> conventions_of(const F& f) {
     const std::string wedge = ",tilted-wedge,,,0.2,0.05,1,1,p,";
     const char* const points[] = {"0.001", "0.01", "0.1", "0.2"};
@@ -330,7 +332,7 @@ TEST_CASE("another convention is recognised and said, with how far it holds") {
           "p: ours at the other edge in 8");
     CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
           "p, left edge: minus ours in 4");
-    // Values that are simply wrong have no convention.
+    // Wrong values follow no convention.
     CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
 }
 
@@ -349,7 +351,7 @@ TEST_CASE("inputs are repeated by value: 0.0 for 0, 0.001 for 1e-3; another numb
     CHECK(faults(row("0.0", "0.001", "0.0")) == 0);
     CHECK(faults(row("-0.0", "1.0E-3", "0e5")) == 0);
     CHECK(faults(row("0.00", "1/1000", "0/3")) == 0);
-    CHECK(faults(row("1e-9", "0.001", "0")) == 1); // a tilt is not no tilt, however small
+    CHECK(faults(row("1e-9", "0.001", "0")) == 1); // the question has no tilt
     CHECK(faults(row("0", "0.001", "1e-300")) == 1);
     CHECK(faults(row("0", "0.0011", "0")) == 1);
 }
@@ -380,7 +382,7 @@ TEST_CASE("the note of how many questions were asked is read strictly") {
 }
 
 TEST_CASE("answers read in blocks are those read at once, and no more than a block is kept") {
-    // Ids that occur twice far apart, rows that cannot be read, and questions that are missing.
+    // Ids that occur twice far apart, unreadable rows, and missing questions.
     std::string text = "# questions: 5000\n" + agreement_header;
     for (int k = 0; k < 4000; ++k) {
         text += k % 500 == 499

@@ -18,7 +18,7 @@ using Kind = WrittenNumber::Kind;
 
 namespace {
 
-/// Independent of the reader: the grammar as a regular expression.
+/// The grammar as a regular expression, independent of the reader.
 const std::regex& number_grammar() {
     static const std::regex grammar(
         R"([+-]?(([0-9]+\.?[0-9]*|\.[0-9]+)([eEdD][+-]?[0-9]+)?)"
@@ -26,7 +26,8 @@ const std::regex& number_grammar() {
     return grammar;
 }
 
-/// Independent of the reader: MPFR's own reader, at 4000 bits; nothing for what is no number.
+/// Reads by MPFR at 4000 bits, independently of the reader; no value for a text that is not a
+/// number.
 std::optional<double> error_of(std::string text, const char* exact) {
     if (!std::regex_match(text, number_grammar())) {
         return {};
@@ -35,7 +36,7 @@ std::optional<double> error_of(std::string text, const char* exact) {
         const std::size_t exponent = text.find_first_of("eEdD");
         if (exponent != std::string::npos &&
             std::labs(std::strtol(text.c_str() + exponent + 1, nullptr, 10)) > 100'000) {
-            return {}; // beyond the range that is promised
+            return {}; // beyond the supported range
         }
         for (char& c : text) {
             c = c == 'd' || c == 'D' ? 'e' : c;
@@ -53,12 +54,12 @@ std::optional<double> error_of(std::string text, const char* exact) {
     return error;
 }
 
-/// One to three bytes put in, left out, doubled, exchanged or replaced.
+/// Returns the text with one to three bytes inserted, removed, doubled, exchanged or replaced.
 std::string corrupted(std::string text, std::mt19937_64& random) {
     static const std::string bytes(
         "0123456789+-..,;\"'eEdDxXpPaf_ \t\r\n/#()naninf\0\x7f\xc2\xa0\xe2"
         "\x88\x92\xef\xbb\xbf\xff",
-        54); // with its NUL
+        54); // including its NUL
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     for (std::size_t n = 1 + below(3); n > 0; --n) {
         const std::size_t at = below(text.size() + 1);
@@ -106,9 +107,9 @@ TEST_CASE("numbers in answers: one grammar, the whole text or nothing") {
     CHECK(value("007") == 7);
     CHECK(value("-0x1P+3") == -8);
     CHECK(value("0xA.8") == Rational(21, 2));
-    // Beyond the 53 bits of a double, exactly: 1 + 2^-80.
+    // More than the 53 bits of a double, exactly: 1 + 2^-80.
     CHECK(value("0x1.00000000000000000001p0") == 1 + Rational(1, Integer(1) << 80U));
-    // Below the least double, not zero.
+    // Less than the smallest double, but not zero.
     CHECK(value("0x1p-2000") == Rational(1, Integer(1) << 2000U));
     for (const char* text : {"nan", "-NaN", "+nan(0x1)", "nan()"}) {
         CAPTURE(text);
@@ -180,7 +181,7 @@ TEST_CASE(
             still_right += right ? 1 : 0;
         }
     }
-    CHECK(still_right > 500); // the test has both sides
+    CHECK(still_right > 500); // the test has both kinds
 }
 
 TEST_CASE("answers: a corrupted right row passes only where what is left is a right row") {
@@ -188,7 +189,7 @@ TEST_CASE("answers: a corrupted right row passes only where what is left is a ri
                                 "h,power-law,1,1,1,1,P,1\n",
                                 "q.csv");
     const Questions asked = echoed_answers(alone).questions;
-    // Independent of the reader: a row as RFC 4180 has it, with blanks around a bare cell.
+    // A row by RFC 4180, with blanks around a bare cell, independent of the reader.
     const std::regex row(R"([ \t\r]*(?:h|"h")[ \t\r]*,[ \t\r]*(?:("?)([^",\n]*?)\1)[ \t\r]*\n?)");
     std::mt19937_64 random(21);
     std::size_t passed = 0;
@@ -205,10 +206,10 @@ TEST_CASE("answers: a corrupted right row passes only where what is left is a ri
             const Answer& given = answers.given.front();
             passes = answers.faults.empty() && given.state == Answer::State::number &&
                      abs(Rational(given.value / Rational(3, 8) - 1)) <= Rational(answer_tolerance);
-        } catch (const InputError&) { // refused as a whole
+        } catch (const InputError&) { // the whole text is refused
         }
         if (passes) {
-            // Lines of blanks and notes may stand before and behind it.
+            // Blank lines and notes may precede and follow it.
             std::string rest;
             std::size_t rows = 0;
             for (std::size_t at = 0; at < text.size();) {

@@ -19,7 +19,7 @@ using State = Answer::State;
 
 namespace {
 
-/// u = 1/10, ..., 16/10, one question each.
+/// Returns u = 1/10, ..., 16/10, one question for each.
 Questions sixteen() {
     return parse_recipe("[scenes.h]\nu = { from = \"0.1\", to = \"1.6\", points = 16 }\n"
                         "quantities = [\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\n"
@@ -52,7 +52,8 @@ long count(const Answers& answers, State state) {
                          [&](const Answer& a) { return a.state == state; });
 }
 
-/// Answers 1 to everything; `at` is done when a line holds :u=0.7: or :u=1.2:.
+/// Returns a program that answers 1 to every question, and executes `at` if a line contains :u=0.7:
+/// or :u=1.2:.
 std::string program(const std::string& at) {
     return "while read -r row; do case $row in id) echo id,value;; *:u=0.7:*|*:u=1.2:*|"
            "*:u=7/10:*|*:u=6/5:*) " +
@@ -78,7 +79,7 @@ TEST_CASE("a program asked: the questions that end a program are found, and none
     for (const Bad& bad : {
              Bad{program("kill -SEGV $$"), "was ended by signal 11"},
              Bad{program("exit 3"), "ended with exit code 3"},
-             // One that keeps its answers until the end, as buffered output does.
+             // This program keeps its answers until the end, like buffered output.
              Bad{"out=$(" + program("kill -KILL $$") + "); echo \"$out\"", "was ended by signal 9"},
          }) {
         const Answers a = asked(bad.command);
@@ -112,7 +113,7 @@ TEST_CASE(
 
 namespace {
 
-/// u = 1/100, ..., 64/100.
+/// Returns u = 1/100, ..., 64/100.
 const Questions& sixty_four() {
     static const Questions questions =
         parse_recipe("[scenes.h]\nu = { from = \"0.01\", to = \"0.64\", points = 64 }\n"
@@ -124,7 +125,8 @@ const Questions& sixty_four() {
     return questions;
 }
 
-/// A program that is sent numbers of questions; it answers `when` and ends itself by the bad ones.
+/// Runs a program that reads the ids of questions and ends itself at the bad ones. `begin`, `one`
+/// and `end` are its commands at the beginning, at each question and at the end.
 Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string& begin,
                          const std::string& one, const std::string& end) {
     std::string ends;
@@ -159,7 +161,7 @@ TEST_CASE(
     const Way ways[] = {
         {"as it goes", "echo id,value;", "echo $row,1", ":"},
         {"all at the end", "all=;", "all=\"$all$row,1\n\"", "printf \"id,value\\n$all\""},
-        // A buffer of three lines, the last of which is written in halves.
+        // The buffer contains three lines; the last one is written in halves.
         {"by a buffer", "echo id,value; n=0; all=;",
          "n=$((n+1)); all=\"$all$row,\"; if [ $n = 3 ]; then printf \"$all\"; n=0; "
          "all=\"123\\n\"; else all=\"${all}123\\n\"; fi",
@@ -178,7 +180,7 @@ TEST_CASE(
                 CHECK(a.given[i].state == State::died);
             }
             for (const Answer& answer : a.given) {
-                // Never half of a number.
+                // A number is never cut in half.
                 const bool whole = answer.text == "1" || answer.text == "123";
                 CHECK((whole || answer.state == State::died));
             }
@@ -202,7 +204,7 @@ TEST_CASE("a program asked: what a run writes is bounded in rows and in bytes") 
 }
 
 TEST_CASE("a program: nothing that it leaves behind runs on, or is waited for") {
-    // The child keeps the output open; its number is what the program writes.
+    // The child keeps the output open; the program writes the child's process id.
     for (const char* left : {"sleep 1000 & echo $!", "(sleep 1000 & echo $!)",
                              "(sleep 1000 </dev/null >/dev/null 2>&1 & echo $!)",
                              "(trap '' HUP TERM INT; sleep 1000) & echo $!"}) {
@@ -213,7 +215,7 @@ TEST_CASE("a program: nothing that it leaves behind runs on, or is waited for") 
         CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(100)); // hang guard
         const int child = std::stoi(run.output);
         REQUIRE(child > 1);
-        // Killed; what reaps orphans may take a moment for it.
+        // It is killed, but the process that reaps orphans may need a moment.
         bool runs = true;
         for (int n = 0; runs && n < 1000; ++n) {
             std::ifstream stat("/proc/" + std::to_string(child) + "/stat");

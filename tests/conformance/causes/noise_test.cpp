@@ -9,17 +9,18 @@
 #include <map>
 #include <random>
 
-// Known mistakes, put into the exact answers of several contacts under noise: each is named as long
-// as the noise lets it, and none is named that was not made.
+// Known mistakes in the exact answers of several contacts, with noise: each is named as long as the
+// noise allows it, and no other mistake is named.
 
 namespace {
 
-using QuestionCells = std::map<std::string, std::string>; ///< by column
+using QuestionCells = std::map<std::string, std::string>; ///< the value for each column
 
 const std::vector<std::string> columns{"kind", "m",  "C",   "phi", "alpha", "t", "R",       "a",
                                        "E1",   "E2", "nu1", "nu2", "edge",  "u", "quantity"};
 
-/// Points of both edges, coefficients and the load of contacts of every kind with a closed form.
+/// Returns points of both edges, coefficients and the load of contacts of every kind with a closed
+/// form.
 std::vector<QuestionCells> right_questions() {
     const std::vector<QuestionCells> contacts{
         {{"kind", "power-law"}, {"m", "1"}, {"C", "1/50"}, {"a", "2"}},
@@ -84,9 +85,9 @@ std::vector<double> exact_values(const std::vector<QuestionCells>& questions) {
 }
 
 struct Mistake {
-    std::string relation; ///< what is to be said
+    std::string relation; ///< the expected relation
     std::function<void(QuestionCells&)> change = [](QuestionCells&) {};
-    double factor = 1; ///< of what is not a size
+    double factor = 1; ///< the factor of quantities that are not sizes
 };
 
 void times(QuestionCells& q, const std::string& column, const std::string& by) {
@@ -139,7 +140,8 @@ std::vector<Mistake> mistakes() {
     };
 }
 
-/// A factor without a name is told to the digits that the noise leaves.
+/// True if the relation is named; a factor without a name must be found to the digits that the
+/// noise allows.
 bool says(const Convention& c, const std::string& relation, double noise) {
     const bool factor = relation == "1.37 times ours" && c.relation.ends_with(" times ours");
     return c.relation == relation ||
@@ -176,7 +178,7 @@ TEST_CASE("known mistakes are named under noise, and no others") {
                 CAPTURE(c.of);
                 CAPTURE(c.relation);
                 right = right || says(c, mistake.relation, noise);
-                CHECK(says(c, mistake.relation, noise)); // no other is named
+                CHECK(says(c, mistake.relation, noise)); // only this one is named
             }
             CHECK(right);
         }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double half_turn = 3.14159265358979323846;
 
-/// p of the contacts that `cells` begin, at points of the right edge (and what else is asked of
-/// them), answered by f(a, u); what is recognised.
+/// Returns the conventions that are found if f(index of the contact, u) answers for `quantity` of
+/// the contacts; p is at points of the right edge.
 std::vector<std::string> found(const std::string& keys, const std::vector<std::string>& contacts,
                                const std::string& quantity,
                                const std::function<double(std::size_t, double)>& f,
@@ -70,8 +70,8 @@ TEST_CASE("a question read otherwise is recognised and said") {
 }
 
 TEST_CASE("however many rows fail, all are held to what is said of them, and counted") {
-    // p of the wedge at 70 points (60 are looked at first) with a taken for the whole width; four
-    // that follow no convention stand behind them.
+    // p of the wedge at 70 points (60 are examined first), where a is taken for the full width;
+    // four points after them follow no convention.
     std::string text = "id," + keys + ",quantity,edge,u,value\n";
     for (int i = 1; i <= 74; ++i) {
         const double u = i / 256.0;
@@ -89,15 +89,16 @@ TEST_CASE("however many rows fail, all are held to what is said of them, and cou
 }
 
 TEST_CASE("a mean pressure for a force, and the gap's constant for the slope's") {
-    // P = E* C a of the wedge; a third contact, since one row each is too few to tell.
+    // P = E* C a for the wedge; a third contact, because one row for each of two is too few to
+    // decide.
     std::vector<std::string> three = wedges;
     three.emplace_back("power-law,0,1,3,1");
     const auto a = [](std::size_t c) { return static_cast<double>(c) + 1; };
     CHECK(found(keys, three, "P", [&](auto c, double) { return a(c) / (2 * a(c)); }) ==
           Said{"P: ours over a + b"});
-    // m = 0 has the same constant; m = 1 and 2 have 2 and 3 times it.
+    // For m = 0 both constants agree; for m = 1 and 2 the ratio is 2 and 3.
     std::vector<std::string> powers{"power-law,1,1,1,1", "power-law,2,1,1,1", "power-law,1,1,2,1"};
-    // P = E* C a^(m + 1) I(m): pi/4 and 2/3.
+    // P = E* C a^(m + 1) I(m) with I(m) = pi/4 and 2/3.
     const double right[] = {half_turn / 4, 2.0 / 3, half_turn};
     CHECK(found(keys, powers, "P", [&](auto c, double) { return right[c] * (c == 1 ? 3 : 2); }) ==
           Said{"P: ours with C taken for the gap's constant, g = C x^(m + 1)"});
@@ -105,7 +106,8 @@ TEST_CASE("a mean pressure for a force, and the gap's constant for the slope's")
 
 TEST_CASE("angles in degrees, and the moduli of one body") {
     const std::string tilted = "kind,phi,alpha,a,contact_modulus";
-    // Untilted: C = phi, so that p = phi acosh(a/x)/pi; phi in degrees is a factor with a name.
+    // If there is no tilt, C = phi, so that p = phi acosh(a/x)/pi; phi in degrees is a factor with
+    // a name.
     CHECK(found(tilted, {"tilted-wedge,0.2,0,1,1", "tilted-wedge,0.2,0,2,1"}, "p",
                 [](auto c, double u) {
                     return 0.2 * half_turn / 180 * wedge_pressure(a_of(c), u);

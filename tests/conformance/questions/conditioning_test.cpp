@@ -35,19 +35,21 @@ TEST_CASE("condition numbers by hand") {
     // P = E* C a^(m + 1) I(m), I'/I = (psi(3/2) - psi(2))/2 = 1/2 - log 2 at m = 1: a counts twice.
     CHECK(condition_number("1,power-law,1,1,1,1,P,,,1\n") ==
           doctest::Approx(2 + 1 + 1 + std::log(2.0) - 0.5).epsilon(1e-6));
-    // The wedge, m = 0 exact: p = acosh(a/x)/pi, x = a - u = 2^-30: u and a by u/x/acosh(a/x) each.
+    // The wedge, with m = 0 exact: p = acosh(a/x)/pi, x = a - u = 2^-30; the condition numbers for
+    // u and a are u/x/acosh(a/x) each.
     const double x = 0x1p-30;
     const double each = 1 / (x * std::acosh(1 / x));
-    // u = 1 - 2^-30 has half the unit of a = 1.
+    // The ulp of u = 1 - 2^-30 is half of that of a = 1.
     CHECK(condition_number("2,power-law,0,1,1,1,p,right,0.999999999068677425384521484375,1\n") ==
           doctest::Approx(each * 1.5).epsilon(1e-4));
-    // Nothing is said of a value that is zero.
+    // A zero value has no condition number.
     CHECK_FALSE(held("3,power-law,1,1,1,1,M,,,0\n").cases.at(0).conditioning);
 }
 
 TEST_CASE("without a target: 12 digits, or what the conditioning leaves; never anything goes") {
     const std::string wedge = "w,power-law,0,1,1,1,p,right,0.999999999068677425384521484375,";
-    // acosh(2^30)/pi = 6.8396025...; 1e-10 of it is within reach of the inputs' rounding.
+    // The exact value is acosh(2^30)/pi = 6.8396025...; the rounding of the inputs explains a
+    // relative error of 1e-10.
     const double exact = std::acosh(0x1p30) / std::acos(-1.0);
     const auto value = [&](double off) { return std::to_string(exact * (1 + off)); };
     const auto row = [&](double off) {
@@ -62,7 +64,7 @@ TEST_CASE("without a target: 12 digits, or what the conditioning leaves; never a
     CHECK_FALSE(held(row(1e-6)).cases[0].pass);
     CHECK_FALSE(held(row(1e-8), {12.0, {}}).cases[0].pass);
     CHECK(held(row(1e-8), {12.0, {}, true}).cases[0].pass);
-    // 0.3 by 3-4-5, well conditioned.
+    // The value 0.3 (3-4-5 triangle) is well conditioned.
     const std::string hertz = "h,power-law,1,1,1,1,p,right,0.2,";
     CHECK(held(hertz + "0.3000000000001\n").cases[0].pass);
     CHECK_FALSE(held(hertz + "0.300000000001\n").cases[0].pass);
@@ -71,7 +73,8 @@ TEST_CASE("without a target: 12 digits, or what the conditioning leaves; never a
 }
 
 TEST_CASE("a value that is zero is measured by the force and the length of its contact") {
-    // M = 0 beside P (a + b) = pi/4 2; scaled a million times, so is what may be off.
+    // M = 0 is compared with P (a + b) = 2 pi/4; if the contact is scaled by a million, so is the
+    // tolerance.
     CHECK(held("m,power-law,1,1,1,1,M,,,1e-12\n").cases[0].pass);
     CHECK(held("m,power-law,1,1,1,1e6,M,,,1e-6\n").cases[0].pass);
     CHECK_FALSE(held("m,power-law,1,1,1,1e-6,M,,,1e-12\n").cases[0].pass);

@@ -43,7 +43,7 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that say what the
     const Recipe recipe = parse_recipe(grid, "r.toml");
     CHECK(recipe.digits.count == 20);
     CHECK(recipe.questions.contacts.size() == 4);
-    // in each contact: P; left: c_1, p, p; right: c_1, p, p
+    // Each contact has P; at the left edge c_1, p, p; at the right edge c_1, p, p.
     REQUIRE(recipe.questions.list.size() == 28);
     const char* const first[] = {
         "hertz:m=1:a=1:P",
@@ -65,7 +65,8 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that say what the
 
 namespace {
 
-/// The rows that the pieces hold, each question as the whole list has it; or what is wrong.
+/// Compares the rows and questions of the pieces with the whole list; returns the numbers of rows
+/// and pieces, or the first difference.
 std::string pieces_against_list(const std::string& text) {
     const RecipeGrid pieces = RecipeGrid::parse(text, "r.toml");
     const Questions all = pieces.questions();
@@ -145,12 +146,12 @@ contact_modulus = "1"
 }
 
 TEST_CASE("the pieces of a recipe hold every row once, as the whole list has it") {
-    // 7 questions a contact: 2 contacts to a piece.
+    // 7 questions for each contact: 2 contacts in a piece.
     CHECK(pieces_against_list(grid) == "28 rows, 2 pieces");
     const std::string many = replaced(grid, "m = [\"1\", \"2\"]",
                                       "m = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\", \"7\"]");
     CHECK(pieces_against_list(many) == "98 rows, 7 pieces");
-    // 203 questions a contact: 3 without a point in one piece, 200 points in 2.
+    // 203 questions for each contact: 3 without a point in one piece, 200 points in 2.
     const std::string long_ones = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
                                            "u = { from = \"1/1000\", to = \"1/2\", points = 100 }");
     CHECK(pieces_against_list(long_ones) == "812 rows, 12 pieces");
@@ -212,7 +213,7 @@ TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
     const Questions asked = rounded_to_binary64(
         parse_recipe(replaced(grid, "\"1e-3\"", "\"0.1\""), "r.toml").questions);
     CHECK(asked.list[2].u->text() == "0.5");
-    // 0.1 in binary64: 3602879701896397/2^55
+    // 0.1 in binary64 is 3602879701896397/2^55.
     CHECK(asked.list[3].u->text() == "0.1000000000000000055511151231257827021181583404541015625");
     CHECK(asked.list[3].id == "hertz:m=1:a=1:left:u=0.1:p");
 }

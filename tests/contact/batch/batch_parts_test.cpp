@@ -40,7 +40,7 @@ TEST_CASE("how far a function is holomorphic: never beyond a pole, and far where
     const auto entire = reach([](acb_t out, const acb_t z) { acb_exp(out, z, 64); }, 1e9);
     REQUIRE(entire);
     CHECK(entire->ellipse.rho >= 6);
-    // At most exp of the rightmost point, and at least that of the leftmost.
+    // The bound is at most exp at the rightmost point, and at least exp at the leftmost.
     const double rightmost = 1 + entire->ellipse.excess();
     CHECK(entire->ln_bound >= rightmost - 1e-6);
     CHECK(entire->ln_bound <= rightmost + 0.5);
@@ -54,7 +54,7 @@ TEST_CASE("how far a function is holomorphic: never beyond a pole, and far where
     CHECK(pole->ellipse.excess() < 1);
     CHECK(pole->ellipse.excess() > 0.3);
     CHECK(pole->ln_bound >= -std::log(1 - pole->ellipse.excess()) - 1e-6);
-    // The square beside the pole may come nearer to it than the ellipse does, by its own side.
+    // The square near the pole may be nearer to it than the ellipse, by its own side.
     CHECK(pole->ln_bound <= -std::log(1 - pole->ellipse.excess()) + std::log(3.0));
     const auto limited = reach([](acb_t out, const acb_t z) { acb_exp(out, z, 64); }, 0.1);
     REQUIRE(limited);

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-/// Points that are hard for a quadrature, and what the batch routes make of them beside enclosures.
+/// Points that are hard for a quadrature, and a comparison of the batch routes with enclosures.
 namespace edgeproof::scenes {
 
 /// Curved pieces on both sides, one corner, no symmetry.
@@ -30,7 +30,7 @@ inline Contact own_asymmetric() {
 }
 
 /// Distances from an edge: `count` geometric ones from most of the contact to 1e-8 of it, 1e-40 and
-/// 1e-300, and from the right edge 1e-30, 1e-5 and 1e-2 beside every knot on both sides.
+/// 1e-300; from the right edge also 1e-30, 1e-5 and 1e-2 from every knot, on both sides.
 struct HardPoint {
     Edge edge;
     Exact u;
@@ -95,8 +95,8 @@ private:
 
 struct BatchDigits {
     std::size_t points = 0;
-    int worst = 100000;         ///< digits that are right
-    bool estimates_hold = true; ///< within a unit of the digit beyond the guard
+    int worst = 100000;         ///< the smallest number of right digits
+    bool estimates_hold = true; ///< the error is within a unit of the digit beyond the guard
     std::size_t most_nodes = 0;
     std::string where;
 };
@@ -108,8 +108,7 @@ inline BatchDigits batch_digits(const Contact& c, BatchPressure::Rule rule, unsi
     const BatchPressure fast(contact, digits, rule);
     Enclosures enclosed(c);
     for (const HardPoint& at : hard_points(c, count)) {
-        // The point to enough digits for its distance from a knot, and from an edge, to have
-        // theirs.
+        // The point must have enough digits for its distances from a knot and from an edge.
         const PrecisionScope scope(digits + 340);
         const Real a = c.load.value.to<Real>();
         const Extent<Real> e{a, c.profile.symmetric() ? a : contact.b()};

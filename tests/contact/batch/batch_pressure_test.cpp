@@ -50,8 +50,9 @@ std::size_t nodes_at(Rule rule, unsigned digits, const char* u) {
     return p(Edge::right, exact(u).to<Real>()).evaluations;
 }
 
-/// The nodes of a Gauss rule over an interval of half-length `half`, in which the integrand is even
-/// (half of them are summed), its nearest poles `to_pole` from the middle.
+/// Returns the number of nodes of a Gauss rule over an interval of half-length `half`, in which the
+/// integrand is even (half of the nodes are summed) and the nearest poles are at `to_pole` from the
+/// middle.
 double halved_nodes(unsigned digits, double half, double to_pole) {
     const double t = to_pole / half;
     return (digits + 3) * std::numbers::ln10 / (4 * std::log(t + std::sqrt(t * t - 1)));
@@ -65,8 +66,8 @@ TEST_CASE("Gauss-Legendre has its digits beside the enclosures, at every hard po
     CHECK(found.points >= 200);
     CHECK(found.worst >= 50);
     CHECK(found.estimates_hold);
-    // Nowhere more nodes than the slowest pole that is left in costs: a piece takes at most
-    // 53 ln 10/1.1 of them, and curved contacts have four pieces.
+    // At most the nodes for the slowest remaining pole: a piece takes at most 53 ln 10/1.1 of them,
+    // and curved contacts have four pieces.
     CHECK(found.most_nodes <= 200);
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("tanh-sinh on the same integrand has them too") {
 TEST_CASE("symmetric slopes, odd as formulas or not") {
     const Symbols x{"x"};
     std::vector<Contact> contacts;
-    // Odd by form; odd as algebra or a table of logarithms tells; odd but for a corner; not odd.
+    // Odd by form; odd by algebra or a table of logarithms; odd except for a corner; not odd.
     for (const char* slope : {"sinh(x)", "x/(sqrt(2 + x)*sqrt(2 - x))", "log((2 + x)/(2 - x))",
                               "1/20 + x + x^3", "x + x^2", "exp(x) - 1", "1/20 + x + x^2"}) {
         contacts.push_back({slope, Profile::piecewise_symmetric({}, {parse(slope, x)}),
@@ -94,7 +95,8 @@ TEST_CASE("symmetric slopes, odd as formulas or not") {
     CHECK(found.points >= 40);
     CHECK(found.worst >= 50);
     CHECK(found.estimates_hold);
-    // Odd through the apex, the integrand goes on beyond it, and half of one rule will do.
+    // If g' is odd through the apex, the integrand continues analytically beyond it, and half of
+    // one rule suffices.
     const auto nodes = [&](std::size_t k) {
         return worst_of({contacts[k]}, Rule::gauss_legendre, 50, 1).most_nodes;
     };
@@ -112,8 +114,8 @@ TEST_CASE("200 digits") {
 
 TEST_CASE("power laws of every kind of exponent") {
     std::vector<Contact> laws;
-    // Beside an even number the parts of the rule near the apex cancel; 1000 goes by powers at the
-    // nodes, pi/4 is no quotient.
+    // Near an even exponent the parts of the rule near the apex cancel; for 1000 the nodes take
+    // powers; pi/4 is irrational.
     for (const char* m : {"1e-3", "1/3", "0.999", "2", "2.000001", "3", "7/2", "pi/4", "1000"}) {
         laws.push_back({std::string("m = ") + m, Profile::power_law(exact("3"), exact(m)),
                         exact("7/3"), Load::right_edge(exact("5/4"))});
@@ -128,9 +130,9 @@ TEST_CASE("power laws of every kind of exponent") {
 }
 
 TEST_CASE("what a pressure costs in nodes is what the poles ask for") {
-    // At an edge of the flat punch (phi_t = 2 acos(t/a) = 2.319): the flat between phi_t and
-    // 2 pi - phi_t, its poles at 0 and 2 pi; the arcs between -phi_t and phi_t, theirs, of
-    // 1/(s + x), at -+2 pi. Numbers of nodes go up in steps of at most a tenth, or two.
+    // At an edge of the flat punch (phi_t = 2 acos(t/a) = 2.319): the flat lies between phi_t and 2
+    // pi - phi_t, with poles at 0 and 2 pi; the arcs lie between -phi_t and phi_t, with poles of
+    // 1/(s + x) at -+2 pi. The number of nodes grows in steps of at most a tenth, or two.
     const double phi = 2 * std::acos(0.4);
     for (const unsigned digits : {50U, 100U, 200U, 500U}) {
         CAPTURE(digits);
@@ -140,8 +142,9 @@ TEST_CASE("what a pressure costs in nodes is what the poles ask for") {
         CHECK(nodes >= asked);
         CHECK(nodes <= 1.12 * asked + 8);
     }
-    // Tanh-sinh: two pieces, and in each the nodes of all levels to h = 1/32 (50 digits), 1/64,
-    // 1/128: from asinh(ln(10) (w + 2)/pi) to its negative, w the digits that fill the words.
+    // Tanh-sinh has two pieces, each with the nodes of all levels to h = 1/32 (50 digits), 1/64,
+    // 1/128: from asinh(ln(10) (w + 2)/pi) to its negative, where w is the number of digits of the
+    // full words.
     const auto levels = [](double words, double steps) {
         return 2 * std::asinh(std::numbers::ln10 * (words + 2) / std::numbers::pi) * steps;
     };
@@ -160,7 +163,7 @@ TEST_CASE("beside a knot the cost is bounded: the pole is taken out") {
 }
 
 TEST_CASE("a piece that is singular at its end is left to tanh-sinh, digits and all") {
-    // The same g' as a power law, whose enclosure is a series, and as a user's own.
+    // The same g' as a power law, whose enclosure is a series, and as a user's formula.
     const Symbols x{"x"};
     const Contact own{"x^(3/2)", Profile::piecewise_symmetric({}, {parse("x^(3/2)", x)}),
                       exact("7/3"), Load::right_edge(exact("5/4"))};
@@ -184,13 +187,13 @@ TEST_CASE("a corner, a place outside, and both sides of a symmetric contact") {
     const PrecisionScope scope(80);
     const Real a = Real(4) / 5;
     CHECK_THROWS_AS((void)fast(Point<Real>{a, a, Real(0)}), DomainError);
-    // 1e-60 beside it: large, and finite.
+    // At 1e-60 from it the value is large, but finite.
     CHECK(fast(Point<Real>{a, a, pow(Real(10), -60)}).value > 2);
     CHECK_THROWS_AS((void)fast(Edge::right, Real(0)), DomainError);
     CHECK_THROWS_AS((void)fast(Edge::right, Real(2)), DomainError);
     const Real u = Real(1) / 7;
     CHECK(fast(Edge::left, u).value == fast(Edge::right, u).value);
-    // u from the left, and the same place from the right.
+    // The same place by u from the left edge and from the right edge.
     const Real here = fast(Edge::left, u).value;
     CHECK(abs(here - fast(Edge::right, Real(Real(8) / 5 - u)).value) < here * pow(Real(10), -60));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr long integral_bits = 300;
 
-/// Curved on both sides, a bend at 1/3 and a corner at the origin.
+/// A punch curved on both sides, with a bend at 1/3 and a corner at the origin.
 Contact own_tilted() {
     const Symbols x{"x"};
     return {"own, not symmetric",
@@ -26,7 +26,7 @@ Contact own_tilted() {
 
 } // namespace
 
-// Logarithms against integrals: the two share the arithmetic and no formula.
+// Compares integrals with logarithms: the two share the arithmetic, but no formula.
 TEST_CASE("rigorous integrals meet the closed forms where there are both") {
     std::vector<Contact> all = tilted();
     for (const std::size_t i : {0U, 1U, 6U, 7U}) {
@@ -54,7 +54,7 @@ TEST_CASE("rigorous integrals meet the closed forms where there are both") {
                     meet(integrals.pressure(edge, at), closed.pressure(edge, at));
                 }
             }
-            // Each by an integral of its own, and all by one disk about the edge.
+            // The terms are computed each by its own integral, and all by one disk about the edge.
             for (const std::size_t terms : {4U, 24U}) {
                 const auto x = integrals.expansion(edge, terms);
                 const auto y = closed.expansion(edge, terms);
@@ -68,9 +68,9 @@ TEST_CASE("rigorous integrals meet the closed forms where there are both") {
     }
 }
 
-// Branch points on knots: whole, half and third powers, on one side of the knot or on both, of
-// edges that are solved for too. The integrals leave the branch point by a change of variable,
-// which the routes in Real do not know.
+// Branch points on knots: whole, half and third powers, on one or both sides of the knot, also for
+// edges that are solved for. The integrals remove the branch point by a change of variable, which
+// the routes in Real do not use.
 TEST_CASE("roots on knots: integrals and a disk give what the routes in Real give") {
     const Symbols x{"x"};
     struct Case {
@@ -112,7 +112,7 @@ TEST_CASE("roots on knots: integrals and a disk give what the routes in Real giv
     }
 }
 
-// g'' is infinite on the knot, and g' is not: so is p finite.
+// g'' is infinite on the knot, but g' and therefore p are finite.
 TEST_CASE("p over a ball that meets a root on a knot") {
     const Symbols x{"x"};
     const Profile profile = Profile::piecewise_symmetric(
@@ -191,7 +191,7 @@ TEST_CASE("functions that are not analytic, or not known, are left to the quadra
     CHECK_FALSE(handled("abs(x)"));
 }
 
-// Beside the edge the place of a knot, as an angle, has lost digits: the enclosure must know.
+// Near the edge the angle of a knot has lost digits, which the enclosure must include.
 TEST_CASE("a corner just inside the edge: few bits give a wide ball, never a wrong one") {
     const Symbols x{"x"};
     const Profile profile = Profile::piecewise_symmetric(
@@ -210,7 +210,7 @@ TEST_CASE("a corner just inside the edge: few bits give a wide ball, never a wro
     }
 }
 
-// The edge is what the quadratures in Real find, and the force there is the one given.
+// The left edge equals that of the quadratures in Real, and the force is the given one.
 TEST_CASE("a force on a curved contact that is not symmetric: both edges enclosed") {
     const Contact c = own_tilted();
     const char* force = "1/3";
@@ -223,7 +223,7 @@ TEST_CASE("a force on a curved contact that is not symmetric: both edges enclose
     CHECK(balls.b().relative_accuracy_bits() > 240);
     CHECK(agree(balls.a().midpoint(), reals.a(), 11));
     CHECK(agree(balls.b().midpoint(), reals.b(), 11));
-    // Where that edge is given, so is the force.
+    // If that edge is given, the force is found again.
     const IntegratedContact back(
         c.profile, c.modulus, Load::right_edge(exact(balls.a().midpoint().str(60))), integral_bits);
     CHECK(agree(back.force().midpoint(), exact(force).to<Real>(), 38));
@@ -244,8 +244,8 @@ TEST_CASE("the edges of a tilted wedge under a force: integrals against logarith
     CHECK(overlaps(integrals.expansion(Edge::left, 2)[1], closed.expansion(Edge::left, 2)[1]));
 }
 
-// From inside the contact the knot is not felt: the coefficients are those of the piece that goes
-// on without it.
+// The knot has no effect inside the contact: the coefficients are those of the piece continued
+// beyond the knot.
 TEST_CASE("a given edge on a knot is expanded from inside the contact") {
     const Symbols x{"x"};
     const Load unit = Load::right_edge(exact("1"));
@@ -261,7 +261,7 @@ TEST_CASE("a given edge on a knot is expanded from inside the contact") {
     CHECK(overlaps(c.force(), d.force()));
 }
 
-// g' = x^(3/2) has no Taylor series at its knot; Gauss's 2F1 knows its pressure.
+// g' = x^(3/2) has no Taylor series at its knot; its pressure is Gauss's 2F1.
 TEST_CASE("a root at a knot: integrals against the closed form of the power law") {
     const Profile own = Profile::piecewise_symmetric({}, {parse("2*x^(3/2)", Symbols{"x"})});
     const Load load = Load::right_edge(exact("4/5"));

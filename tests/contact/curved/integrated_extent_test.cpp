@@ -41,7 +41,7 @@ template <class C> EnclosedExtents enclosed(const Asked& asked, long bits = aske
     return search.at(bits);
 }
 
-/// What is wrong with an enclosure beside another one, to so many digits, or nothing.
+/// Returns the fault of an enclosure compared with another one; empty if there is none.
 std::string fault(const Ball& x, const Ball& y) {
     if (!overlaps(x, y)) {
         return "apart";
@@ -62,7 +62,7 @@ std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
     return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
 }
 
-/// Against the scan in Real, 18 digits of it.
+/// Compares with the scan in Real to 18 digits.
 std::string fault_beside_scan(const Asked& asked) {
     const EnclosedExtents x = enclosed<IntegratedContact>(asked);
     const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
@@ -77,7 +77,8 @@ std::string fault_beside_scan(const Asked& asked) {
     return fault(x.first_exit, near(y.first_exit)) + fault(x.measure, near(y.measure));
 }
 
-/// Against pressures in Real: off by the tolerance at the first exit, and by less on the way there.
+/// Compares with pressures in Real: the error is the tolerance at the first exit, and smaller
+/// before it.
 std::string fault_beside_pressures(const Asked& asked) {
     const EnclosedExtents x = enclosed<IntegratedContact>(asked);
     const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
@@ -102,7 +103,7 @@ std::string fault_beside_pressures(const Asked& asked) {
                                                            : "no crossing";
 }
 
-/// 2 x^m as one's own formula against the kind that has a closed form.
+/// Compares 2 x^m as a user's formula with the kind that has a closed form.
 std::string fault_beside_power_law(const std::string& m) {
     const Profile own = Profile::piecewise_symmetric({}, {parse("2*x^(" + m + ")", Symbols{"x"})});
     if (BallContact::has_closed_form(own)) {
@@ -123,7 +124,7 @@ Profile own_tilted_profile() {
 
 } // namespace
 
-// Integrals and Cauchy's bounds against logarithms and their derivatives.
+// Compares integrals and Cauchy's bounds with logarithms and their derivatives.
 TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
     const Load unit = Load::right_edge(exact("1"));
     const std::vector<Asked> all = {
@@ -147,8 +148,8 @@ TEST_CASE("extents by rigorous integrals are those of the closed forms, where th
     }
 }
 
-// The same contact by a formula that is not seen to be a straight line, or a power: Hertz's, with
-// one term 1/sqrt(1 - s) - 1 too large at s = u/(2a); and Gauss's 2F1.
+// The same contacts by formulas that are not recognised as a straight line or a power: Hertz, whose
+// one term is 1/sqrt(1 - s) - 1 too large at s = u/(2a), and a contact with Gauss's 2F1.
 TEST_CASE("a straight slope in disguise, and a cube as one's own formula") {
     const Symbols x{"x"};
     const Load load = Load::right_edge(exact("3/2"));
@@ -163,7 +164,7 @@ TEST_CASE("a straight slope in disguise, and a cube as one's own formula") {
     CHECK(fault_beside_power_law("3") == "");
 }
 
-// Beside the knot of a root there is no Taylor series.
+// Near the knot of a root there is no Taylor series.
 TEST_CASE("a root at the origin: extents are those of the power law" *
           doctest::test_suite("slow")) {
     CHECK(fault_beside_power_law("3/2") == "");
@@ -192,7 +193,7 @@ TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b 
     const Symbols x{"x"};
     const Profile straight =
         Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
-    // One term of Hertz is off by 1 at 3/4 of the contact.
+    // The error of one term of Hertz is 1 at 3/4 of the contact.
     CHECK_THROWS_AS((void)enclosed<IntegratedContact>({straight,
                                                        Load::right_edge(exact("1")),
                                                        Edge::right,
@@ -200,7 +201,7 @@ TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b 
                                                        "1",
                                                        {exact("0"), exact("3/4")}}),
                     BudgetError);
-    // b = 1 = a since g' = x in the contact, with a bend at -1: exact algebra tells that; c_0 of
+    // b = 1 = a, because g' = x in the contact, with a bend at -1: exact algebra shows this. c_0 of
     // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
     const Expr inside = parse("((1 + x)^2 - 1 - x^2)/2", x);
     const Profile bent =
@@ -208,7 +209,7 @@ TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b 
     const IntegratedContact odd(bent, exact("1"), Load::right_edge(exact("1")), 200);
     CHECK(odd.known(Edge::left).has_value());
     CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
-    // That sinh is (e^x - e^-x)/2 is none of what it knows.
+    // Exact algebra does not know that sinh is (e^x - e^-x)/2.
     const Profile hidden = Profile::piecewise(
         {exact("-1"), exact("0")},
         {parse("sinh(x) + x + 1", x), parse("(exp(x) - exp(-x))/2", x), parse("sinh(x)", x)});
@@ -221,7 +222,7 @@ TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b 
                     BudgetError);
 }
 
-// Values over intervals, by disks and beside bends, against the integrals at points in them.
+// Compares values over intervals, by disks and near bends, with the integrals at points in them.
 TEST_CASE("a pressure over an interval holds those at its points, and so do its derivatives") {
     const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
                               200);

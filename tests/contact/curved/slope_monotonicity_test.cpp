@@ -14,7 +14,8 @@ namespace {
 
 using Course = SlopeMonotonicity::Kind;
 
-/// Of a slope right of the origin, continued as an odd function, with further pieces behind knots.
+/// Returns the monotonicity of a slope right of the origin, continued as an odd function, with
+/// further pieces beyond knots.
 SlopeMonotonicity course_of(const std::vector<const char*>& slopes,
                             const std::vector<const char*>& at, const char* a) {
     std::vector<Exact> knots;
@@ -32,7 +33,7 @@ SlopeMonotonicity course_of(const std::vector<const char*>& slopes,
 } // namespace
 
 TEST_CASE("slopes that rise are proved to") {
-    // g'' by hand: of one sign, 0 at an end (a power, a quotient, a knot that no binary number is,
+    // g'' is of one sign, or 0 at an end (a power, a quotient, a knot that is not a binary number,
     // an irrational one), or 0 inside as a square or as 1 - cos.
     for (const std::string slope : {"x/7",
                                     "sinh(x)",
@@ -71,13 +72,13 @@ TEST_CASE("slopes that rise are proved to") {
               k + "/9 + (2*x - 2*" + k + ")^4/(1 + x)"}) {
             CAPTURE(behind);
             CHECK(course_of({first.c_str(), behind.c_str()}, {knot}, "7/8").kind == Course::rises);
-            // The edge on the knot, or short of it.
+            // The edge is on the knot, or before it.
             CHECK(course_of({"x^2", (k + "^2 + x - " + k).c_str()}, {knot}, "1/20").kind ==
                   Course::rises);
         }
     }
     CHECK(course_of({"x^2", "1/9 + (x - 1/3)^2"}, {"1/3"}, "1/3").kind == Course::rises);
-    // Where the piece ends before the function turns, or has a pole.
+    // The piece ends before the function turns, or has a pole.
     CHECK(course_of({"tan(x/2)", "tan(1/2) + x - 1"}, {"1"}, "7/8").kind == Course::rises);
     CHECK(course_of({"1 - cos(x)", "x"}, {"2"}, "3").kind == Course::rises);
 }
@@ -89,7 +90,7 @@ TEST_CASE("a slope that falls between the points where a profile is sampled is f
     const PrecisionScope scope(40);
     const Real x = wave.where->midpoint();
     CHECK(1 + cos(1000 * x) * 10 / 9 < 0);
-    // Beyond the edge it may do what it likes.
+    // The slope beyond the edge is irrelevant.
     CHECK(course_of({"x", "1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900"}, {"1/2"}, "1/2").kind ==
           Course::rises);
     CHECK(course_of({"x", "1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900"}, {"1/2"}, "3/4").kind ==
@@ -97,7 +98,7 @@ TEST_CASE("a slope that falls between the points where a profile is sampled is f
 }
 
 TEST_CASE("a slope that jumps down between the samples is not taken for one that rises") {
-    // The rate is positive wherever there is one: the poles of the tangent hide in a bounded
+    // The rate is positive wherever it exists: the poles of the tangent are hidden in a bounded
     // function.
     for (const std::string slope :
          {"x + atan(tan(1000*x))/1000000", "x + atan(1/(1/3 - x))/1000000 - atan(3)/1000000",
@@ -106,16 +107,16 @@ TEST_CASE("a slope that jumps down between the samples is not taken for one that
         CHECK(course_of({slope.c_str()}, {}, "7/8").kind == Course::open);
         CHECK(course_of({slope.c_str()}, {}, "1/1000").kind == Course::rises);
     }
-    // Nor one that has no value in places: beyond some point, or up to it.
+    // The same for a slope that has no value beyond some point, or up to it.
     CHECK(course_of({"x + (1/3 - x)^(5/2) - (1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
     CHECK(course_of({"x + (x - 1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
 }
 
 TEST_CASE("what cannot be decided is said to be open") {
-    // (x - 3/10)^3 + 27/1000, multiplied out: g'' is a square that does not show.
+    // (x - 3/10)^3 + 27/1000, multiplied out: g'' is a square, but not in this form.
     CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "7/8").kind == Course::open);
     CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "1/4").kind == Course::rises);
-    // A billionth less, and it does fall.
+    // If x/1000000000 is subtracted, the slope decreases.
     const SlopeMonotonicity less =
         course_of({"x^3 - 9*x^2/10 + 27*x/100 - x/1000000000"}, {}, "7/8");
     REQUIRE(less.kind == Course::falls);

@@ -10,7 +10,8 @@ namespace {
 using formula::Exact;
 using namespace edgeproof::families;
 
-/// g' of Profile::tilted_flat_and_rounded with alpha = 1/10, R = 2 and the flat's half-length t.
+/// Returns g' of Profile::tilted_flat_and_rounded with alpha = 1/10, R = 2 and the flat's
+/// half-length t.
 ParametricSlope punch_of_flat(const std::string& t) {
     const auto e = [&](const std::string& text) { return in(text, {t}); };
     ParametricSlope s;
@@ -21,7 +22,7 @@ ParametricSlope punch_of_flat(const std::string& t) {
     return s;
 }
 
-/// Against the enclosures of contact/enclosure, which share no formula with these.
+/// Compares with the enclosures of contact/enclosure, which share no formula with these.
 void check_error(const ErrorFamily& family, const Profile& profile, const Load& load, Edge edge,
                  std::size_t terms, const Rational& parameter) {
     const BallContact contact(profile, Exact::of(1), load, 256);
@@ -81,20 +82,20 @@ TEST_CASE("design: the exponent for which one term reaches farthest" *
     CHECK(holds(best.value[0], "0.667966665381445967911229231567434349204007852", 30));
     CHECK(holds(*best.touches_at, "0.264665388678795518665902599586076291115720002", 30));
     CHECK(holds(best.reach, "0.450166365173778823621275309344928449066977652", 30));
-    // The printed exponent: likewise.
+    // The same for the printed exponent.
     CHECK(holds(proved_reach(problem, {Rational(5, 8)}, 256).reach,
                 "0.274333139081381532225988320384348082406814031", 30));
-    // What is shown is not more than what is said, and nearly it.
+    // The reach that is shown does not exceed the stated one, but almost equals it.
     CHECK(holds(best.shown_reach, "0.450166365173778823621275309344928449066977652", 7));
-    // Less than the best is not proved.
+    // A reach below the best one is not proved.
     DesignOptions few;
     few.most_boxes = 2000;
     CHECK_FALSE(covered_by_exits(problem, range, Rational(45, 100), few).covered);
 }
 
 TEST_CASE("design: the tension for which one term of the shear reaches farthest") {
-    // With Q = 1, a + b = 2 and kappa = B/A, f + 1 = sqrt(1 - z)/(1 - kappa z), whose maximum is
-    // 1/(2 sqrt(kappa (1 - kappa))) at z = 2 - 1/kappa: it touches 1 + eps for kappa = (1 +
+    // Let Q = 1, a + b = 2 and kappa = B/A. Then f + 1 = sqrt(1 - z)/(1 - kappa z), whose maximum
+    // is 1/(2 sqrt(kappa (1 - kappa))) at z = 2 - 1/kappa: it equals 1 + eps for kappa = (1 +
     // sqrt(1 - (1 + eps)^-2))/2, and sigma_0 = kappa/pi/(1/2 - kappa/4).
     const auto errors = full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about("s"));
     ReachProblem problem;
@@ -120,7 +121,7 @@ TEST_CASE("design: the tension for which one term of the shear reaches farthest"
 
 TEST_CASE("design: an end of the range, both edges, and two parameters" *
           doctest::test_suite("slow")) {
-    // Hertz is the best of all flat and rounded pads for one term at 5 %: f = (1 - z)^(-1/2) - 1 is
+    // Hertz is the best of all flat-and-rounded pads for one term at 5 %: f = (1 - z)^(-1/2) - 1 is
     // 1/20 at z = 1 - (20/21)^2.
     const auto e = [](const std::string& text) { return in(text, {"t"}); };
     ParametricSlope pad;
@@ -140,7 +141,8 @@ TEST_CASE("design: an end of the range, both edges, and two parameters" *
     CHECK(best.kind == BestReach::Kind::end_of_range);
     CHECK(best.proved);
     CHECK(contains(best.reach, Rational(41, 441)));
-    // A wedge of tilt alpha, both edges: the upright one, by symmetry, where they reach alike.
+    // A wedge of tilt alpha, both edges: by symmetry the upright one is best, with equal reach at
+    // both.
     ParametricSlope wedge;
     wedge.knots = {in("0", {})};
     wedge.pieces = {{in("-(1 + s)", {"s"}), in("0", {})}, {in("1 - s", {"s"}), in("0", {})}};
@@ -155,7 +157,7 @@ TEST_CASE("design: an end of the range, both edges, and two parameters" *
     CHECK(contains(upright.value[0], Rational(0)));
     CHECK(upright.value[0].is_finite());
     CHECK(certainly_less(abs(upright.value[0]), Ball(Rational(1, 1'000'000'000'000L), 128)));
-    // Two parameters: a flat of length t under arcs of radius R with a given: R does not matter.
+    // Two parameters: a flat of length t under arcs of radius R with a given; R has no effect.
     ErrorQuestion two = about("t");
     two.names = {"t", "R"};
     const auto f = [](const std::string& text) { return in(text, {"t", "R"}); };

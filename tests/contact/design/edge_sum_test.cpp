@@ -13,7 +13,7 @@ using namespace edgeproof::contact;
 
 namespace {
 
-/// 2F1(1, b; 3/2; y) by Arb's own function, which chooses among transformations.
+/// Returns 2F1(1, b; 3/2; y) by Arb's own function, which chooses among transformations.
 Ball by_arb(const Rational& b, const Rational& y, long bits) {
     Ball f(0, bits);
     arb_hypgeom_2f1(f.data(), Ball(1, bits).data(), Ball(b, bits).data(),
@@ -36,7 +36,7 @@ TEST_CASE(
                 const Rational exact_y(y);
                 const auto f = sum(Ball(exact_b, bits), Ball(exact_y, bits));
                 REQUIRE(f);
-                // Many more bits than those of the sum: what it left out would show.
+                // Use many more bits than the sum, so that an omitted part would show.
                 CHECK(contains(*f, by_arb(exact_b, exact_y, 2 * bits + 100).midpoint()));
                 CHECK(f->relative_accuracy_bits() > bits - 40);
             }

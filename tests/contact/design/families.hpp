@@ -36,7 +36,8 @@ inline bool holds(const Ball& x, const char* decimal, long slack_digits) {
     return certainly_less(abs(x - exact), Ball(slack, x.bits()));
 }
 
-/// Jets against values: second-order Taylor with a step so small that its remainder is below 1e-18.
+/// Compares jets with values: second-order Taylor with a step so small that its remainder is below
+/// 1e-18.
 inline void check_jet(const ErrorFamily& family, const Rational& u, const Rational& parameter) {
     constexpr long bits = 300;
     const Rational h(1, 10'000'000'000L);

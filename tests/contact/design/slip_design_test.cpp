@@ -15,7 +15,7 @@ ParametricLoad to_edge(const std::string& a) {
     return load;
 }
 
-/// g' of a cylinder of radius 1.
+/// Returns g' of a cylinder of radius 1.
 ParametricSlope cylinder() {
     ParametricSlope s;
     s.knots = {in("0", {})};
@@ -25,7 +25,7 @@ ParametricSlope cylinder() {
     return s;
 }
 
-/// Slopes -1 and 1 with the corner rounded to a parabola over -r < x < r, times r.
+/// Returns slopes -1 and 1, with the corner rounded to a parabola over -r < x < r, times r.
 ParametricSlope rounded_wedge() {
     const auto e = [](const std::string& text) { return in(text, {"r"}); };
     ParametricSlope s;
@@ -37,7 +37,7 @@ ParametricSlope rounded_wedge() {
     return s;
 }
 
-/// g' of Profile::tilted_flat_and_rounded, t = 1, R = 2.
+/// Returns g' of Profile::tilted_flat_and_rounded, t = 1, R = 2.
 ParametricSlope tilted_punch() {
     const auto e = [](const std::string& text) { return in(text, {"alpha"}); };
     ParametricSlope s;
@@ -50,7 +50,7 @@ ParametricSlope tilted_punch() {
 
 } // namespace
 
-// The enclosures of contact/enclosure solve for the stick zone by other formulas.
+// The enclosures of contact/enclosure find the stick zone by other formulas.
 TEST_CASE("slip zones over a range of a parameter are those of the contact") {
     const std::string tilt = "1/10";
     const Rational alpha(1, 10);
@@ -79,7 +79,8 @@ TEST_CASE("slip zones over a range of a parameter are those of the contact") {
     }
     check_jet(*power_law_slip_errors(in("m", {"m"}), about("m", 2)), Rational(1, 3),
               Rational(5, 8));
-    // Over wide balls it holds what it holds at a point, zero and full sliding included.
+    // The enclosure over a wide ball contains the one at a point, also at zero load and at full
+    // sliding.
     const auto family = linear_slip_errors(rounded_wedge(), to_edge("1"), {}, about("r"));
     const auto point = family->over({Ball(Rational(1, 2), 128)});
     const auto box =
@@ -153,8 +154,8 @@ TEST_CASE("design of a slip load: a smooth maximum" * doctest::test_suite("slow"
 
 // Full stick, Q = sigma_0 = 1, at the left edge: A = 1/pi - D/8, B = -D/4, kappa = B/A, and one
 // term is 1 % too small where sqrt(1 - z) = (99/100) (1 - kappa z). A wider contact has a longer
-// unit and a greater |kappa|. mpmath, 60 digits: findroot of diff(D z(D)) from 0.85, z by the
-// quadratic formula.
+// unit of length and a greater |kappa|. mpmath, 60 digits: findroot of diff(D z(D)) from 0.85, z by
+// the quadratic formula.
 TEST_CASE("design: a smooth maximum of a distance") {
     ErrorQuestion question = about("D", 1, Edge::left);
     question.unit = ReachUnit::distance;
@@ -169,8 +170,8 @@ TEST_CASE("design: a smooth maximum of a distance") {
     CHECK(holds(best.reach, "0.0056936635236393989213759396176520720243406397", 30));
 }
 
-// At alpha = 0.3664... the left edge passes the end of the flat. The values are those of exact
-// parameters on both sides.
+// At alpha = 0.3664... the left edge passes the end of the flat. The expected values are those for
+// exact parameters on both sides.
 TEST_CASE("design: a knot passes an edge within a box") {
     for (const Edge edge : {Edge::right, Edge::left}) {
         const auto errors =

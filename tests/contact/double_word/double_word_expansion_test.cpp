@@ -17,7 +17,7 @@ Exact expansion_number(const char* text) { return Exact::parse(text); }
 } // namespace
 
 TEST_CASE("sums of terms and their relative errors in double words: Hertz's, by hand") {
-    // p = (1/2) sqrt(u (2 - u)), so that p_n/p is the binomial series of (1 - u/2)^(1/2) cut off.
+    // p = (1/2) sqrt(u (2 - u)), so that p_n/p is the truncated binomial series of (1 - u/2)^(1/2).
     const Profile hertz = Profile::power_law(expansion_number("1"), expansion_number("1"));
     const BallContact contact(hertz, expansion_number("1"), Load::right_edge(expansion_number("1")),
                               DoubleWordPressure::contact_bits);

@@ -67,7 +67,7 @@ TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 
                     continue;
                 }
                 ++decided;
-                // Another formula, by quadrature.
+                // This route uses another formula, by quadrature.
                 CHECK(*p ==
                       contact.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
                           .value.convert_to<double>());
@@ -123,7 +123,7 @@ TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex an
                 ++undecided;
                 continue;
             }
-            // The bound that was carried holds.
+            // The computed bound holds.
             const PrecisionScope scope(150);
             const Real off = abs(p.midpoint() - Real(word.high) - Real(word.low));
             CHECK(off <= Real(word.radius) * 1.01 + Real(word.high) * Real(0x1p-104));
@@ -170,7 +170,7 @@ TEST_CASE("in double words: outside, on a corner, tiny or not a number") {
 }
 
 TEST_CASE("in double words: a bound that is made too small is caught by its ball") {
-    // The radii are needed: without what they say of the edges, places would be decided wrongly.
+    // The radii are needed: without the uncertainty of the edges, places would be decided wrongly.
     const Pressed c = pressed()[1];
     const BallContact rough = c.balls(64);
     const DoubleWordPressure pressure(c.profile, rough);

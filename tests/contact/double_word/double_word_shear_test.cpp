@@ -17,8 +17,8 @@ constexpr long word_bits = DoubleWordPressure::contact_bits;
 
 Exact traction_number(const char* text) { return Exact::parse(text); }
 
-/// q of a contact with a = 1 and E* = 1 under a shear force and f = 1/2, in double words and by the
-/// route in Real.
+/// The traction q of a contact with a = 1 and E* = 1 under a shear force with f = 1/2, in double
+/// words and by the route in Real.
 struct SlippingTwice {
     NormalContact normal;
     ShearSpec shear;
@@ -83,8 +83,8 @@ TEST_CASE("q in partial slip in double words: that of the route in Real, stuck a
 
 TEST_CASE("q of a wedge in partial slip in double words: at its apex and at the stick zone's edge, "
           "by hand") {
-    // p = (1/pi) arcosh(1/|x|), P = 1. With Q = f P/2 the stick zone ends at 1/2, p* is the
-    // pressure of x/(1/2), and p - p* at the apex is (ln 2)/pi.
+    // p = (1/pi) arcosh(1/|x|), P = 1. For Q = f P/2 the stick zone ends at 1/2, p* is the pressure
+    // at x/(1/2), and p - p* at the apex is (ln 2)/pi.
     const Profile wedge = Profile::power_law(traction_number("1"), traction_number("0"));
     const BallContact contact(wedge, traction_number("1"), Load::right_edge(traction_number("1")),
                               word_bits);

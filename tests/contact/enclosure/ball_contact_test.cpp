@@ -29,7 +29,7 @@ TEST_CASE("balls hold what MPFR finds, and are narrow") {
         const NormalContact contact(c.profile, c.modulus, c.load, 50);
         const BallContact balls(c.profile, c.modulus, c.load, 400);
         const PrecisionScope scope(60);
-        // The MPFR values are good to 50 digits and say so: a ball of that radius must overlap.
+        // The MPFR values are good to 50 digits: a ball of that radius must overlap.
         const auto holds = [&](const Ball& ball, const Real& value) {
             const Real slack = abs(value) * Real("1e-50");
             CHECK(overlaps(ball, Ball::around(value, slack, 400)));
@@ -67,7 +67,7 @@ TEST_CASE("a force given: the edge is isolated, and it is the right one") {
     }
 }
 
-// The search once ended where halving met the end of the flat, where dP/da = 0.
+// The search once stopped where bisection met the end of the flat, at which dP/da = 0.
 TEST_CASE("a force for which the search meets a knot on its way") {
     const Profile flat = Profile::flat_and_rounded(exact("0.4"), exact("1"));
     const BallContact contact(flat, exact("1"), Load::force(exact("0.1")), 300);
@@ -78,7 +78,7 @@ TEST_CASE("a force for which the search meets a knot on its way") {
 
 TEST_CASE("escalation reaches the digits asked in the hard places") {
     const Contact flat = symmetric()[6];
-    // 1e-30 beside a knot, on it, and 1e-300 from the edge.
+    // Points at 1e-30 from a knot, on it, and 1e-300 from the edge.
     for (const char* u : {"1.1000000000000000000000000000001", "1.1", "1e-300"}) {
         CAPTURE(u);
         const Ball p =
@@ -88,7 +88,7 @@ TEST_CASE("escalation reaches the digits asked in the hard places") {
         const PrecisionScope scope(60);
         CHECK(common_digits(contact.pressure(Edge::right, exact(u)).value, p.midpoint()) >= 50);
     }
-    // The apex of a wedge carries no finite value: the budget ends, it is not guessed.
+    // The pressure is infinite at the apex of a wedge: the budget ends without a guess.
     const Contact wedge = tilted()[0];
     CHECK_THROWS_AS((void)enclosed_pressure(wedge.profile, wedge.modulus, wedge.load, Edge::right,
                                             exact("1.5"), 50),
@@ -99,8 +99,8 @@ TEST_CASE("escalation reaches the digits asked in the hard places") {
 }
 
 TEST_CASE("the tilted wedge in balls: gamma from 1e-25 to 1 - 1e-25") {
-    // b = gamma a by hand (moore-hills.tex line 301 read as a construction of alpha):
-    // alpha = (2 phi/pi) asin((1-gamma)/(1+gamma)).
+    // b = gamma a by hand (moore-hills.tex line 301, solved for alpha): alpha = (2 phi/pi)
+    // asin((1-gamma)/(1+gamma)).
     for (const char* gamma : {"1e-25", "1e-3", "0.5", "1 - 1e-25"}) {
         CAPTURE(gamma);
         const std::string g = std::string("(") + gamma + ")";
@@ -138,8 +138,8 @@ TEST_CASE("balls of the expansion hold the series in Real, at both edges, and ar
 }
 
 TEST_CASE("an edge just beyond a corner is isolated") {
-    // b lies 0.8 % beyond the corner at -0.835/90, where the balance goes like a root of the
-    // distance to it and Newton's method runs to and fro.
+    // b lies 0.8 % beyond the corner at -0.835/90, where the balance behaves like a root of the
+    // distance from the corner, and Newton's method oscillates.
     Symbols x;
     x.add("x");
     const Profile profile = Profile::piecewise(
@@ -151,7 +151,7 @@ TEST_CASE("an edge just beyond a corner is isolated") {
     NormalContact contact(profile, Exact::parse("1"), load, 40);
     const PrecisionScope scope(60);
     CHECK(overlaps(balls.b(), Ball::around(contact.b(), pow(Real(10), -40), 300)));
-    // The same contact, found from the force that it carries.
+    // The same contact, found from its force.
     const BallContact from_force(profile, Exact::parse("1"), Load::force(Exact::parse("3.99e-3")),
                                  256);
     CHECK(from_force.a().relative_accuracy_bits() > 200);

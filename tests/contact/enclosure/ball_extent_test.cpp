@@ -17,7 +17,7 @@ using scenes::exact;
 
 namespace {
 
-/// The contacts of one scene at every number of bits.
+/// The contacts of one scene at each number of bits.
 class Contacts {
 public:
     Contacts(Profile profile, Load load) : profile_(std::move(profile)), load_(std::move(load)) {}
@@ -47,7 +47,7 @@ EnclosedExtents enclosed(Contacts& contacts, Edge edge, std::size_t n, const cha
 
 } // namespace
 
-// p = C sqrt(u (2a - u)): with s = u/(2a), one term exceeds it by 1/sqrt(1-s), two terms by
+// p = C sqrt(u (2a - u)): with s = u/(2a), the ratio of one term to p is 1/sqrt(1-s), of two terms
 // (1 - s/2)/sqrt(1-s).
 TEST_CASE("Hertz: the enclosed exits hold the roots of a linear and a quadratic") {
     Contacts hertz(Profile::power_law(exact("1"), exact("1")), Load::right_edge(exact("3/2")));
@@ -118,7 +118,7 @@ TEST_CASE("enclosed extents hold what the scan in Real finds, for every profile"
 }
 
 TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left undecided") {
-    // The logarithm matters within e^(-10^6) of the corner only.
+    // The logarithm matters only within e^(-10^6) of the corner.
     Contacts faint(Profile::piecewise({exact("0")}, {parse("x - 1e-9", Symbols{"x"}),
                                                      parse("x + 1e-9", Symbols{"x"})}),
                    Load::right_edge(exact("1")));
@@ -130,7 +130,8 @@ TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left
     };
     CHECK(is_one(e.crossings[0]));
     CHECK(is_one(e.crossings[1]));
-    // One term is above the tolerance on both sides of it: down to -1 and up again, four times.
+    // One term is above the tolerance on both sides of the corner; its error goes to -1 and back,
+    // four times.
     const EnclosedExtents above =
         enclosed(faint, Edge::right, 1, "1/100", {exact("0"), exact("3/4")});
     REQUIRE(above.crossings.size() == 5);
@@ -138,7 +139,8 @@ TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left
     CHECK(is_one(above.crossings[1]));
     CHECK(is_one(above.crossings[4]));
     CHECK(overlaps(above.measure, above.first_exit));
-    // Hertz, one term, the tolerance that its error reaches at 3/4 of the contact, the range's end.
+    // Hertz, one term, with the tolerance that its error reaches at 3/4 of the contact, the end of
+    // the range.
     Contacts hertz(Profile::power_law(exact("1"), exact("1")), Load::right_edge(exact("1")));
     CHECK_THROWS_AS((void)enclosed(hertz, Edge::right, 1, "1", {exact("0"), exact("3/4")}),
                     BudgetError);

@@ -12,8 +12,8 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-/// Both ends within 10^-`digits` of the value, relatively, on their own sides of it: an enclosure,
-/// and no wider than it has to be. The value is right to 50 digits.
+/// Checks that both ends are within a relative 10^-`digits` of the value, on their own sides of it:
+/// an enclosure that is no wider than necessary. The value is right to 50 digits.
 void check_both_ends(const Ball& peak, const Real& value, int digits) {
     const Real slack = abs(value) * Real("1e-50");
     const Real width = abs(value) * pow(Real(10), -digits);
@@ -23,7 +23,7 @@ void check_both_ends(const Ball& peak, const Real& value, int digits) {
     CHECK(peak.upper() - value <= width);
 }
 
-/// Of flat-and-rounded punches by mpmath at 70 digits, not by the closed form: with
+/// Peaks of flat-and-rounded punches by mpmath at 70 digits, not by the closed form: with
 /// w = sqrt((a - x)(b + x)) and t = (a - b)/2 + (a + b)/2 cos(h),
 ///     p(x) = E*/(2 pi) w(x) int_0^pi (g'(t(h)) - g'(x))/(t(h) - x) dh
 /// by tanh-sinh between the knots, b from int_0^pi g'(t(h)) dh = 0, and the root of p' by findroot.
@@ -73,9 +73,9 @@ TEST_CASE("the greatest pressure of flat-and-rounded punches, upright and tilted
             CAPTURE(bits);
             const BallContact contact(c.profile, c.modulus, c.load, bits);
             const Ball peak = enclosed_peak(contact, symmetric);
-            // Ten digits fewer than the bits have, but no more than the value has.
+            // The digits of the bits minus ten, but no more than the value has.
             check_both_ends(peak, Real(value), std::min(50, static_cast<int>(bits * 3 / 10) - 10));
-            // More bits are not wasted.
+            // More bits give a narrower enclosure.
             const Real relative = peak.radius() / peak.midpoint();
             CHECK(relative < last * Real("1e-25"));
             last = relative;

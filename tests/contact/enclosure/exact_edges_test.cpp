@@ -32,8 +32,8 @@ Profile punch(const char* alpha, const char* t, const char* R) {
 
 } // namespace
 
-// A corner, a bend and the end of an arc at the left edge; the right one given or by P. By hand:
-// within |x| < d these are Hertz's contact, a = b = d and P = pi E* d^2/(4 R).
+// A corner, a bend and the end of an arc at the left edge; the right edge is given or found from P.
+// By hand: within |x| < d these are Hertz's contact, a = b = d and P = pi E* d^2/(4 R).
 TEST_CASE("an edge on a knot exactly: a and b are proved by symbols") {
     const Exact modulus = Exact::parse("1");
     const struct {
@@ -83,7 +83,7 @@ TEST_CASE("zeros that the algebra proves, and what it leaves alone") {
         CAPTURE(text);
         CHECK(zero(text));
     }
-    // Not zero, by less than any small number of digits; not proved; no value.
+    // A number that is not zero, but tiny; one that cannot be proved; one without a value.
     for (const char* text :
          {"pi - 3141592653589793238462643383279502884197/10^39", "sqrt(2) - 99/70",
           "acos(1/3) - atan(sqrt(8))", "sqrt(x^2) - x", "1/(sqrt(2) - sqrt(2))*0"}) {
@@ -95,7 +95,7 @@ TEST_CASE("zeros that the algebra proves, and what it leaves alone") {
     CHECK_FALSE(decided_sign(parse("acos(1/3) - atan(sqrt(8))")).has_value());
 }
 
-// Nothing but digits is known here: b is -1e-300 or 0 beside the knot for all they tell.
+// Only digits are known here: they do not distinguish whether b is -1e-300 from the knot or on it.
 TEST_CASE(
     "routes in Real: an edge that no digits tell from a knot is taken to be on it, and said") {
     const NormalContact contact(punch("0.1", "0.5", "2"), Exact::parse("1"),
@@ -119,8 +119,8 @@ TEST_CASE("the simplest fraction in a ball, also where its continued fraction is
     CHECK(simplest_rational(Ball::hull(Ball(-3, 64), Ball(2, 64))) == Rational(0));
     CHECK(simplest_rational(Ball::hull(Ball(Rational(-7, 20), 64), Ball(Rational(-13, 50), 64))) ==
           Rational(-1, 3));
-    // Pell: the convergents p/q of sqrt(2), some 150,000 of them, have p^2 - 2 q^2 = +-1, and all
-    // that lies between two of them has +-2 at most.
+    // Pell: the convergents p/q of sqrt(2), about 150,000 of them, have p^2 - 2 q^2 = +-1, and the
+    // intermediate fractions between them have at most +-2.
     const auto q = simplest_rational(sqrt(Ball(2, 400'000)));
     REQUIRE(q);
     const Integer p = boost::multiprecision::numerator(*q);

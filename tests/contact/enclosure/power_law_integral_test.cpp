@@ -24,7 +24,7 @@ bool narrow(const Ball& x) { return x.relative_accuracy_bits() > 400; }
 
 } // namespace
 
-// By parts, from s/sqrt(s^2 - q^2) = d sqrt(s^2 - q^2)/ds and acosh: for m = 0 ... 4 by hand.
+// By parts, from s/sqrt(s^2 - q^2) = d sqrt(s^2 - q^2)/ds and acosh: by hand for m = 0 ... 4.
 TEST_CASE("the integral for m = 0 ... 4 by hand, from beside the apex to beside the edge") {
     for (const char* at : {"1e-30", "1/3", "0.49", "0.51", "0.9", "0.999999999999"}) {
         CAPTURE(at);
@@ -74,7 +74,7 @@ TEST_CASE("at the apex the integral is 1/m, and next to it narrow, for m from 1e
             CHECK(certainly_positive(x));
         }
     }
-    // A ball around the apex holds what is at it, and beside it.
+    // A ball around the apex contains the values at the apex and near it.
     const Ball about = Ball::around(Real(0), pow(Real(10), -100), power_law_bits);
     for (const char* m : {"1/2", "2", "4", "9/2"}) {
         CAPTURE(m);

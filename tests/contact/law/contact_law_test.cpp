@@ -12,8 +12,8 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-/// integral of f(s)/w(s) over the contact by s = c + d sin(theta) and the trapezoidal panels
-/// between knots: shares nothing with the kernels.
+/// Returns the integral of f(s)/w(s) over the contact by s = c + d sin(theta) and panels between
+/// the knots; it shares nothing with the kernels.
 template <class F> Real over_w(const SlopeIn<Real>& slope, const Extent<Real>& e, const F& f) {
     const Real c = (e.a - e.b) / 2;
     const Real d = (e.a + e.b) / 2;
@@ -29,7 +29,8 @@ template <class F> Real over_w(const SlopeIn<Real>& slope, const Extent<Real>& e
         const Real span = theta[i + 1] - theta[i];
         sum += span * tanh_sinh<Real>([&](const Real& lo, const Real&) {
                           const Real s = c + d * sin(Real(theta[i] + span * lo));
-                          // A node may round onto its own knot; the panel's middle says the piece.
+                          // A node may round onto its own knot; the panel's middle determines the
+                          // piece.
                           const Real middle = c + d * sin(Real(theta[i] + span / 2));
                           return Real(slope.value(slope.piece_at(middle), s) * f(s));
                       }).value;
@@ -58,7 +59,7 @@ TEST_CASE("consistency, force and moment against their integrals as printed") {
         const Extent<Real> e = law.extent(c.load.value.to<Real>());
         const Real E = c.modulus.to<Real>();
         if (c.name == "power-law m=1/2" || c.name == "power-law m=5/8") {
-            continue; // |s|^m at its corner needs distances, which this integral does not keep
+            continue; // |s|^m at its corner needs the distance, which this integral does not have
         }
         const Real zero = over_w(law.slope(), e, [](const Real&) { return Real(1); });
         const Real size = law.slope().value(law.slope().pieces().size() - 1, e.a);
@@ -69,14 +70,14 @@ TEST_CASE("consistency, force and moment against their integrals as printed") {
             const Real M = (e.b - e.a) * P / 2 + E / 2 * over_w(law.slope(), e, [](const Real& s) {
                                                      return Real(s * s);
                                                  });
-            // Against P times a length: a contact within one arc carries no moment at all.
+            // Relative to P times a length: a contact within one arc has no moment at all.
             CHECK(abs(contact.moment() - M) < P * (e.a + e.b) * Real("1e-40"));
         }
     }
 }
 
 TEST_CASE("the tilted wedge: b = gamma a and P = E* phi sqrt(gamma) a") {
-    // Worked out by hand from the consistency condition: sin(theta_0) = -(1-gamma)/(1+gamma).
+    // Derived by hand from the consistency condition: sin(theta_0) = -(1-gamma)/(1+gamma).
     for (const char* ratio : {"1/5", "4/5", "1e-12", "999999999/1000000000", "-1/3"}) {
         CAPTURE(ratio);
         const Exact phi = exact("pi/16");
@@ -95,7 +96,7 @@ TEST_CASE("the tilted wedge: b = gamma a and P = E* phi sqrt(gamma) a") {
 }
 
 TEST_CASE("derivatives of the law against the law itself at complex of real steps") {
-    // A Taylor polynomial of 25 terms must land on the independently solved b and P.
+    // A Taylor polynomial of 25 terms must agree with the independently solved b and P.
     for (const Contact& c : tilted()) {
         CAPTURE(c.name);
         const PrecisionScope scope(80);
@@ -119,7 +120,7 @@ TEST_CASE("derivatives of the law against the law itself at complex of real step
         }
         CHECK(common_digits(b, beside.b) >= 60);
         CHECK(common_digits(rate, law.force_rate(beside)) >= 60);
-        // And P' is the derivative of P: its antiderivative steps P from a to a + z.
+        // P' is the derivative of P: its antiderivative gives the step of P from a to a + z.
         Real rise = 0;
         for (std::size_t k = 25; k-- > 0;) {
             rise = rise * z + series.force_rate[k] / Real(static_cast<int>(k + 1));
@@ -148,13 +149,14 @@ TEST_CASE("a force gives back the width that it came from") {
         const ContactLaw<Real> law(c.profile, c.modulus.to<Real>());
         const Real a = c.load.value.to<Real>();
         const Real back = law.right_edge_for_force(law.force(law.extent(a)));
-        // Next to the flat, P ~ (a - t)^(3/2) R^-1 forgets some of a's digits.
+        // Near the flat, P ~ (a - t)^(3/2) R^-1 loses some of a's digits.
         CHECK(common_digits(back, a) >= 44);
     }
 }
 
 TEST_CASE("the left edge on a knot, and 1e-25 beside it") {
-    // a is solved so that b sits on the knot of the tilted punch where its flat begins.
+    // The right edge a is found such that b is on the knot of the tilted punch where its flat
+    // begins.
     const PrecisionScope scope(140);
     const Profile profile =
         Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2"));
@@ -173,7 +175,7 @@ TEST_CASE("the left edge on a knot, and 1e-25 beside it") {
         CHECK(abs(at.b[k] - near.b[k]) < abs(at.b[k]) * Real("1e-20"));
         CHECK(abs(at.force_rate[k] - near.force_rate[k]) < abs(at.force_rate[k]) * Real("1e-20"));
     }
-    // Just outside, b'' feels the piece beyond the knot (its root singularity): not the same.
+    // Just outside, b'' depends on the piece beyond the knot (its root singularity) and differs.
     const Extent<Real> outside{law.right_edge(Real(knot + step)), Real(knot + step)};
     CHECK(abs(law.series(outside, 4).b[3] - at.b[3]) > abs(at.b[3]));
 }
@@ -202,7 +204,7 @@ TEST_CASE("what has no contact is refused") {
     refuse("origin", {}, {parse("x - 1", x)});
     refuse("ascend", {exact("2"), exact("1")}, {parse("x", x), parse("x", x), parse("x", x)});
     refuse("one piece more", {exact("2")}, {parse("x", x)});
-    // Nothing rises on the left: no b closes the contact.
+    // The left side has no slope: no b satisfies the consistency condition.
     const Profile half = Profile::piecewise({exact("0")}, {parse("0", x), parse("x", x)});
     CHECK_THROWS_AS(NormalContact(half, exact("1"), Load::right_edge(exact("1")), 30), DomainError);
     CHECK_THROWS_AS(NormalContact(Profile::power_law(exact("1"), exact("1")), exact("1"),

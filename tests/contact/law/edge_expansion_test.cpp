@@ -23,8 +23,8 @@ TEST_CASE("Hertz: the binomial series") {
 }
 
 TEST_CASE("the wedge: the series of an inverse hyperbolic cosine") {
-    // arcosh(1/(1-v)) by integrating its derivative 1/((1-v) sqrt(v(2-v))): coefficients by an
-    // exact product of two known series, v = u/a.
+    // The coefficients of arcosh(1/(1-v)), v = u/a, from its derivative 1/((1-v) sqrt(v(2-v))): an
+    // exact product of two known series.
     const NormalContact contact(Profile::power_law(exact("0.3"), exact("0")), exact("7/3"),
                                 Load::right_edge(exact("3/2")), 50);
     const std::vector<Real> c = contact.expansion(Edge::right, 42);

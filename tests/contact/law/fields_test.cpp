@@ -11,9 +11,9 @@ namespace {
 
 using RationalSeries = Series<Rational>;
 
-/// A mark as an edge moves, in rational numbers: `w` is its root at the start. The angle h is
-/// transcendental, but the kernels are linear in it and its derivative is algebraic: any rational
-/// number stands for it at the start.
+/// A mark while an edge moves, in rational numbers: `w` is its root at the start. The angle h is
+/// transcendental, but the kernels are linear in it and its derivative is algebraic, so that any
+/// rational number can replace its initial value.
 Mark<RationalSeries> moving_mark(const Extent<RationalSeries>& e, const Rational& v,
                                  const Rational& w, const Rational& h) {
     const RationalSeries right = e.a - v;
@@ -29,8 +29,8 @@ Mark<RationalSeries> moving_mark(const Extent<RationalSeries>& e, const Rational
 
 } // namespace
 
-// Each is the derivative of an integrand under the integral sign: w = sqrt((a - v)(v + b)) has
-// dw/da = sqrt((v + b)/(a - v))/2, and h has dh/da = sqrt((v + b)/(a - v))/(a + b).
+// Each rate is the derivative of the integrand under the integral sign: w = sqrt((a - v)(v + b))
+// has dw/da = sqrt((v + b)/(a - v))/2, and h has dh/da = sqrt((v + b)/(a - v))/(a + b).
 TEST_CASE("the kernels over series of rationals: the rates are the derivatives, exactly") {
     const std::size_t order = 6;
     for (const bool right_moves : {true, false}) {
@@ -52,7 +52,7 @@ TEST_CASE("the kernels over series of rationals: the rates are the derivatives, 
             CHECK(force[k] == rate[k] / 2);
             CHECK(balance[k] == (right_moves ? over_length[k] : Rational(-over_length[k])));
         }
-        // At a knot likewise.
+        // The same at a knot.
         const Rational weight(3, 11);
         const auto at = derivative(RationalSeries(ForceKernel::at(e, n, weight)));
         const auto rate_at =
@@ -63,8 +63,8 @@ TEST_CASE("the kernels over series of rationals: the rates are the derivatives, 
     }
 }
 
-// Hertz, E* C = 1: P' = pi a/2; p = sqrt(u (2a - u))/2, so that the brackets have the ratios of
-// sqrt(1 - u/2a).
+// Hertz, E* C = 1: P' = pi a/2; p = sqrt(u (2a - u))/2, so that the brackets have the ratios of the
+// coefficients of sqrt(1 - u/2a).
 TEST_CASE("the brackets of Hertz over the rationals, exactly") {
     const Rational a(3, 7);
     const std::size_t terms = 12;
@@ -81,8 +81,8 @@ TEST_CASE("the brackets of Hertz over the rationals, exactly") {
     CHECK(r[0] == 2 * a);
 }
 
-// dP = P'(a) da = P'(a) a'(b) db: seen in a mirror, the law of the left edge is that of a right
-// one. The left edge's own derivation shares no step with the brackets of the right edge.
+// dP = P'(a) da = P'(a) a'(b) db: in a mirror, the law of the left edge is that of a right edge.
+// The left edge's own derivation shares no step with the brackets of the right edge.
 TEST_CASE("the left edge by its own derivation is the right edge of the mirror, exactly") {
     const Rational a(7, 5);
     const RationalSeries rate(std::vector<Rational>{Rational(2), Rational(3, 5), Rational(-1, 7),

@@ -12,8 +12,8 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-/// Integrals of a pressure over its contact, the pressure asked for anew at every node: the way
-/// back from p to what it was made from. `weight(point)` multiplies p.
+/// Integrals of a pressure over its contact, with the pressure computed at every node: from p back
+/// to the data from which it was computed. `weight(point)` multiplies p.
 struct Forward {
     const Contact& scene;
     ContactLaw<Real> law;
@@ -26,7 +26,8 @@ struct Forward {
         return scene.profile.piecewise_linear() ? logarithmic_closed_form(law, e, at).value
                                                 : singular_integral(law, e, at, 25).value;
     }
-    /// integral of f(point) over the contact, cut at the knots and at `also` (a distance from -b).
+    /// Returns the integral of f(point) over the contact, split at the knots and at `also` (a
+    /// distance from -b).
     template <class F> [[nodiscard]] Real integrate(const F& f, const Real& also = Real(0)) const {
         std::vector<Real> left{Real(0)};
         for (const Real& knot : law.slope().knots()) {
@@ -49,8 +50,8 @@ struct Forward {
             const Point<Real> point{from_right, from_left,
                                     from_left < from_right ? Real(from_left - e.b)
                                                            : Real(e.a - from_right)};
-            // So near a cut the point rounds onto it; p grows as a logarithm there at most, and
-            // the weight of what is left out is 1e-45.
+            // Nearer to a cut the point rounds onto it; p grows there at most like a logarithm, and
+            // the weight of the omitted part is 1e-45.
             return (lo < hi ? lo : hi) < e.length() * Real("1e-45") ? Real(0)
                                                                     : Real(f(i, lo, hi, point));
         };
@@ -60,8 +61,8 @@ struct Forward {
     }
 };
 
-/// g'(x) = (2/(pi E*)) PV of p(s)/(x - s) ds (Barber, Contact Mechanics, the normal displacement of
-/// two half-planes), made regular by subtracting p(x).
+/// Checks g'(x) = (2/(pi E*)) PV of p(s)/(x - s) ds (Barber, Contact Mechanics, the normal
+/// displacement of two half-planes), made regular by subtracting p(x).
 void check(const Contact& c) {
     CAPTURE(c.name);
     const PrecisionScope scope(50);
@@ -83,8 +84,8 @@ void check(const Contact& c) {
         const Real at_x = forward.pressure(x);
         const Real regular = forward.integrate(
             [&](std::size_t, const Real&, const Real&, const Point<Real>& s) {
-                // The distance from x has lost its digits only where the quotient no longer
-                // matters: the weight there is as small.
+                // The distance from x loses its digits only where the weight of the quotient is as
+                // small.
                 const Real d = x.left - s.left;
                 return d == 0 ? Real(0) : Real((forward.pressure(s) - at_x) / d);
             },

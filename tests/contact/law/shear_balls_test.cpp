@@ -21,8 +21,8 @@ ShearLoad<Ball> balls(const ShearCase& c) {
 
 } // namespace
 
-// The brackets of shear.hpp are exact over the rationals, and held there to coefficients by hand;
-// here Q/pi is rational: Q = pi times it.
+// The brackets of shear.hpp are exact over the rationals, and are compared with coefficients by
+// hand; here Q/pi is rational.
 TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow") {
     const Rational length(9, 4); // a square, so that the root is rational
     for (const ShearCase& c : all_signs) {
@@ -69,7 +69,7 @@ TEST_CASE("balls of the traction hold the one in Real") {
 }
 
 TEST_CASE("an edge given on a knot exactly is expanded from inside the contact") {
-    // Inside, the contact is the wedge's: with g' = -+1/10 there, what lies beyond counts nothing.
+    // Inside, the contact is the wedge's, with g' = -+1/10; the slope beyond has no effect.
     const Symbols x{"x"};
     const Profile knotted = Profile::piecewise_symmetric(
         {exact("1/3")}, {parse("1/10", x), parse("1/10 + (x - 1/3)", x)});

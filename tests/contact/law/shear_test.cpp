@@ -23,7 +23,7 @@ TEST_CASE("full stick: the integral equation gives the tension back, the resulta
             const auto q = [&](const Point<Real>& at) { return full_stick_traction(at, load); };
             CAPTURE(c.Q);
             CAPTURE(c.sigma);
-            // Of the size of what is integrated: the tension's own resultant is zero.
+            // Relative to the size of the integrand, because the tension's own resultant is zero.
             const Real size = abs(load.Q) + abs(load.bulk_tension) * e.length();
             const auto Q = resultant(e, q, 40);
             REQUIRE(Q.converged);
@@ -65,7 +65,7 @@ TEST_CASE("the same code in every arithmetic") {
     check(Real(0), 1e-78);
 }
 
-// From (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ..., by hand.
+// By hand from (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ...
 TEST_CASE("the brackets over the rationals") {
     const Rational Q(3);
     const Rational sigma(5);
@@ -113,7 +113,7 @@ TEST_CASE("the loading at which a coefficient vanishes, and at which edge") {
                 const Real r = Real(abs(n - 1)) / (n + 1);
                 const Real sigma = 8 / pi<Real>() * r * Q * sense / D;
                 const ShearLoad<Real> load{Real(Q), sigma};
-                // At the right edge where Q and sigma_0 have the same sign, but for k = 0.
+                // It is the right edge if Q and sigma_0 have the same sign, except for k = 0.
                 const Edge edge = (k == 0) == (sense > 0) ? Edge::left : Edge::right;
                 const auto here = full_stick_expansion(D, load, edge, k + 1);
                 const auto there = full_stick_expansion(D, load, opposite(edge), k + 1);
@@ -144,7 +144,8 @@ TEST_CASE("equal signs at both edges, for both signs of Q and of the tension") {
 TEST_CASE("the traction of an exact contact, with what cancels made good") {
     const NormalContact contact(Profile::power_law(exact("1"), exact("1")), exact("1"),
                                 Load::right_edge(exact("1")), 40);
-    // K_II at the left edge vanishes but for 1e-45 of it: sigma_0 (a+b) = 8 Q/pi (1 - 1e-45).
+    // K_II at the left edge vanishes except for a relative 1e-45: sigma_0 (a+b) = 8 Q/pi (1 -
+    // 1e-45).
     const ShearTraction q(contact,
                           {exact("pi"), exact("4*(1 - 1e-45)"), LoadingPath::normal_first});
     const PrecisionScope scope(80);
@@ -163,12 +164,12 @@ TEST_CASE("the traction of an exact contact, with what cancels made good") {
     CHECK(agree(near.value, exactly, 39));
     CHECK(near.error < abs(near.value) * Real("1e-40"));
 
-    // Zero in the middle, to all the digits there are.
+    // The traction is zero in the middle, to all available digits.
     const ShearTraction tension(contact, {exact("0"), exact("1"), LoadingPath::normal_first});
     const auto middle = tension.traction(Edge::right, exact("1"));
     CHECK(middle.value == 0);
     CHECK(middle.error < Real("1e-400"));
-    // The point near the other edge.
+    // A point near the other edge.
     const auto far = tension.traction(Edge::right, exact("2 - 1e-60"));
     CHECK(agree(far.value, Real(-tension.traction(Edge::right, exact("1e-60")).value), 39));
 }
@@ -182,8 +183,8 @@ TEST_CASE("P and Q that grow together: the sum of increments is similar to the p
         const PrecisionScope scope(50);
         const ContactLaw<Real> law(c.profile, c.modulus.to<Real>());
         const Extent<Real> e{contact.a(), contact.b()};
-        const Real u = e.a / 30; // no knot is met on the way
-        // Increments dQ/(pi w) while the edge goes from x to a; Q(s) = (Q/P) P(s).
+        const Real u = e.a / 30; // no knot is passed
+        // Increments dQ/(pi w) while the edge moves from x to a; Q(s) = (Q/P) P(s).
         const Real x = e.a - u;
         const Real rate = Real(-7) / 10 / law.force(e);
         std::vector<Real> lengths{u};
@@ -206,8 +207,8 @@ TEST_CASE("P and Q that grow together: the sum of increments is similar to the p
 }
 
 TEST_CASE("the shear depends on nothing of the profile but a and b") {
-    // A wedge and a punch brought to the same right edge have other left edges; the traction from
-    // a and b alone.
+    // A wedge and a punch with the same right edge have different left edges; the traction depends
+    // only on a and b.
     for (const auto& c : scenes::tilted()) {
         const NormalContact contact(c.profile, c.modulus, c.load, 30);
         const ShearTraction q(contact, {exact("0.2"), exact("-3"), LoadingPath::normal_first});

@@ -36,7 +36,7 @@ bool within(const Real& x, const Real& y, const char* relative) {
 
 } // namespace
 
-// The value of the tilted punch: tests/contact/slip/cycle_energy_test.cpp says how.
+// tests/contact/slip/cycle_energy_test.cpp gives the source of the value of the tilted punch.
 TEST_CASE("the energy of a cycle by quadrature: a tilted punch, and closed forms") {
     const PrecisionScope scope(40);
     for (const scenes::SizeCase& c : size_cases()) {

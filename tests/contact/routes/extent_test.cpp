@@ -11,7 +11,7 @@ namespace {
 
 Exact exact(const char* text) { return Exact::parse(text); }
 
-/// |x - y| <= 10^-digits |y|.
+/// True if |x - y| <= 10^-digits |y|.
 bool agree(const Real& x, const Real& y, unsigned digits) {
     const PrecisionScope scope(digits + 20);
     return abs(Real(x - y)) <= abs(y) * pow(Real(10), -static_cast<int>(digits));
@@ -22,7 +22,7 @@ NormalContact hertz(unsigned digits) {
             digits};
 }
 
-/// p_local/p - 1 by a route that the scan does not take.
+/// Returns p_local/p - 1 by a route that the scan does not use.
 Real error_at(const NormalContact& contact, Edge edge, std::size_t n, const Real& u, Route route) {
     const PrecisionScope scope(u.precision());
     const auto c = contact.expansion(edge, n);
@@ -35,7 +35,7 @@ Real error_at(const NormalContact& contact, Edge edge, std::size_t n, const Real
 
 } // namespace
 
-// p = C sqrt(u (2a - u)): with s = u/(2a), one term exceeds it by 1/sqrt(1-s), two terms by
+// p = C sqrt(u (2a - u)): with s = u/(2a), the ratio of one term to p is 1/sqrt(1-s), of two terms
 // (1 - s/2)/sqrt(1-s).
 TEST_CASE("Hertz: the exits of one and two terms are the roots of a linear and a quadratic") {
     for (const char* tol : {"1/100", "1/20", "1e-12", "1e-30"}) {
@@ -88,7 +88,7 @@ TEST_CASE("the measure over a part of the contact, and an approximation that ret
     const auto whole = within_tolerance(flat, Edge::right, 3, exact("1/100"));
     CHECK(half.first_exit == whole.first_exit);
     CHECK(half.measure <= whole.measure);
-    // By counting: the points of a fine comb within the tolerance.
+    // Count the points of a fine grid that are within the tolerance.
     const PrecisionScope scope(40);
     int inside = 0;
     const int teeth = 4000;
@@ -109,7 +109,7 @@ TEST_CASE("an extremum that barely reaches the tolerance between two points of t
     const NormalContact flat(Profile::flat_and_rounded(exact("2/5"), exact("1")), exact("1"),
                              Load::right_edge(exact("1")), 30);
     const PrecisionScope scope(40);
-    // The two-term error is largest between the knot (u = 0.6) and the middle: by descent.
+    // The two-term error has its maximum between the knot (u = 0.6) and the middle.
     const auto f = [&](const Real& u) {
         return error_at(flat, Edge::right, 2, u, Route::closed_form);
     };
@@ -138,7 +138,7 @@ TEST_CASE("an extremum that barely reaches the tolerance between two points of t
 }
 
 TEST_CASE("beside a corner the crossing is found however near, and called the corner beyond") {
-    // A wedge: outside every tolerance at the apex.
+    // A wedge is outside every tolerance at the apex.
     const NormalContact wedge(Profile::power_law(exact("1"), exact("0")), exact("1"),
                               Load::right_edge(exact("1")), 30);
     const auto e =
@@ -149,7 +149,7 @@ TEST_CASE("beside a corner the crossing is found however near, and called the co
     const Real f = error_at(wedge, Edge::right, 60, e.first_exit, Route::closed_form);
     CHECK(agree(f, Real(Real(-1) / 5), 26));
 
-    // A corner of 1e-9 on a parabola: the logarithm matters within e^(-10^6) of it only.
+    // A corner of 1e-9 on a parabola: the logarithm matters only within e^(-10^6) of it.
     const NormalContact faint(Profile::piecewise({exact("0")}, {parse("x - 1e-9", Symbols{"x"}),
                                                                 parse("x + 1e-9", Symbols{"x"})}),
                               exact("1"), Load::right_edge(exact("1")), 30);
@@ -184,7 +184,8 @@ TEST_CASE("a tolerance of 0, no terms, and a range beyond the contact are refuse
 }
 
 TEST_CASE("two crossings beside an extremum that all but touches the tolerance are found") {
-    // The tolerance is 1e-40 below a local maximum of the error, found apart (hard-cases.toml).
+    // The tolerance is 1e-40 below a local maximum of the error, which was found separately
+    // (hard-cases.toml).
     const Exact tolerance = exact("10.0150106162079383319964245839524852234540331102059096260117");
     const NormalContact contact(Profile::flat_and_rounded(exact("4/5"), exact("3")), exact("1"),
                                 Load::right_edge(exact("1")), 60);
@@ -194,7 +195,7 @@ TEST_CASE("two crossings beside an extremum that all but touches the tolerance a
     const Real between = (found.crossings[0] + found.crossings[1]) / 2;
     CHECK(found.crossings[1] - found.crossings[0] < pow(Real(10), -18));
     CHECK(found.first_exit == found.crossings[0]);
-    // Between the two the error is beyond the tolerance, by a route that the scan does not take.
+    // Between the two the error exceeds the tolerance, by a route that the scan does not use.
     CHECK(abs(error_at(contact, Edge::right, 1, between, Route::singular_integral)) >
           tolerance.to<Real>());
 }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr unsigned route_digits = 32;
 
-/// The slip of balls as a shear of exact numbers: Q and sigma_0 to far more digits than are used.
+/// Returns the shear of a slip in balls as exact numbers: Q and sigma_0 to far more digits than
+/// needed.
 ShearSpec shear_of(const Slipping& s, const char* tau, const char* r) {
     const Ball Q = formula::enclosed_constant(scenes::exact(tau), slip_bits) *
                    Ball(Rational(3, 5), slip_bits) * s.force();
@@ -30,13 +31,13 @@ ShearSpec shear_of(const Slipping& s, const char* tau, const char* r) {
     return spec;
 }
 
-/// q of the balls, to far more digits than are used, at a distance from an edge.
+/// The traction q in balls, to far more digits than needed, at a distance from an edge.
 class Traction {
 public:
     explicit Traction(const Slipping& s) : s_(s) {}
     Real operator()(Edge edge, const Real& u) const {
         const Ball q = at(edge, Ball(u, slip_bits));
-        // On a corner p and p* are infinite, and q is finite: a little beside it.
+        // On a corner p and p* are infinite, but q is finite: use a point near it.
         return (q.is_finite() ? q : at(edge, Ball(Real(u * (1 + Real("1e-48"))), slip_bits)))
             .midpoint();
     }
@@ -53,8 +54,9 @@ struct Integrals {
     Real principal_value;
 };
 
-/// The integral of q, and PV of q/(s - x), cut at the stick zone's edges and the knots, by the
-/// distances from the edges; x at the distance `at` from the right edge, in the stick zone.
+/// Returns the integral of q, and PV of q/(s - x), split at the stick zone's edges and the knots,
+/// by the distances from the edges; x is at the distance `at` from the right edge, in the stick
+/// zone.
 Integrals put_back(const Slipping& s, const Real& at) {
     const Traction q(s);
     const auto number = [](const Ball& x) { return Real(x.midpoint()); };
@@ -93,7 +95,7 @@ Integrals put_back(const Slipping& s, const Real& at) {
                              length, Real(0), true, options)
                              .value;
         if (abs(Real(cuts[i] - (at - half))) < 1e-30) {
-            continue; // about x, below
+            continue; // the part about x is added below
         }
         // s - x = at - u
         sum.principal_value += quadrature::integrate_one_sided<Real>(
@@ -115,7 +117,7 @@ Integrals put_back(const Slipping& s, const Real& at) {
 
 } // namespace
 
-// The second route has neither the corrective contact nor the law of the profile in it.
+// The second route uses neither the corrective contact nor the law of the profile.
 TEST_CASE(
     "slip zones and tractions in balls agree with those from the pressures in the slip zones") {
     for (const SizeCase& c : size_cases()) {
@@ -143,15 +145,15 @@ TEST_CASE(
         const auto series = slip.series(4);
         const auto enclosed = s.slip->series(4);
         for (std::size_t k = 0; k < 4; ++k) {
-            // A wedge's are zero from the second on.
+            // For a wedge they are zero from the second on.
             CHECK(abs(Real(series.right[k] - enclosed.right[k].midpoint())) < D * Real("1e-28"));
             CHECK(abs(Real(series.left[k] - enclosed.left[k].midpoint())) < D * Real("1e-28"));
         }
     }
 }
 
-// What sticks is strained alike in both bodies (docs/shear.md): PV of q/(s - x) is pi sigma_0/4 in
-// the stick zone; what slips has |q| = f p; the resultant is Q.
+// The strains of both bodies are equal in the stick zone (docs/shear.md): PV of q/(s - x) is pi
+// sigma_0/4 there. In the slip zones |q| = f p. The resultant is Q.
 TEST_CASE("q put back into the integral equation answers for sigma_0 and Q, to 30 digits") {
     const auto all = size_cases();
     for (const std::size_t i : {1UL, 4UL, 7UL, 9UL}) {
@@ -170,7 +172,7 @@ TEST_CASE("q put back into the integral equation answers for sigma_0 and Q, to 3
             const Real expected = pi<Real>() * sigma / 4;
             CHECK(abs(Real(sum.principal_value - expected)) < abs(Q / stick) * Real("1e-30"));
         }
-        // Signs: q <= f p throughout, with equality where it slips.
+        // q <= f p throughout, with equality in the slip zones.
         const Traction q(s);
         for (const char* part : {"0.3", "0.9", "1.0000001", "1.5"}) {
             const Real u = d * scenes::exact(part).to<Real>();

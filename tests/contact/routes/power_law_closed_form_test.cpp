@@ -11,7 +11,7 @@ using scenes::exact;
 
 namespace {
 
-/// The relative distance of the value in Real from the ball, an upper bound.
+/// Returns an upper bound of the relative distance of the value in Real from the ball.
 Real distance_from_ball(PowerLawIntegralInReal& in_real, const Exact& m, const Exact& u,
                         unsigned digits, bool at_apex) {
     const long bits = static_cast<long>(3.33 * digits) + 1200;

@@ -70,9 +70,8 @@ TEST_CASE("an upright wedge: an inverse hyperbolic cosine") {
 }
 
 TEST_CASE("power law m = 2: integrated by hand") {
-    // integral of s^2/sqrt(s^2 - x^2) from x to a: (a w + x^2 arcosh(a/x))/2; the factor of
-    // moore-hills.tex line 148 at m = 2 is E* C (2 Gamma(3)... )/...: P = 2 E* C a^3/3, so
-    // P' = 2 E* C a^2.
+    // The integral of s^2/sqrt(s^2 - x^2) from x to a is (a w + x^2 arcosh(a/x))/2. With the factor
+    // of moore-hills.tex line 148 at m = 2: P = 2 E* C a^3/3, so that P' = 2 E* C a^2.
     const NormalContact contact(Profile::power_law(exact("3"), exact("2")), exact("5"),
                                 Load::right_edge(exact("2")), 50);
     const PrecisionScope scope(70);
@@ -100,7 +99,7 @@ TEST_CASE("on a knot, on a corner, and outside") {
     const NormalContact wedge(Profile::power_law(exact("1"), exact("0")), exact("2"),
                               Load::right_edge(exact("3/2")), 50);
     CHECK_THROWS_AS((void)wedge.pressure(Edge::right, exact("3/2")), DomainError);
-    // 1e-300 beside the apex it is large, and finite: (2/pi) arcosh(1.5e300).
+    // At 1e-300 from the apex it is large, but finite: (2/pi) arcosh(1.5e300).
     const PrecisionScope scope(60);
     const Exact u(Expr::number(Rational(3) / 2) - exact("1e-300").expr());
     CHECK(common_digits(wedge.pressure(Edge::right, u).value,
@@ -145,7 +144,7 @@ TEST_CASE("a profile of one's own: the singular integral and nested Barber-Mossa
 TEST_SUITE_END();
 
 TEST_CASE("Barber-Mossakovskii beyond a corner: P' grows like the distance to the power -1/2") {
-    // Of the distance from the corner s loses all digits but few, where few are all that it takes.
+    // The distance of s from the corner loses all but a few digits, where a few suffice.
     const Symbols x{"x"};
     const Profile profile =
         Profile::piecewise_symmetric({exact("1/4")}, {parse("x/10", x), parse("x/10 + 1/50", x)});

@@ -14,7 +14,7 @@ using scenes::size_cases, scenes::SizeCase, scenes::slip_bits, scenes::Slipping,
 
 namespace {
 
-/// The digits of a value from elsewhere, rounded at the last one.
+/// True if the ball agrees with a value from another source that is rounded at its last digit.
 bool holds(const Ball& x, const char* value) {
     const std::string text = value;
     const auto digits = text.size() - text.find('.') - 1;
@@ -37,7 +37,7 @@ TEST_CASE("sizes of slip zones in balls hold those found by other means") {
     }
 }
 
-// d/a = 1 - sqrt(1 - tau) (johnson1985): the two forms of it that lose nothing at either end.
+// d/a = 1 - sqrt(1 - tau) (johnson1985), in the two forms that lose no digits at either end.
 TEST_CASE("Hertz under Q alone, next to no load and next to full sliding") {
     const Profile hertz = Profile::power_law(scenes::exact("1/70"), scenes::exact("1"));
     for (const char* tau : {"1e-30", "1e-6", "3/4", "1 - 1e-30"}) {
@@ -55,9 +55,9 @@ TEST_CASE("Hertz under Q alone, next to no load and next to full sliding") {
     }
 }
 
-// The zone of a wedge tilted by alpha under L: sqrt(a b) = L/(E* phi), b/a = (1 - s)/(1 + s),
-// s = sin(pi alpha/(2 phi)); the tension takes sigma_0/(2 f E*) off alpha. Newton's first steps
-// pass the corner.
+// The zone of a wedge tilted by alpha under L: sqrt(a b) = L/(E* phi), b/a = (1 - s)/(1 + s), s =
+// sin(pi alpha/(2 phi)); the tension reduces alpha by sigma_0/(2 f E*). Newton's first steps pass
+// the corner.
 TEST_CASE("a tension draws the zone of a tilted wedge to one side of its corner") {
     const Profile wedge = Profile::tilted_wedge(scenes::exact("1/100"), scenes::exact("39/10000"));
     const Ball alpha(Rational(39, 10000), slip_bits);
@@ -77,7 +77,7 @@ TEST_CASE("a tension draws the zone of a tilted wedge to one side of its corner"
     }
 }
 
-// g' = 1/5 up to the corner at the edge, 2/5 beyond it: up to there a wedge, d = tau a.
+// g' = 1/5 up to the corner at the edge, 2/5 beyond it: inside, the contact is a wedge, d = tau a.
 TEST_CASE("the edge of the contact on a corner") {
     const formula::Symbols x{"x"};
     const Profile profile = Profile::piecewise_symmetric(
@@ -124,7 +124,8 @@ TEST_CASE("the series of the slip zones: Hertz's in closed form, the first term 
     }
 }
 
-// What n terms leave over is of the order tau^(n + 1), two-sided: the next coefficient tells it.
+// The remainder of n terms is of the order tau^(n + 1), in both directions: it is given by the next
+// coefficient.
 TEST_CASE("the series of the slip zones approaches their sizes at its order") {
     for (const SizeCase& c : size_cases()) {
         CAPTURE(c.name);
@@ -185,11 +186,12 @@ TEST_CASE("how far one term stays within a tolerance: Hertz in closed form, neve
     CHECK_FALSE(reach_of(hertz, "7/3", "0.02", "0", Edge::left, 1, "51/100", 300).leaves);
 }
 
-// At the end of the reach the error is the tolerance, and below it on the way: by the sizes alone.
+// At the end of the reach the error is the tolerance, and it is smaller before; computed from the
+// sizes alone.
 TEST_CASE("how far the terms stay within a tolerance, tilted and under tension") {
     for (const SizeCase& c : size_cases()) {
         if (c.name.rfind("cubic", 0) == 0) {
-            continue; // integrals: in the slow tests
+            continue; // integrals are in the slow tests
         }
         CAPTURE(c.name);
         for (const Edge edge : {Edge::right, Edge::left}) {

@@ -28,16 +28,16 @@ Ball number(const char* text) {
 } // namespace
 
 // mpmath 1.3 at 30 digits, f = 3/5, tau = 3/10: 4 f^2 times the integral over both slip zones of p
-// times the gap that the contact under P - Q/f leaves there, which is the slip over 2 f. p and the
-// gap's slope by Gauss-Legendre from g' alone (eqn:SIEPressure), the gap by integrating the
-// polynomial through its slope at 32 points of each piece; 20 points agree to 26 digits.
+// times the gap of the contact under P - Q/f, which is the slip over 2 f. p and the gap's slope by
+// Gauss-Legendre from g' alone (eqn:SIEPressure), the gap by integrating the polynomial through its
+// slope at 32 points of each piece; 20 points agree to 26 digits.
 TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
     const std::pair<const char*, const char*> cases[] = {
         {"Hertz", "0.00150632623324495620139399268"},
         {"flat and rounded", "0.00058844869970052064993547324"},
     };
     for (const auto& [which, value] : cases) {
-        const char* const name = which; // CAPTURE takes no structured binding in clang
+        const char* const name = which; // clang's CAPTURE takes no structured binding
         CAPTURE(name);
         const Slipping s = upright(name);
         const Ball W = cycle_energy(*s.closed, *s.slip);
@@ -63,7 +63,7 @@ TEST_CASE("panels hold the closed form where contacts are similar") {
     }
 }
 
-// A little shear: tau^3/6 in place of what the logarithm is in.
+// For a small shear tau^3/6 replaces the expression with the logarithm.
 TEST_CASE("the energy goes with the cube of a small shear force") {
     const Slipping s = upright("Hertz", "1e-9");
     const Ball P = s.force();

@@ -21,14 +21,14 @@ Exact exactly(const Real& x) {
     return Exact::of(q);
 }
 
-/// A contact under P at the tilt found has the force and the moment.
+/// Checks that the contact under P at the tilt that was found has the force and the moment.
 void check_carries(const TiltedPunch& punch, const char* modulus, const Exact& P, const Exact& M,
                    unsigned digits) {
     CAPTURE(P.text());
     CAPTURE(M.text());
     const SolvedTilt tilt = solve_tilt(punch, exact(modulus), P, M, digits);
     CAPTURE(tilt.alpha.text());
-    // Looked at with many more digits: what was found must hold, not only look so.
+    // Checked with many more digits, so that the agreement is not accidental.
     const NormalContact contact(tilt.profile, exact(modulus), Load::force(P), 3 * digits + 60);
     const PrecisionScope scope(3 * digits + 100);
     const int d = static_cast<int>(digits);
@@ -40,7 +40,7 @@ void check_carries(const TiltedPunch& punch, const char* modulus, const Exact& P
     }
 }
 
-/// What is wrong with the enclosure of the tilt of a punch under P and M.
+/// Returns the fault of the enclosure of the tilt of a punch under P and M; empty if there is none.
 std::string fault_of_enclosure(const TiltedPunch& punch, const char* P, const char* M) {
     const Exact modulus = exact("7/3");
     const EnclosedTilt tilt = enclose_tilt(punch, modulus, exact(P), exact(M), 340);
@@ -52,7 +52,7 @@ std::string fault_of_enclosure(const TiltedPunch& punch, const char* P, const ch
     if (tilt.alpha.relative_accuracy_bits() < 120) {
         return "too wide";
     }
-    // A contact of every tilt in the ball, P being held, has a moment around M.
+    // The contact with the ball of tilts, at constant P, has a moment that contains M.
     const BallContact contact(tilt.near, tilt.alpha, modulus, Load::force(exact(P)), 340);
     if (!overlaps(contact.moment(), enclosed_constant(exact(M), 340))) {
         return "another moment";
@@ -75,7 +75,7 @@ TEST_CASE("the tilt of a wedge is found again from its force and moment") {
 }
 
 // moore-hills.tex line 303: gamma = b/a is known from alpha, P = E* phi sqrt(gamma) a. The moment
-// by integration of x p over the contact: nothing of the solver's.
+// is the integral of x p over the contact, which shares nothing with the solver.
 TEST_CASE("the moment is the integral of x p") {
     const Exact P = exact("2/7");
     const Exact M = exact("-3/11");
@@ -87,7 +87,7 @@ TEST_CASE("the moment is the integral of x p") {
     const Real gamma = (1 - sine) / (1 + sine);
     CHECK(agree(Real(e.b / e.a), gamma, 29));
     CHECK(agree(P.to<Real>(), Real(Real(3) / 5 * sqrt(gamma) * e.a), 29));
-    // Cut at the apex, where p has a logarithm.
+    // Split at the apex, where p has a logarithm.
     Real sum = 0;
     for (const bool right : {true, false}) {
         const Real length = right ? e.a : e.b;
@@ -117,15 +117,15 @@ TEST_CASE("force and moment over extreme ratios: the wedge") {
 
 TEST_CASE("force and moment over extreme ratios: the flat-and-rounded punch") {
     const TiltedPunch punch = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
-    // M from -t P (upright) to 0 (the flat lifts off); P from a sliver beside the flat to a contact
-    // that dwarfs it.
+    // M from -t P (upright) to 0 (the flat lifts off); P from a tiny contact beyond the flat to one
+    // much larger than the flat.
     for (const char* P : {"1e-9", "0.3", "1e4"}) {
         for (const char* part : {"-1 + 1e-25", "-0.999", "-1/2", "-1e-3", "-1e-25"}) {
             const Exact M(exact(P).expr() * exact(part).expr());
             check_carries(punch, "7/3", exact(P), M, 40);
         }
     }
-    // Upright itself.
+    // The upright punch itself.
     const SolvedTilt upright = solve_tilt(punch, exact("7/3"), exact("0.3"), exact("-0.3"), 30);
     CHECK(upright.alpha.sign() == 0);
     CHECK(upright.profile.kind() == Profile::Kind::tilted_flat_and_rounded);
@@ -167,8 +167,8 @@ TEST_CASE("where no tilt exists, the error says why") {
 }
 
 TEST_CASE("the tilt is enclosed, narrowly, and the enclosure holds what it was made from") {
-    // A wedge of known tilt: its force and moment are constants of the balls of another contact, so
-    // they are put in as what the Real route rounds them to, and the tilt must come back as near.
+    // A wedge of known tilt: its force and moment are constants of another contact, rounded in
+    // Real; the solved tilt must be as near to the known one.
     const NormalContact leaning(Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), exact("7/3"),
                                 Load::right_edge(exact("3/2")), 70);
     const EnclosedTilt back =

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims with their truth, the families that they are over, and the text of a ledger of them."""
+"""Claims with their truth, their families, and the text of a ledger."""
 import dataclasses
 
-# The verdicts that are no mistake, by what is known of the claim. Only a claim that is false may
-# have any verdict except the two that confirm it.
+# The permitted verdicts, by the known truth of the claim. Only a false claim may have any verdict
+# except the two that confirm it.
 RIGHT_VERDICTS = {
     "true": {"proved", "confirmed", "definition"},
     "false": {"refuted", "imprecise", "underspecified"},
@@ -32,7 +32,8 @@ class Family:
 
 @dataclasses.dataclass
 class Claim:
-    """`keys`: the keys of its kind. `label`: a class of claims of one nature. `why`: what its truth rests on."""
+    """`keys`: the keys of its kind. `label`: a class of similar claims. `why`: the reason for its
+    truth."""
     kind: str
     keys: dict
     family: Family | None
@@ -63,7 +64,7 @@ def _text(value):
 
 
 class Ledger:
-    """The text of a ledger; each family stands once."""
+    """The text of a ledger, which contains each family once."""
 
     def __init__(self, name):
         self.name = name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `edgeproof verify` on drawn ledgers and counts verdicts by what is known of the claims."""
+"""Runs `edgeproof verify` on drawn ledgers and counts verdicts by the known truth of the claims."""
 import collections
 import concurrent.futures
 import dataclasses
@@ -25,7 +25,7 @@ class Judged:
 
 
 def run(edgeproof, ledger, digits, path, seconds):
-    """The verdict on every claim of a ledger; path: where its text is written."""
+    """The verdict on every claim of a ledger; path: the file for its text."""
     path.write_text(ledger.text())
     out = path.with_suffix("")
     command = [edgeproof, "verify", path, "--digits", str(digits), "--out", out, "--threads", "1"]

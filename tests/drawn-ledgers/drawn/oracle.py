@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An independent value of every name of a formula: closed forms of contact mechanics, evaluated by mpmath.
+"""Independent values of every name in a formula: closed forms of contact mechanics, evaluated by
+mpmath.
 
-Nothing here is taken from Edgeproof. The pressures are those of the plane problem for a slope g' that is odd
-(symmetric profiles), or of the tilted wedge; multipliers at an edge come from the integral of Mossakovskii,
-expanded by its powers with beta functions."""
+Nothing here is taken from Edgeproof. The pressures are those of the plane problem for an odd slope
+g' (symmetric profiles), or of the tilted wedge; multipliers at an edge are found from the integral
+of Mossakovskii, whose powers are expanded with beta functions."""
 import re
 
 from mpmath import beta, binomial, exp, gamma, log, mp, mpf, pi, sqrt
@@ -46,14 +47,14 @@ def _flat(s):
             return Es * at / R * mpmath.acos(t / at)
         if n == 2:
             return Es / R * (mpmath.acos(t / at) + t / sqrt(at**2 - t**2))
-        if n == 3:  # of acos(t/a): t/(a sqrt(a^2 - t^2)); of t (a^2 - t^2)^(-1/2): -a t (a^2 - t^2)^(-3/2)
+        if n == 3:  # the derivatives of acos(t/a) and of t (a^2 - t^2)^(-1/2)
             return Es / R * (t / (at * sqrt(at**2 - t**2)) - at * t / sqrt(at**2 - t**2) ** 3)
         if n == 4:
             root = sqrt(at**2 - t**2)
             return Es / R * (-t / (at**2 * root) - 2 * t / root**3 + 3 * at**2 * t / root**5)
         raise KeyError("no further derivative")
 
-    def kernel(x, at):  # of a unit change of slope at `at`
+    def kernel(x, at):  # p for a unit change of slope at `at`
         return log(abs((a * a - x * at + sqrt((a * a - x * x) * (a * a - at * at))) / (a * (x - at))))
 
     def pressure(x):
@@ -78,7 +79,7 @@ def _wedge(s):
 
 
 class Scene:
-    """The names of one scene. `parameters`: mpf values; a tilted wedge has gam among them."""
+    """The names of one scene. `parameters`: mpf values, including gam for a tilted wedge."""
 
     def __init__(self, profile, parameters):
         self.parameters = parameters
@@ -124,7 +125,7 @@ class Scene:
 
 
 class _Lazy(dict):
-    """Names that are computed when they are asked for."""
+    """Names that are computed when they are used."""
 
     def __init__(self, names, scene):
         super().__init__(names)
@@ -160,7 +161,7 @@ def value(text, names, **more):
     with mp.workdps(DPS):
         scope = names.copy()
         scope.update(more)
-        return mpf(eval(_python(text), {"__builtins__": {}}, scope))  # texts of this package's own
+        return mpf(eval(_python(text), {"__builtins__": {}}, scope))  # only own texts
 
 
 class Plain(dict):
@@ -178,7 +179,7 @@ class Plain(dict):
 
 
 def parameters_of(family, choice=0):
-    """The values of the lists of a family at one place of each list; texts may name each other."""
+    """The values in the lists of a family at one index; texts may refer to each other."""
     with mp.workdps(DPS):
         texts = {name: values[choice % len(values)] for name, values in family.parameters}
         known = {}

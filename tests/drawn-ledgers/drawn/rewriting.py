@@ -6,7 +6,7 @@ NAMES = ("a", "Es", "L", "P", "b")
 
 
 def equivalent(rng, text, times=1, names=NAMES):
-    """A text with the same value; most of them lose digits on the way, a few lose nearly all."""
+    """A text with the same value, in whose evaluation digits are lost, sometimes nearly all."""
     for _ in range(times):
         z, w = rng.sample(names, 2)
         k, large = rng.randint(2, 9), rng.choice(("1e6", "1e12", "1e30"))

@@ -34,14 +34,15 @@ def tilted_flat(rng, u=None, **more):
                   a=rng.choice(("alpha*R*5/4", "alpha*R*2+t*2", "alpha*R/2")), Es=rng.choice(MODULI), **more)
 
 
-# g'(x) = x/n + x^3/k: curved, with pressure in closed form.
+# g'(x) = x/n + x^3/k: a curved slope whose pressure has a closed form.
 def curved(rng, u=None):
     n, k = rng.randint(2, 40), rng.randint(1, 9)
     return family("piecewise-symmetric", u=u or (rng.choice(("1/20", "1/5", "3/7")),), slopes=(f"x/{n} + x^3/{k}",),
                   a=rng.choice(("3/4", "1/7", "3/2")), Es=rng.choice(("7/3", "2.1e11"))), n, k
 
 
-# A place exactly on the knot x = t (or -t) of a flat-and-rounded profile; the fraction of 2a from the edge.
+# Places exactly on the knot x = t (or -t) of a flat-and-rounded profile, and their distance from
+# the edge over 2a.
 KNOTS = (("a/3", "1/3"), ("a/2", "1/4"), ("a*3/5", "1/5"), ("a/7", "3/7"), ("a*(1-2e-6)", "1e-6"),
          ("a*(1-2e-30)", "1e-30"), ("a/3", "2/3"), ("a*2/5", "7/10"), ("a*99/100", "1/200"))
 
@@ -81,17 +82,17 @@ TILTED = (("b", "gam*a"), ("P", "Es*phi*sqrt(gam)*a"), ("P1", "Es*phi*sqrt(gam)"
           ("right.c0", "2*Es*phi*sqrt(gam)/(Pi*sqrt((1+gam)*a))"), ("left.c0", "2*Es*phi/(Pi*sqrt(gam*(1+gam)*a))"),
           ("right.c1", "sqrt(gam)*(3+2*gam)*Es*phi/(3*Pi*((1+gam)*a)^(3/2))"), ("left.c0", "right.c0/gam"),
           ("Pof(a/2)", "P/2"), ("bof(a/3)", "b/3"), ("binv(b/5)", "a/5"), ("g1(x)", "sgn(x)*phi - alpha"))
-# In any contact with P' and b'.
+# Formulas for any contact with P' and b'.
 GENERAL = (("right.c0", "2*P1/(Pi*sqrt(a+b))"), ("left.c0", "2*P1/(Pi*b1*sqrt(a+b))"), ("left.c0", "right.c0/b1"),
            ("right.c1", "((3+2*b1)*P1 - 4*(a+b)*P2)/(3*Pi*(a+b)^(3/2))"), ("L", "a+b"), ("bof(a)", "b"),
            ("binv(b)", "a"), ("Pof(a)", "P"), ("P1of(a)", "P1"), ("right_local(1, x)", "right.c0*sqrt(a-x)"),
            ("left_local(2, x)", "left.c0*sqrt(b+x) + left.c1*(b+x)^(3/2)"),
            ("left.c1", "((3*b1^2+2*b1+4*b2*L)*P1 - 4*L*b1*P2)/(3*Pi*b1^3*L^(3/2))"))
-# Of symmetric contacts.
+# Formulas for symmetric contacts.
 SYMMETRIC = (("b", "a"), ("L", "2*a"), ("p(-x)", "p(x)"), ("g1(-x)", "-g1(x)"), ("left.c2", "right.c2"),
              ("left_local(2, -x)", "right_local(2, x)"), ("b1", "1"), ("right.c0", "sqrt(2/a)/Pi*P1"),
              ("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*P2)"))
-# Exactly zero: (quantity, formula that is zero, a scale of its parts).
+# Formulas that are exactly zero: (quantity, formula, a scale of its parts).
 ZEROS = (("0", "integral(g1(s)/sqrt((a-s)*(s+b)), s, -b, a)", "integral(abs(g1(s))/sqrt((a-s)*(s+b)), s, -b, a)"),
          ("0", "p(a)", "P/a"), ("0", "p(-b)", "P/a"), ("0", "right_local(3, a)", "P/a"), ("0", "a + b - L", "a"),
          ("0", "Pof(a) - P", "P"), ("0", "binv(bof(a)) - a", "a"), ("0", "right.c0 - b1*left.c0", "right.c0"),

@@ -17,7 +17,7 @@ template <class T> T value(std::string_view text, const Values<T>& values = {}) 
     return evaluate<T>(parse(text, value_symbols), values);
 }
 
-/// |x| in units of 10^-digits, for a message that says how far it is off.
+/// True if |x| < 10^-digits.
 bool vanishes(const Real& x, int digits) { return abs(x) < pow(Real(10), -digits); }
 
 // Digits of pi and of the square root of 2 as in OEIS A000796 and A002193.

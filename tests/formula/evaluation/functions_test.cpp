@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// A kind of number that the formulas know nothing of: a value with its derivative. It has some of
-/// the functions, and lacks others.
+/// A type of number that is unknown to the formulas: a value with its derivative. It has some of
+/// the functions, but not all.
 namespace elsewhere {
 
 struct Dual {
@@ -116,7 +116,7 @@ TEST_CASE("a Real result has the digits of the working precision or of its argum
 }
 
 TEST_CASE("powers of extreme numbers keep their last digits") {
-    // x^(p/q) at 50 digits against the same at 120.
+    // Compares x^(p/q) at 50 digits with the same at 120.
     for (const char* base : {"1e-300", "1e300", "1e-40", "7e5", "0.999999"}) {
         for (const Rational& q : {Rational(1, 3), Rational(-2, 3), Rational(5, 2), Rational(-7, 2),
                                   Rational(1, 2), Rational(-1, 2), Rational(617, 1000)}) {
@@ -128,7 +128,7 @@ TEST_CASE("powers of extreme numbers keep their last digits") {
             const PrecisionScope scope(50);
             const Real x(base);
             const PrecisionScope more(120);
-            // The base itself is rounded to 50 digits; its effect is taken out.
+            // The base itself is rounded to 50 digits; start from the rounded base.
             const Real exact = real_power(Real(x, 120), q);
             CAPTURE(base);
             CAPTURE(q.str());
@@ -142,7 +142,7 @@ TEST_CASE("powers of extreme numbers keep their last digits") {
 TEST_CASE("integer powers, far out") {
     CHECK(pow_int(2.0, 1023) == 0x1p1023);
     CHECK(pow_int(2.0, -1074) == 0x1p-1074);
-    CHECK(pow_int(-1.0, 9'007'199'254'740'993L) == -1.0); // 2^53 + 1: no double
+    CHECK(pow_int(-1.0, 9'007'199'254'740'993L) == -1.0); // 2^53 + 1 is not a double
     CHECK(pow_int(1.5L, 3) == 3.375L);
     CHECK(pow_int(Float128(3), 40) == Float128("12157665459056928801"));
     const PrecisionScope scope(50);

@@ -20,7 +20,7 @@ const Symbols program_symbols = [] {
     return s;
 }();
 
-/// What both ways of evaluating come to: a value, or the DomainError that was thrown.
+/// Returns the outcome of an evaluation: a value, or the DomainError that was thrown.
 template <class F> std::pair<Real, bool> outcome(const F& f) {
     try {
         return {f(), true};
@@ -47,11 +47,12 @@ TEST_CASE("random expressions: a program gives what evaluation gives") {
             return run<Real>(program, at, constants_of<Real>(program));
         });
         CHECK(compiled.second == direct.second);
-        // The same operations on the same numbers: equal to the last bit, unless not a number.
+        // The same operations on the same numbers give equal results to the last bit, unless not a
+        // number.
         CHECK((compiled.first == direct.first || isnan(direct.first)));
         defined += direct.second ? 1 : 0;
     }
-    // Else the test would say little.
+    // Most of the formulas must be defined.
     CHECK(defined > 1000);
 }
 
@@ -89,7 +90,7 @@ TEST_CASE("functions and integrals come from outside") {
             return node.name() == "f" ? 10 * args[0] : 0;
         }
         [[nodiscard]] double binder(const Expr& node, std::span<const double> at) const {
-            // Good for integrands that are the bound variable.
+            // Correct for integrands that are the bound variable.
             return node.kind() == Expr::Kind::integral ? at[0] * at[0] / 2 : 0;
         }
     };

@@ -38,8 +38,8 @@ TEST_CASE("exact numbers: what is zero by an identity of roots and of pi") {
 }
 
 TEST_CASE("exact numbers: what is as good as zero in balls and is not zero") {
-    // A near miss each: sqrt(2) cut after 60 digits; pi after 60; the classical sums of roots
-    // sqrt(10) + sqrt(11) - sqrt(5) - sqrt(18) and its like.
+    // Numbers near zero: sqrt(2) minus its first 60 digits; the same for pi; classical sums of
+    // roots such as sqrt(10) + sqrt(11) - sqrt(5) - sqrt(18).
     for (const char* text : {
              "sqrt(2) - 1.41421356237309504880168872420969807856967187537694807317667",
              "pi - 3.14159265358979323846264338327950288419716939937510582097494",
@@ -88,7 +88,7 @@ TEST_CASE("exact numbers: angles by their cosines") {
         const char* cosine;
         Rational of_pi;
     };
-    // Cosines of multiples of 15 degrees as in any table of them.
+    // Cosines of multiples of 15 degrees from tables.
     for (const Row& row :
          {Row{"1", Rational(0)}, Row{"(sqrt(6) + sqrt(2))/4", Rational(1, 12)},
           Row{"sqrt(3)/2", Rational(1, 6)}, Row{"sqrt(1/2)", Rational(1, 4)},

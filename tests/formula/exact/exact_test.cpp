@@ -81,7 +81,7 @@ TEST_CASE("cancellation does not cost digits") {
 }
 
 TEST_CASE("however many digits are asked for, there are more to make up for a cancellation") {
-    // sqrt(1 + d) - 1 for d = 1e-40, of which 1 + sqrt(1 + d) gives d without cancellation.
+    // sqrt(1 + d) - 1 = d/(1 + sqrt(1 + d)) for d = 1e-40; the right side has no cancellation.
     const Exact x = Exact::parse("sqrt(1 + 1e-40) - 1");
     for (const unsigned digits : {50U, 1000U, 1300U, 2500U, 6000U}) {
         CAPTURE(digits);
@@ -124,16 +124,16 @@ TEST_CASE("signs are decided however close to zero") {
     CHECK(Exact::parse("sqrt(1 + 1e-1000) - 1").sign() == 1);
     CHECK(Exact::parse("3 - Pi").sign() == -1);
     CHECK(Exact::parse("sqrt(Pi) - sqrt(Pi)").sign() == 0);
-    // Large terms cancel: 60 digits of them, then 40 more.
+    // Large terms cancel: their first 60 digits, then 40 more.
     CHECK(
         Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176679")
             .sign() > 0);
     CHECK(
         Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176680")
             .sign() < 0);
-    // The root of a number that 30 digits take for negative.
+    // The root of a number that appears negative at 30 digits.
     CHECK(Exact::parse("sqrt(sqrt(2) - 1.414213562373095048801688724209698078569)").sign() == 1);
-    // Zero, but no computing of digits shows it.
+    // The number is zero, but no number of digits can show it.
     CHECK_THROWS_AS((void)Exact::parse("sqrt(2)*sqrt(3) - sqrt(6)").sign(), BudgetError);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 TomlSection parsed(const std::string& text) { return TomlSection::parse(text, "some.toml"); }
 
-/// The error that f throws, or one that says that it threw none.
+/// Returns the error that f throws, or an error that states that there was none.
 template <class F> InputError error_of(const F& f) {
     try {
         f();
@@ -25,7 +25,7 @@ InputError refusal(const std::string& text) {
     return error_of([&] { (void)parsed(text); });
 }
 
-/// `times` copies.
+/// Returns `times` copies of the text.
 std::string many(const std::string& text, std::size_t times) {
     std::string all;
     for (std::size_t i = 0; i < times; ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("depth: whatever nests deeper than a person writes is refused before i
             "k = " + many("[", deep + 1) + many("]", deep + 1),
             "k = " + many("[\n# ]]]\n", deep + 1) + many("]", deep + 1),
             "k = " + many("{ a = ", deep + 1) + "1" + many("}", deep + 1),
-            // one quote more is the last of the text, and opens no other
+            // an additional quote is the last character of the text, and does not open another text
             "k = { s = \"\"\"x\"\"\"\", a = " + many("[", deep + 1),
             "k = { s = '''x'''', a = " + many("[", deep + 1),
             "s = \"\"\"\\\"\"\"\"\nk = " + many("[", deep + 1)};

@@ -10,8 +10,8 @@
 
 namespace {
 
-/// f by MPFR at a far higher precision must lie in the ball, and the ball must be narrow. Returns
-/// the first argument where that is not so, and why; nothing if it is so at all of them.
+/// Checks that the ball contains f by MPFR at a far higher precision, and is narrow. Returns the
+/// first argument for which this fails, and the reason; empty if there is none.
 template <class B, class R>
 std::string not_enclosed(const B& ball_function, const R& real_function, double lo, double hi) {
     std::mt19937_64 seeded(20240607);
@@ -21,7 +21,7 @@ std::string not_enclosed(const B& ball_function, const R& real_function, double 
         const PrecisionScope scope(120);
         const Real exact = real_function(Real(at));
         const Ball ball = ball_function(Ball(Real(at), 200));
-        // The 120-digit value is itself off by 1e-119 at most.
+        // The error of the 120-digit value is at most 1e-119.
         const Ball slack = Ball::around(exact, Real(abs(exact) * pow(Real(10), -117)), 500);
         const char* fault = !ball.is_finite()        ? "not finite"
                             : !overlaps(ball, slack) ? "excludes MPFR's value"
@@ -135,7 +135,7 @@ TEST_CASE("two threads, two precisions") {
 
 TEST_CASE("escalation doubles until it is enough, and says when it never is") {
     int calls = 0;
-    // Cancels 2^-400: 128 and 256 bits see nothing of it.
+    // The terms cancel except for 2^-400, which is invisible at 128 and 256 bits.
     const Rational small(Integer(1), Integer(Integer(1) << 400));
     const auto f = [&](long bits) {
         ++calls;
@@ -150,7 +150,7 @@ TEST_CASE("escalation doubles until it is enough, and says when it never is") {
     CHECK_FALSE(try_escalate(zero, enough, {128, 4096}).reached);
 }
 
-// The ball is 2^-100 or less about the exact number, and holds it.
+// The ball has a radius of at most 2^-100 and contains the exact number.
 TEST_CASE("max and min of a ball about an exact number end at that number exactly") {
     for (const Rational& limit : {Rational(0), Rational(1), Rational(-3, 8)}) {
         for (const int side : {-1, 0, 1}) {

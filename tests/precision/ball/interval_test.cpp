@@ -24,9 +24,9 @@ bool holds(const Interval& x, const Real& y) {
     return (!lo.is_finite() || lo.midpoint() <= y) && (!hi.is_finite() || y <= hi.midpoint());
 }
 
-/// f by MPFR at points of an interval must lie in f of the interval; where that is `tight`, its
-/// ends are no further from the extreme ones of them than neighbours are from each other. Returns
-/// where that is not so.
+/// Checks that f of an interval contains f by MPFR at points of the interval. If `tight`, its ends
+/// must be no farther from the extreme values than neighbouring values are from each other. Returns
+/// the first failure.
 template <class I, class R>
 std::string misses(const I& of_interval, const R& of_real, double least, double most,
                    bool tight = false) {

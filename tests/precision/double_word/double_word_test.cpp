@@ -20,11 +20,12 @@ constexpr long word_bits = 400;
 Ball exactly(const DoubleWord& x) {
     return Ball(Rational(x.high), word_bits) + Ball(Rational(x.low), word_bits);
 }
-/// An exact number of the word: with `side` of its radius beside its middle.
+/// Returns an exact number in the word: its middle plus `side` times its radius.
 Ball inside(const DoubleWord& x, int side) {
     return exactly(x) + Ball(Rational(x.radius), word_bits) * Ball(Rational(side, 1), word_bits);
 }
-/// A radius may be too small by 2^-50 of itself for each operation.
+/// True if the word contains the number; its radius may be too small by a relative 2^-50 for each
+/// operation.
 bool holds(const DoubleWord& x, const Ball& number) {
     const Rational radius = Rational(x.radius) * (1 + Rational(1, 1ULL << 47U));
     const Ball distance = abs(exactly(x) - number);
@@ -39,7 +40,7 @@ struct Drawn {
             static_cast<int>(dice.below(2 * static_cast<std::size_t>(exponents) + 1)) - exponents;
         return std::ldexp(dice.below(2) == 0 ? m : -m, e);
     }
-    /// With a low word of any size, and a radius of none, little or much.
+    /// Returns a word with a low part of any size, and a zero, small or large radius.
     DoubleWord word(int exponents) {
         const double high = number(exponents);
         const double low =
@@ -56,8 +57,8 @@ struct Drawn {
 
 constexpr int drawn = 20'000;
 
-/// x x - the binary64 nearest to it: 0 as it is written, not where the compiler joins the product
-/// with the difference in one instruction.
+/// Returns x x minus the binary64 nearest to it: 0, unless the compiler joins the product and the
+/// difference in one instruction.
 #if defined(__x86_64__) && defined(__GNUC__)
 [[gnu::target("fma")]]
 #endif
@@ -74,7 +75,7 @@ TEST_CASE("products are not joined with sums, on a processor that could") {
         return;
     }
 #endif
-    // Its square has 61 bits. (Volatile: not worked out by the compiler.)
+    // The square has 61 bits. (Volatile, so that the compiler does not compute it.)
     const volatile double x = 1 + 0x1p-30;
     CHECK(rest_of_square(x, 1 + 0x1p-29) == 0);
     CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
@@ -97,7 +98,7 @@ TEST_CASE("sums, products, quotients and roots of double words hold those of all
     Drawn draw;
     for (int i = 0; i < drawn; ++i) {
         const DoubleWord x = draw.word(60);
-        // Every fourth pair cancels to the last word_bits.
+        // In every fourth pair the leading bits cancel.
         const DoubleWord y =
             i % 4 != 0
                 ? draw.word(60)
@@ -116,7 +117,7 @@ TEST_CASE("sums, products, quotients and roots of double words hold those of all
             const DoubleWord size = abs(x);
             REQUIRE(holds(sqrt(size), sqrt(abs(p))));
         }
-        // And not much more than those: a radius is made useless by nothing but its arguments'.
+        // The radii are not much larger than those of the arguments require.
         const double rel = x.radius / std::fabs(x.high) + y.radius / std::fabs(y.high) + 0x1p-100;
         const double product = std::fabs((x * y).high);
         REQUIRE((x * y).radius <= 1.1 * rel * product);
@@ -141,7 +142,7 @@ TEST_CASE("ln(1 + y) of a double word holds that of all its numbers") {
         CAPTURE(i);
         check(abs(draw.word(i % 2 == 0 ? 510 : 8)));
     }
-    // Both sides of where one series takes over from the other, and of the table's ends.
+    // Both sides of the change from one series to the other, and of the table's ends.
     for (const double y : {0x1p-6, 1.0, 3.0, 0x1p-510, 0x1p510}) {
         for (const double low : {-0x1p-60, 0.0, 0x1p-60}) {
             CAPTURE(y);
@@ -160,7 +161,7 @@ TEST_CASE("the nearest binary64 of a double word: one, or none where there are s
     CHECK(nearest_binary64(DoubleWord{1, 0x1p-60, 0x1p-70}) == 1.0);
     CHECK(nearest_binary64(DoubleWord{1, 0x1p-53 - 0x1p-80, 0x1p-82}) == 1.0);
     CHECK_FALSE(nearest_binary64(DoubleWord{1, 0x1p-53 - 0x1p-80, 0x1p-79}));
-    CHECK_FALSE(nearest_binary64(DoubleWord{1, 0x1p-53, 0})); // a tie is for others to decide
+    CHECK_FALSE(nearest_binary64(DoubleWord{1, 0x1p-53, 0})); // ties are decided elsewhere
     CHECK_FALSE(nearest_binary64(double_word::unknown()));
     CHECK_FALSE(nearest_binary64(DoubleWord{1, 0, std::numeric_limits<double>::quiet_NaN()}));
 }
@@ -187,7 +188,7 @@ TEST_CASE("a number in two parts keeps the digits of a difference with one besid
     Drawn draw;
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
-        // A number of 180 bits, and the binary64 around it.
+        // A number of 180 bits, and the nearest binary64.
         const Ball number = sqrt(Ball(Rational(std::fabs(draw.number(90))), 180));
         const PreciseWord parts = to_precise_word(number);
         REQUIRE(std::fabs(parts.rest.high) <= 0x1p-106 * parts.first.high);
@@ -197,7 +198,7 @@ TEST_CASE("a number in two parts keeps the digits of a difference with one besid
         }
         const DoubleWord difference = DoubleWord{beside, 0, 0} - parts;
         const Ball exact = Ball(Rational(beside), word_bits) - number.with_bits(word_bits);
-        // The ball's own radius is in the word's.
+        // The word's radius includes that of the ball.
         REQUIRE(certainly_less(abs(exactly(difference) - exact) * Ball(Rational(99, 100), 64),
                                Ball(Rational(difference.radius), word_bits)));
         REQUIRE(difference.radius <= 0x1p-70 * std::fabs(difference.high));

@@ -14,7 +14,7 @@ namespace {
 
 using OfMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// By MPFR, correctly rounded, at the precision of the thread or at x's own.
+/// Returns the value by MPFR, correctly rounded, at the precision of the thread or at x's own.
 Real by_mpfr(OfMpfr f, const Real& x) {
     Real result;
     mpfr_ptr to = result.backend().data();
@@ -23,7 +23,7 @@ Real by_mpfr(OfMpfr f, const Real& x) {
     return result;
 }
 
-/// The same number of the same precision, or both nan.
+/// True if both are the same number with the same precision, or both nan.
 bool same(const Real& x, const Real& y) {
     mpfr_srcptr a = x.backend().data();
     mpfr_srcptr b = y.backend().data();
@@ -32,7 +32,7 @@ bool same(const Real& x, const Real& y) {
             (mpfr_equal_p(a, b) != 0 && mpfr_signbit(a) == mpfr_signbit(b)));
 }
 
-/// Both neighbours of x, and x, of both signs.
+/// Adds x and both its neighbours, with both signs.
 void add_about(std::vector<Real>& xs, Real x) {
     mpfr_nextbelow(x.backend().data());
     for (int k = 0; k < 3; ++k) {
@@ -41,8 +41,8 @@ void add_about(std::vector<Real>& xs, Real x) {
     }
 }
 
-/// Of every size for which there is another way, and where those ways meet; those beside which the
-/// function is next to the midpoint of two numbers; and numbers by chance.
+/// Returns arguments of every size for which there is another method, and those where the methods
+/// meet; those for which the value is next to the midpoint of two numbers; and random numbers.
 std::vector<Real> arguments(std::mt19937_64& random) {
     std::vector<Real> xs;
     const auto bits = static_cast<int>(mpfr_get_prec(Real(0).backend().data()));
@@ -73,8 +73,8 @@ std::vector<Real> arguments(std::mt19937_64& random) {
     return xs;
 }
 
-/// The first argument for which `ours` is not MPFR's to the last bit, at many precisions; else
-/// nothing.
+/// Returns the first argument, at many precisions, for which `ours` differs from MPFR in the last
+/// bit; empty if there is none.
 std::string first_unlike_mpfr(Real (*ours)(const Real&), OfMpfr theirs) {
     std::mt19937_64 random(20260101);
     for (const unsigned digits : {2U, 3U, 15U, 19U, 34U, 38U, 39U, 70U, 110U, 320U, 1060U, 2500U}) {

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// 2F1(a, b; c; x) of fractions over `under`.
+/// 2F1(a, b; c; x) for fractions with the denominator `under`.
 struct Gauss {
     long under;
     long a;
@@ -70,8 +70,8 @@ TEST_CASE("the bound of a series holds to its last bit, at every number of bits"
 }
 
 TEST_CASE("neighbours share what a thread keeps, and have their own sums") {
-    // Across several steps of what is kept for neighbours, series and bits taking turns; the same
-    // in a thread that has kept nothing.
+    // The sums cross several steps of the values stored for neighbours, with alternating series and
+    // bits; a thread without stored values must give the same.
     const auto sums = [](int first, int last) {
         std::vector<Ball> all;
         for (int k = first; k < last; ++k) {
@@ -83,7 +83,7 @@ TEST_CASE("neighbours share what a thread keeps, and have their own sums") {
         }
         return all;
     };
-    constexpr int begin = 1900; // below 1/2, where an octave ends
+    constexpr int begin = 1900; // below 1/2, the end of an octave
     constexpr int end = 2200;
     const std::vector<Ball> together = sums(begin, end);
     std::size_t i = 0;

@@ -36,7 +36,7 @@ TEST_CASE("written digits are correctly rounded: judged in exact rationals") {
         const unsigned digits = 1 + static_cast<unsigned>(k) % 45;
         const Rational exact(x);
         const Rational written = parse_decimal(to_decimal(x, digits));
-        // One unit in the last digit of the text.
+        // One unit of the last digit of the text.
         const Real magnitude = floor(log10(abs(x)));
         const int last = static_cast<int>(magnitude) - static_cast<int>(digits) + 1;
         const Rational unit =
@@ -79,7 +79,7 @@ TEST_CASE("an exact number is rounded once, each way") {
     CHECK(text("2/3", 3, Rounding::enclosure) == "[0.666, 0.667]");
     CHECK(text("123456789", 4, Rounding::down) == "1.234e+08");
     CHECK_THROWS_AS((void)text("1", 0, Rounding::nearest), DomainError);
-    // The way through MPFR is another.
+    // MPFR converts by another method.
     std::mt19937_64 seeded(11);
     std::uniform_int_distribution<int> whole(1, 1'000'000);
     for (int k = 0; k < 300; ++k) {
@@ -88,7 +88,7 @@ TEST_CASE("an exact number is rounded once, each way") {
         Real x;
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         const unsigned digits = 1 + static_cast<unsigned>(k) % 30;
-        if (Rational(x) != q) { // else a tie may be hidden in x
+        if (Rational(x) != q) { // otherwise x may be a tie
             CHECK(to_decimal(q, digits, Rounding::nearest) == to_decimal(x, digits));
         }
     }
@@ -102,12 +102,12 @@ TEST_CASE("a ball is printed only as far as every number in it agrees") {
     CHECK(round_ball(third, 3, Rounding::up).text == "0.334");
     CHECK(round_ball(third, 3, Rounding::down).text == "0.333");
     CHECK(round_ball(-third, 3, Rounding::down).text == "-0.334");
-    // 60 digits agree before the boundary: 0.25 + 1e-60 must not round as 0.25 does.
+    // 60 digits agree before the boundary: 0.25 + 1e-60 must not round like 0.25.
     const Rational hair = Rational(1) / Rational(pow(Integer(10), 60));
     CHECK(round_ball(Ball(Rational(Rational(25, 100) + hair), bits), 1).text == "0.3");
     CHECK(round_ball(Ball(Rational(Rational(25, 100) - hair), bits), 1).text == "0.2");
     CHECK(round_ball(Ball(Rational(25, 100), bits), 1).text == "0.2"); // an exact tie, to even
-    // A wide ball has fewer digits that are certain.
+    // A wide ball has fewer certain digits.
     const Ball wide = Ball::around(Real(1234567), Real(1), 100);
     const Rounded r = round_ball(wide, 10);
     CHECK_FALSE(r.complete);
@@ -153,8 +153,8 @@ TEST_CASE("a printed number comes with the number that its text says") {
 
 TEST_CASE("whether all of a ball rounds alike, at a glance") {
     const std::vector<Rounding> modes{Rounding::nearest, Rounding::down, Rounding::up};
-    // Never where round_ball does not find it so: wide balls, and balls about ties, whole units
-    // and powers of ten.
+    // rounds_alike may be true only if round_ball is complete: wide balls, and balls around ties,
+    // whole units and powers of ten.
     std::mt19937_64 seeded(23);
     std::uniform_int_distribution<int> whole(1, 1'000'000);
     std::uniform_int_distribution<int> place(-400, 400);
@@ -176,7 +176,7 @@ TEST_CASE("whether all of a ball rounds alike, at a glance") {
         const Ball x =
             Ball(middle, bits) + Ball::from_interval(Real(-1), Real(1), bits) * Ball(radius, bits);
         for (const Rounding mode : modes) {
-            // By the ends as rational numbers, which is another way.
+            // Rounds the ends as rational numbers, an independent method.
             const Rational from = Rational(x.midpoint()) - Rational(x.radius());
             const Rational to = Rational(x.midpoint()) + Rational(x.radius());
             const std::string text = to_decimal(from, digits, mode);
@@ -190,7 +190,7 @@ TEST_CASE("whether all of a ball rounds alike, at a glance") {
             seen += rounds_alike(x, digits, mode) ? 1 : 0;
         }
     }
-    // It is not seen beside a power of ten, nor where the middle is itself on a whole unit.
+    // It is false near a power of ten, and if the middle is a whole unit.
     CHECK(alike > 3000);
     CHECK(seen > alike * 9 / 10);
     CHECK(seen < alike);
@@ -205,7 +205,7 @@ TEST_CASE("a bound of two digits is the least that is not below: judged in exact
     const PrecisionScope scope(60);
     for (int k = 0; k < 3000; ++k) {
         Real x = exp(Real(uniform(seeded)) * (k % 10 == 0 ? 100 : 1));
-        if (k % 3 == 0) { // beside a number of two digits
+        if (k % 3 == 0) { // near a number of two digits
             x = Real(parse_decimal(bound_text(x))) *
                 (1 + (k % 2 == 0 ? 1 : -1) * ldexp(Real(1), -k % 190));
         }
@@ -219,7 +219,7 @@ TEST_CASE("the binary64 of a ball is that of both its ends") {
     for (int k = 0; k < 3000; ++k) {
         const PrecisionScope scope(60);
         Real middle = exp(Real(uniform(seeded)));
-        if (k % 4 == 0) { // half-way between two, nearly
+        if (k % 4 == 0) { // almost halfway between two
             const double x = middle.convert_to<double>();
             middle = (Real(x) + Real(std::nextafter(x, 2 * x))) / 2;
         }
@@ -238,7 +238,7 @@ TEST_CASE("the binary64 of a ball is that of both its ends") {
 TEST_CASE("the nearest binary64, once") {
     CHECK(nearest_binary64(Ball(Rational(1, 3), 200)).value() == 1.0 / 3.0);
     CHECK_FALSE(nearest_binary64(Ball::around(Real(1), Real("1e-10"), 100)).has_value());
-    // Halfway between 1 and its successor, a hair above: rounding twice would go down.
+    // Slightly above the middle between 1 and its successor: rounding twice would round down.
     const Rational half = Rational(1) + halved(53);
     const Rational hair = halved(200);
     CHECK(nearest_binary64(Ball(Rational(half + hair), 400)).value() == std::nextafter(1.0, 2.0));

@@ -33,7 +33,7 @@ std::size_t column(const Plot& plot, const std::string& name) {
     return static_cast<std::size_t>(found - plot.columns.begin());
 }
 
-/// p as a function of x/a, in the unit of the panel; and c_0, c_1, c_2 by a.
+/// p as a function of x/a, in the unit of the panel, and c_0, c_1, c_2 for a = 1.
 struct Known {
     std::function<Real(const Real&)> p;
     std::array<Real, 3> c;
@@ -41,7 +41,7 @@ struct Known {
 
 Real relative(const Real& x, const Real& y) { return abs(x - y) / abs(y); }
 
-/// Every row of the panel against closed forms of the right-hand edge with a = 1.
+/// Compares every row of the panel with closed forms for the right edge with a = 1.
 void expect(const Plot& plot, const Known& known) {
     CAPTURE(plot.id.text());
     REQUIRE(plot.rows.size() > 100);
@@ -90,16 +90,15 @@ TEST_CASE("figure 2: m = 5/8, one and two terms are the same; m = 10, 6.4 % at 1
     for (const auto& row : b.rows) {
         CHECK(abs(*row[column(b, "e1")] - *row[column(b, "e2")]) < Real("1e-18"));
     }
-    // p/p_0 of x^10: p = (1/pi) int_x^1 P'(s)/sqrt(s^2 - x^2) ds is sqrt(1 - x^2) times a
-    // polynomial in x^2; with w = 1 - x^2, int_x^1 s^10 (s^2 - x^2)^(-1/2) ds = sum_k
-    // binomial(...)... evaluated here at x = 0.99 by the substitution s = sqrt(x^2 + w v^2).
+    // For g' = x^10, p is proportional to the integral of s^10/sqrt(s^2 - x^2) over x < s < 1. The
+    // substitution s^2 = x^2 + w v^2, w = 1 - x^2, gives sqrt(w) times the integral of s^9 over 0 <
+    // v < 1.
     const Plot d = plot_of("fig2d");
     const PrecisionScope scope(digits);
     for (const auto& row : d.rows) {
         const Real x = *row[column(d, "x_over_a")];
         const Real w = 1 - x * x;
-        // s ds/sqrt(s^2 - x^2) = sqrt(w) dv, and s^9 is integrated by Gauss-Legendre elsewhere; the
-        // even power m = 10 leaves s^9 = (x^2 + w v^2)^(9/2): a series in w v^2/x^2 near the edge.
+        // Near the edge, s^9 = (x^2 + w v^2)^(9/2) is a binomial series in w v^2/x^2.
         if (w > Real("0.02")) {
             continue;
         }
@@ -111,7 +110,7 @@ TEST_CASE("figure 2: m = 5/8, one and two terms are the same; m = 10, 6.4 % at 1
             term *= r * (Real(9) / 2 - k) / (k + 1);
         }
         const Real integral = sqrt(w) * pow(x, 9) * sum;
-        // One term of it: sqrt(2u).
+        // Its one-term approximation is sqrt(2u).
         const Real e = abs(1 - sqrt(2 * (1 - x)) / integral);
         CHECK(abs(e - *row[column(d, "e1")]) < Real("1e-17"));
     }
@@ -150,7 +149,7 @@ TEST_CASE("figures 4 and 5: the flat-and-rounded punch by its logarithms") {
 TEST_CASE("figures 6 and 7: the tilted wedge, its apex left out, both edges") {
     const PrecisionScope scope(digits);
     const Real phi = pi<Real>() / 16;
-    const Real s = sin(pi<Real>() * Real(2) / 5); // pi alpha/(2 phi), alpha = pi/20
+    const Real s = sin(pi<Real>() * Real(2) / 5); // alpha = pi/20: pi alpha/(2 phi) = 2 pi/5
     const Real gamma = (1 - s) / (1 + s);
     for (const char* id : {"fig6a", "fig6b", "fig7a", "fig7b"}) {
         const Plot plot = plot_of(id);
@@ -161,8 +160,7 @@ TEST_CASE("figures 6 and 7: the tilted wedge, its apex left out, both edges") {
             const Real fraction = *row[column(plot, "fraction")];
             CHECK(abs(x - (left ? Real(gamma * (fraction - 1)) : Real(1 - fraction))) <
                   Real("1e-18"));
-            // Two wedges back to back: p = (phi/pi) ln|(1 + k)/(1 - k)|,
-            // k^2 = b(a - x)/(a(x + b)).
+            // For a tilted wedge, p = (phi/pi) ln|(1 + k)/(1 - k)| with k^2 = b(a - x)/(a(x + b)).
             const Real k = sqrt(gamma * (1 - x) / (x + gamma));
             CHECK(relative(*row[column(plot, "p")],
                            Real(phi / pi<Real>() * log(abs((1 + k) / (1 - k))))) < Real("1e-15"));
@@ -196,7 +194,7 @@ TEST_CASE("residual fit: the tables have the slopes that the legends say") {
         CHECK(abs(slope - (Real(static_cast<int>(n)) + Real(1) / 2)) < Real("1e-4"));
         CHECK(plot.curves[n].title ==
               "n = " + std::to_string(n) + ": slope " + std::to_string(n) + ".500000");
-        // sqrt(u(2 - u))/2 less its binomial series.
+        // The remainder of the binomial series of sqrt(u(2 - u))/2.
         const Real u = *near[0];
         Real rest = 0;
         Real term = sqrt(u / 2);

@@ -27,7 +27,8 @@ static_assert(!AddedToAScript<std::string>, "a text must be a GnuplotText");
 static_assert(!AddedToAScript<const char*>, "a text must be a GnuplotText");
 static_assert(!AddedToAScript<std::string_view>, "a text must be a GnuplotText");
 
-/// A command that would make the file `marker`, in each form that gnuplot or a shell carries out.
+/// Returns a command that would make the file `marker`, in each form that gnuplot or a shell
+/// executes.
 std::vector<std::string> hostile_texts(const std::string& marker) {
     const std::string touch = "touch " + marker;
     return {"`" + touch + "`",

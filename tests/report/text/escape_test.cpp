@@ -16,7 +16,7 @@
 
 namespace {
 
-/// What others may have written where a name, an id or a note stands.
+/// Texts that others may have written as a name, an id or a note.
 const std::vector<std::string> hostile = {
     "two\nlines",
     "\r\n% \\input{/etc/passwd}",
@@ -47,7 +47,7 @@ std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Backslash sequences of a LaTeX text that are none of those that stand for one character.
+/// Returns the backslash sequences of a LaTeX text, except those for single characters.
 std::vector<std::string> commands(const std::string& latex) {
     std::vector<std::string> found;
     for (std::size_t at = latex.find('\\'); at != std::string::npos;) {
@@ -65,13 +65,13 @@ std::vector<std::string> commands(const std::string& latex) {
     return found;
 }
 
-/// Markdown without its code spans, in which nothing is a tag.
+/// Returns Markdown without its code spans, which contain no tags.
 std::string without_code(const std::string& markdown) {
     std::string out;
     bool code = false;
     for (std::size_t i = 0; i < markdown.size(); ++i) {
         if (!code && markdown[i] == '\\') {
-            ++i; // what it stands before is itself
+            ++i; // skips the escaped character
         } else if (markdown[i] == '`') {
             code = !code;
         } else if (!code) {
@@ -170,7 +170,7 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
     CHECK(without_code(markdown).find('<') == std::string::npos);
     const std::string latex = verdicts_latex(result);
     CHECK(lines(latex) == hostile.size() + 6);
-    REQUIRE(latex.rfind("% ", 0) == 0); // the ledger's name is a comment, one line of it
+    REQUIRE(latex.rfind("% ", 0) == 0); // the ledger's name is a comment of one line
     for (const std::string& command : commands(latex.substr(latex.find('\n')))) {
         CAPTURE(command);
         CHECK((command == "begin" || command == "end" || command == "hline" ||

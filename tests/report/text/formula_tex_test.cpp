@@ -23,7 +23,8 @@ audit::PrintedSource notation() {
 std::string tex(const char* text) { return formula_tex(read(text), notation(), ""); }
 std::string tidied(const char* text) { return formula_tex(arranged(read(text)), notation(), ""); }
 
-/// At a = 3, b = 7, ...: exact, so that equal texts of numbers are equal values.
+/// Returns the value at a = 3, b = 7, ...; it is exact, so that equal texts of numbers are equal
+/// values.
 Real value_of(Expr e) {
     long value = 2;
     for (const char* name : {"a", "b", "P1", "X", "S", "gam", "eps", "calP"}) {

@@ -18,7 +18,7 @@ TEST_CASE("escaping: nothing in a text is markup") {
 TEST_CASE("escaping: bytes that are no UTF-8 are shown to be none") {
     CHECK(escape_html("a\xFFz") == "a\xEF\xBF\xBDz");
     CHECK(escape_html("\xC3") == "\xEF\xBF\xBD");
-    CHECK(escape_html("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD"); // "<" in too many bytes
+    CHECK(escape_html("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD"); // "<" in an overlong encoding
     CHECK(escape_html("\xED\xA0\x80").find('\xED') == std::string::npos);
 }
 

@@ -31,13 +31,14 @@ TEST_CASE("TeX mathematics as MathML") {
     CHECK(has(mathml("L_{I,a}"),
               "<msub><mi>L</mi><mrow><mi>I</mi><mo>,</mo><mi>a</mi></mrow></msub>"));
     CHECK(has(mathml("P''(a)"), "<msup><mi>P</mi><mo>′′</mo></msup>"));
-    CHECK(has(mathml("\\ve^{3/2}"), "<mi>ε</mi>")); // a macro of the source
+    CHECK(has(mathml("\\ve^{3/2}"), "<mi>ε</mi>")); // a macro of the paper's source
     CHECK(has(mathml("\\mathcal{P}"), "𝒫"));
     CHECK(has(mathml("\\int_{0}^{X} f\\,\\mbox{d}s"), "<msubsup><mo>∫</mo>"));
     CHECK(
         has(mathml("\\begin{cases} 0 & \\mbox{for} \\; x<t \\\\[2mm] 1 \\end{cases}"), "<mtable"));
     CHECK_FALSE(has(mathml("\\begin{cases} 0 \\\\[2mm] 1 \\end{cases}"), "mm"));
-    // What a line of an alignment leaves open, and what nothing opened, is set all the same.
+    // Brackets that a line of an alignment does not close, or that were never opened, are still
+    // set.
     CHECK(has(mathml("\\left[a + \\right. \\nonumber \\\\ & \\left. b\\right]"), "<mi>b</mi>"));
     CHECK(has(mathml("a} \\right) b"), "<mi>b</mi>"));
     CHECK(has(mathml("\\frac"), "<mfrac>"));

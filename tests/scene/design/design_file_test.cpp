@@ -40,7 +40,7 @@ TEST_CASE("a design scene: its ranges, and the scene for a value of them") {
     CHECK(scene.profile->parameters().at("t").rational() == Rational(1, 3));
     std::string why;
     CHECK(design.errors(why).size() == 1);
-    // A name of one's own, in knots and slopes; only whole names are replaced, and not in comments.
+    // A user's name in knots and slopes; only whole names are replaced, and not in comments.
     CHECK(edgeproof::scene::with_names_replaced("r + 2*(rr - r1) - r^2", {{"r", "1/3"}}) ==
           "(1/3) + 2*(rr - r1) - (1/3)^2");
     const auto own = edgeproof::scene::parse_design(
@@ -50,7 +50,7 @@ TEST_CASE("a design scene: its ranges, and the scene for a value of them") {
         "own.toml");
     CHECK(own.at({Rational(1, 2)}).profile->knots().back().rational() == Rational(1, 2));
     CHECK(own.errors(why).size() == 1);
-    // No enclosure over a range is known of a curved slope: it says so.
+    // For a curved slope there is no enclosure over a range; the result states this.
     const auto curved = edgeproof::scene::parse_design(
         pad_design("kind = \"piecewise\"\nsymmetric = true\nknots = [\"r\"]\nslopes = [\"x^3\", "
                    "\"r^3 + 3*(x - r)\"]\n",
@@ -75,7 +75,7 @@ TEST_CASE("a design scene of a slip load") {
     CHECK(problem_of(slip_design("", "")).find("nothing slips") != std::string::npos);
     CHECK(problem_of(slip_design(friction, "unit = \"distance\"\n"))
               .find("unit is of distances, slip_load of Q/(f P)") != std::string::npos);
-    // The stick zones of a power law under a tension are no closed form.
+    // The stick zones of a power law under a tension have no closed form.
     const auto tense = edgeproof::scene::parse_design(
         slip_design(friction + "bulk_tension = \"0.001\"\n", "",
                     "kind = \"power-law\"\nm = { from = \"1\", to = \"2\" }\nC = \"1\"\n"),
@@ -120,14 +120,14 @@ TEST_CASE("a design scene asked otherwise than it says") {
     CHECK(otherwise.tolerance.rational() == Rational(1, 100));
     CHECK(otherwise.edges.size() == 2);
     CHECK(otherwise.terms == 3);
-    // What is asked in place of a key that is wrong hides it; a key that is not known it does not.
+    // An option hides a wrong value of the key that it replaces, but not an unknown key.
     CHECK(
         asked(pad_design(flat_of_range, "edge = \"top\"\n"), {{}, {}, "right", {}}).edges.size() ==
         1);
     CHECK_THROWS_WITH_AS((void)asked(pad_design(flat_of_range, "edges = \"left\"\n"),
                                      {"measure", "1/100", "both", 3}),
                          doctest::Contains("pad.toml:11"), InputError);
-    // Without [design].
+    // The file has no table [design].
     const std::string bare = text.substr(0, text.find("[design]"));
     CHECK(asked(bare, {"first_exit", "1/100", {}, {}}).terms == 1);
     CHECK_THROWS_WITH_AS((void)asked(bare, {"first_exit", {}, {}, {}}),

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-// Of a cylinder p = c_0 sqrt(u) sqrt(1 - u/2a), so that one term is off by the tolerance e where
-// u/2a = 1 - 1/(1 + e)^2. A steeper slope further out (k > 0) only takes away from that.
+// For a cylinder p = c_0 sqrt(u) sqrt(1 - u/2a), so that the error of one term is e at u/2a = 1 -
+// 1/(1 + e)^2. A steeper slope farther out (k > 0) only reduces the reach.
 TEST_CASE("design over a curved slope: the best of the values tried, called an estimate" *
           doctest::test_suite("slow")) {
     for (const char* load : {"a = \"1\"", "P = \"1/5\""}) {

@@ -29,7 +29,7 @@ TEST_CASE("a distance by the edges is enclosed as they are") {
     CHECK(contains(halves, Rational(3, 2)));
     CHECK(halves.lower() > Real("0.999"));
     CHECK(halves.upper() < Real("1.501"));
-    const Ball all = from_right("50%").enclosure(wide_a, wide_b, 64); // of a + b
+    const Ball all = from_right("50%").enclosure(wide_a, wide_b, 64); // a fraction of a + b
     CHECK(contains(all, Rational(3)));
     CHECK(contains(all, Rational(4)));
     CHECK(!contains(all, Rational(5)));
@@ -39,7 +39,7 @@ TEST_CASE("x is a number where the edges cancel, and only there") {
     CHECK(from_right("a").x()->rational() == 0);
     CHECK(from_right("a - 1/3").x()->rational() == Rational(1, 3));
     CHECK(!from_right("b").x());
-    CHECK(from_right("b", {{"b", formula::Expr::symbol("a")}}).x()->rational() == 0); // b is a
+    CHECK(from_right("b", {{"b", formula::Expr::symbol("a")}}).x()->rational() == 0); // b equals a
     const Place place = Place::parse("1/4", Place::From::origin, {});
     CHECK(place.distance(contact::Edge::left).x()->rational() == Rational(1, 4));
     CHECK(!place.distance(contact::Edge::left).number());

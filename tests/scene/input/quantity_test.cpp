@@ -17,7 +17,8 @@ using Index = QuantityRow::Index;
 
 const Digits thirty{30, Rounding::nearest, false};
 
-/// g' = x, a = 1, E* = 1, Q = 3/10, with lengths and moduli times these.
+/// Returns the contact with g' = x, a = 1, E* = 1, Q = 3/10, with lengths and moduli multiplied by
+/// the arguments.
 Scene sheared_hertz(const std::string& length = "1", const std::string& modulus = "1",
                     const std::string& more = "") {
     const std::string force = modulus + "*" + length;
@@ -26,12 +27,12 @@ Scene sheared_hertz(const std::string& length = "1", const std::string& modulus 
                   "\"\n[shear]\nQ = \"3/10*" + force + "\"\n" + more);
 }
 
-/// With friction: Q/(f P) = 3/4, so that half of each half slips.
+/// Adds friction, Q/(f P) = 3/4, so that half of each half slips.
 Scene slipping_hertz_scene(const std::string& length = "1", const std::string& modulus = "1") {
     return sheared_hertz(length, modulus, "friction = \"8/(5*pi)\"\n");
 }
 
-/// A wedge under P and M, its tilt to be found; M = 0: upright.
+/// Returns a wedge under P and M, whose tilt is unknown; M = 0: upright.
 Scene loaded_wedge(const std::string& M, const std::string& length = "1",
                    const std::string& modulus = "1") {
     const std::string force = modulus + "*" + length;
@@ -44,7 +45,8 @@ bool is_made_of_others(const QuantityRow& row) {
     return row.searched == nullptr && row.real == nullptr;
 }
 
-/// The value of a row at the right edge, u = 1/5 and a tolerance of 1%; k = 1 where it counts.
+/// Returns a row's quantity at the right edge, u = 1/5, with a tolerance of 1% and k = 1 if it has
+/// these.
 AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
     AskedValue asked{row.quantity};
     asked.k = row.index == Index::none ? 0 : 1;
@@ -105,9 +107,9 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
 }
 
 TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by hand") {
-    // p = sqrt(u (2 - u))/2, q = Q/(pi sqrt(u (2 - u))): at u = 1/5, 3/10 and 1/(2 pi).
-    // One term is sqrt(2/(2 - u)) of p: 1.01 of it at u = 2 - 2/1.0201 = 402/10201, and more
-    // behind.
+    // p = sqrt(u (2 - u))/2, q = Q/(pi sqrt(u (2 - u))): at u = 1/5 these are 3/10 and 1/(2 pi).
+    // The ratio of one term to p is sqrt(2/(2 - u)): it is 1.01 at u = 2 - 2/1.0201 = 402/10201,
+    // and more beyond.
     constexpr long bits = 200;
     const Ball pi = acos(Ball(-1, bits));
     const Ball root = sqrt(Ball(2, bits));
@@ -198,7 +200,7 @@ TEST_CASE("a name that is no quantity: how to write one, and which one was likel
     for (const GroupRow& row : group_rows()) {
         const std::string asked = "u = \"1/2\"\nterms = 1\ntolerance = \"1%\"\nquantities = [\"" +
                                   std::string(row.name) + "\"]\n";
-        // Friction of which the shear of a small load is a small part.
+        // The shear is small compared with friction, also for a small load.
         const std::string shear = row.friction ? "[shear]\nQ = \"1/1000\"\nfriction = \"1/2\"\n"
                                   : row.shear  ? "[shear]\nQ = \"1\"\n"
                                                : "";

@@ -155,7 +155,7 @@ TEST_CASE("bodies of different materials do shear where Dundurs' beta is 0") {
     CHECK_NOTHROW((void)parsed(sheared("52", "0.3", "125/2", "1/4", Q)));
     CHECK_THROWS_AS((void)parsed(sheared("52", "0.3", "62.5001", "1/4", Q)), InputError);
     CHECK_THROWS_AS((void)parsed(sheared("52", "0.3", "52", "0.3000001", Q)), InputError);
-    // The mismatch of strains is not the difference of the tensions there.
+    // In this case the mismatch of strains is not the difference of the tensions.
     const char* const tension = "bulk_tension = \"1\"\n";
     CHECK_THROWS_AS((void)parsed(sheared("200", "1/2", "100", "1/2", tension)), InputError);
     CHECK_NOTHROW((void)parsed(sheared("200", "1/2", "200", "1/2", tension)));

@@ -17,7 +17,7 @@ std::string with_units(const std::string& units) {
            bodies;
 }
 
-/// The line at which a text is refused, and why.
+/// Returns the line of the error in a text, and its message.
 std::pair<std::size_t, std::string> refused(const std::string& text) {
     try {
         (void)parsed(text);
@@ -34,7 +34,7 @@ bool says(const std::string& text, const std::string& part) {
 } // namespace
 
 TEST_CASE("units: names, prefixes and factors") {
-    // NIST SP 811, table B.8: the inch, the pound-force and the kilogram-force exactly.
+    // In NIST SP 811, table B.8, the inch, the pound-force and the kilogram-force are exact.
     CHECK(unit_named("mm")->factor == Rational(1, 1000));
     CHECK(unit_named("MPa")->factor == Rational(1'000'000));
     CHECK(unit_named("mPa")->factor == Rational(1, 1000));

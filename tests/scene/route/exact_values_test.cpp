@@ -12,7 +12,7 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-/// g' = C x^m; p = C sqrt(u (2a - u))/2 for m = 1.
+/// Returns a scene with g' = C x^m; for m = 1, p = C sqrt(u (2a - u))/2.
 std::string power_law(const std::string& m, const std::string& C, const std::string& load,
                       const std::string& more) {
     return "[profile]\nkind = \"power-law\"\nm = \"" + m + "\"\nC = \"" + C + "\"\n[load]\n" +
@@ -21,7 +21,7 @@ std::string power_law(const std::string& m, const std::string& C, const std::str
 
 const std::string unit_modulus = "contact_modulus = \"1\"\n";
 
-/// As it is printed at so many digits, each way of rounding.
+/// The printed texts of a value, one for each kind of rounding.
 struct Texts {
     std::string nearest;
     std::string down;
@@ -58,8 +58,8 @@ BoundedValue c_of(const SceneResult& r, std::size_t k) { return r.coefficients.a
 } // namespace
 
 TEST_CASE("ties: pressures that end half-way between two decimals, to the even one") {
-    // Pythagoras: w = sqrt(u (2a - u)) is whole for u = a - x, x^2 + w^2 = a^2; C = 2 t/w gives
-    // p = t. What t rounds to is told by hand.
+    // Pythagorean triangles: w = sqrt(u (2a - u)) is whole for u = a - x, x^2 + w^2 = a^2; C = 2
+    // t/w gives p = t. The rounded values of t are given by hand.
     struct Triangle {
         int x, w, a;
     };
@@ -94,8 +94,8 @@ TEST_CASE("ties: half-way between two binary64, to the even one") {
         const char* value;
         double expected;
     };
-    // 2^53 = 9007199254740992: 1 + 1/2^53 is half-way from 1 to its next, 1 + 3/2^53 from the next
-    // to the one after; then the same in the subnormal range, where the unit is 2^-1074.
+    // 2^53 = 9007199254740992: 1 + 1/2^53 is halfway from 1 to the next double, 1 + 3/2^53 from the
+    // next to the one after it; then the same in the subnormal range, where the unit is 2^-1074.
     for (const Row& row : {Row{"1 + 1/9007199254740992", 1.0},
                            Row{"1 + 3/9007199254740992", 1.0 + std::ldexp(1.0, -51)},
                            Row{"1 + 2/9007199254740992", 1.0 + std::ldexp(1.0, -52)},
@@ -135,7 +135,7 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
     // m = 3: I_3(0) is the integral of s^2, 1/3; p = P'(a)/(3 pi) = C a^3/4 at the middle.
     CHECK(texts(power_law("3", "1/2", "a = \"1\"", unit_modulus + asked("u = [\"1\"]")), 2, p_of)
               .nearest == "0.12");
-    // The parabola as pieces of one straight line, and with a corner outside the contact.
+    // The parabola in pieces of one straight line, and with a corner outside the contact.
     CHECK(texts("[profile]\nkind = \"piecewise\"\nknots = [\"0\", \"1\"]\nslopes = [\"x/4\", "
                 "\"x/4\", \"x\"]\n[load]\na = \"1\"\n" +
                     unit_modulus + asked("u = [\"1\"]"),
@@ -153,7 +153,7 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
                               asked("quantities = [\"pressure\"]\nterms = [1]\nu = [\"1/4\"]")),
                 3, local_of)
               .down == "0.500");
-    // P = E* C (pi/4) a^2, given and looked for.
+    // P = E* C (pi/4) a^2, given or computed.
     CHECK(texts(power_law("1", "1/2", "a = \"1\"",
                           "contact_modulus = \"1/pi\"\n" + asked("quantities = [\"contact\"]")),
                 2, [](const auto& r) { return *r.contact.force; })
@@ -180,8 +180,8 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
 }
 
 TEST_CASE("ties: extents that end on a short decimal") {
-    // Hertz, one term: 1/sqrt(1 - v) - 1 = 1/4 at v = u/(2a) = 9/25; two terms:
-    // (1 - v/2)/sqrt(1 - v) - 1 = 1/4 at v = 3/4.
+    // Hertz, one term: 1/sqrt(1 - v) - 1 = 1/4 at v = u/(2a) = 9/25; two terms: (1 - v/2)/sqrt(1 -
+    // v) - 1 = 1/4 at v = 3/4.
     const std::string scene = power_law(
         "1", "1", "a = \"1/2\"",
         unit_modulus + "[ask]\nedges = [\"right\"]\nquantities = [\"extent\"]\ntolerance = "
@@ -200,7 +200,7 @@ TEST_CASE("ties: extents that end on a short decimal") {
 }
 
 TEST_CASE("ties: where no exact form is known the enclosure is printed, and it is said") {
-    // log(4)/log(2) is 2, by an identity that exact numbers do not have.
+    // log(4)/log(2) is 2, by an identity that is unknown to exact numbers.
     Scene scene = parsed(power_law("1", "1/32", "a = \"5\"",
                                    "contact_modulus = \"log(4)/log(2)\"\n"
                                    "[ask]\nedges = [\"right\"]\nu = [\"2\"]\n"));
@@ -215,7 +215,7 @@ TEST_CASE("ties: where no exact form is known the enclosure is printed, and it i
         CHECK(how(value, p) == "closed-form (rounding undecided)");
         CHECK(p.binary64 == 0.125);
     }
-    // Half-way between two binary64 by the same identity: both are named.
+    // Halfway between two binary64 by the same identity: both are given.
     scene = parsed(power_law("1", "(1 + 1/9007199254740992)/4", "a = \"5\"",
                              "contact_modulus = \"log(4)/log(2)\"\n"
                              "[ask]\nedges = [\"right\"]\nu = [\"2\"]\n"));
@@ -228,7 +228,7 @@ TEST_CASE("ties: where no exact form is known the enclosure is printed, and it i
 }
 
 TEST_CASE("ties: exact values take no more bits than others") {
-    // a + b, x and p are short decimals, rounded down: one level of bits does.
+    // a + b, x and p are short decimals, rounded down: one level of bits suffices.
     Scene scene =
         parsed(power_law("1", "0.1", "a = \"0.65\"",
                          unit_modulus + "[ask]\nedges = [\"right\"]\nu = [\"0.4\", \"0.65\"]\n"));

@@ -17,7 +17,7 @@ const char* const together = "[shear]\nQ = \"0.3\"\npath = \"together\"\n";
 
 std::string quantities(const std::string& list) { return "quantities = [" + list + "]\n"; }
 
-/// A scene, and what it takes, counted by hand.
+/// A scene and its work, counted by hand.
 struct Counted {
     std::string name;
     std::string text;
@@ -105,7 +105,7 @@ TEST_CASE("what is done is what was planned, and no more than the scene calls fo
         CHECK(plan.counts == c.counts);
         const SceneResult result = run_scene(scene);
         CHECK(result.work.counts == c.counts);
-        // What is off is not counted, and says why.
+        // An effect that is off is not counted, and has a reason.
         for (const Effect& effect : plan.effects) {
             CAPTURE(effect.name);
             CHECK_FALSE(effect.why.empty());
@@ -144,10 +144,10 @@ TEST_CASE("leaving an effect out changes no digit of the others") {
                                                      "\"extent\", \"contact\"")));
         const SceneResult all = run_scene(whole);
         const std::string expected = all_text(all, whole.ask.digits);
-        // Without shear, terms, extents, resultants, coefficients.
+        // The same scene without shear, terms, extents, resultants and coefficients.
         const SceneResult bare = run_scene(parsed(tilted_wedge("", asked)));
         CHECK(all_text(bare, whole.ask.digits) == expected);
-        // One edge at a time.
+        // The same with one edge at a time.
         std::string in_turn;
         for (const char* edge : {"right", "left"}) {
             const SceneResult one = run_scene(parsed(tilted_wedge(
@@ -155,7 +155,7 @@ TEST_CASE("leaving an effect out changes no digit of the others") {
             in_turn += all_text(one, whole.ask.digits);
         }
         CHECK(in_turn == expected);
-        // Fewer terms: the same coefficients, as far as they go.
+        // Fewer terms have the same coefficients.
         const SceneResult few = run_scene(parsed(tilted_wedge(
             load, std::string(both) + "terms = 2\n" + quantities("\"coefficients\""))));
         for (std::size_t e = 0; e < 2; ++e) {

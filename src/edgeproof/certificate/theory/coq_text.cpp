@@ -12,7 +12,7 @@ using formula::Builtin;
 using formula::Expr;
 using Kind = Expr::Kind;
 
-/// How strongly a term binds: an operand that binds more weakly stands in parentheses.
+/// The binding strength of a term: an operand that binds more weakly needs parentheses.
 enum class Strength { sum = 1, product, sign, power, application, atom };
 
 struct Term {
@@ -97,7 +97,7 @@ private:
     std::string operand(const Expr& e, Strength least) const {
         return parenthesized((*this)(e), least);
     }
-    /// Left-associative, as the tree is: a right operand of equal strength stands in parentheses.
+    /// The tree is left-associative: a right operand of equal strength needs parentheses.
     Term binary(const Expr& e, std::string_view sign, Strength own, Strength right) const {
         return {operand(e.arg(0), own) + std::string(sign) + operand(e.arg(1), right), own};
     }

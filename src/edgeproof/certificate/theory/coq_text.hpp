@@ -11,25 +11,26 @@
 
 namespace edgeproof::certificate {
 
-/// What a formula says cannot be said in Coq by this program; the message says what of it.
+/// Thrown for a formula that this program cannot state in Coq. The message names the part.
 class NotStated : public Error {
 public:
     using Error::Error;
 };
 
-/// Names of a formula, and the Coq terms (atoms, or in parentheses) that stand for them.
+/// The names in a formula, and the Coq terms for them (atoms, or terms in parentheses).
 using CoqNames = std::map<std::string, std::string, std::less<>>;
 
-/// Says the Coq term for a call or an integral that is no elementary function; throws NotStated.
+/// Returns the Coq term for a call or an integral that is not an elementary function; throws
+/// NotStated.
 using CoqCall = std::function<std::string(const formula::Expr&)>;
 
-/// A formula as a term of Coq's real numbers (R_scope), operation by operation as it is written.
-/// Powers: x ^ n for whole n, Rpower for other rational exponents, whose base is then positive.
-/// Throws NotStated for a name that is not in `names`, for a function that Coq's library of real
-/// numbers does not have, and for integrals unless `call` says them.
+/// Returns a formula as a term of Coq's real numbers (R_scope), operation by operation. Powers are
+/// x ^ n for whole n and Rpower, which needs a positive base, for other rational exponents. Throws
+/// NotStated for a name that is not in `names`, for a function that Coq's library of real numbers
+/// does not have, and for integrals that `call` does not translate.
 [[nodiscard]] std::string coq_text(const formula::Expr& e, const CoqNames& names,
                                    const CoqCall& call = {});
-/// "3", "(1 / 2)", "(- (1 / 2))".
+/// Returns "3", "(1 / 2)" or "(- (1 / 2))".
 [[nodiscard]] std::string coq_number(const Rational& q);
 
 } // namespace edgeproof::certificate

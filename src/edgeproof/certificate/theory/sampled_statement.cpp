@@ -11,7 +11,7 @@
 namespace edgeproof::certificate {
 namespace {
 
-// Of the enclosures that choose what is stated.
+// The precision of the enclosures from which the stated numbers are chosen.
 constexpr unsigned digits_of_enclosures = 25;
 
 } // namespace
@@ -54,7 +54,7 @@ std::string constants(const std::vector<Constant>& all) {
     std::string names;
     for (const Constant& c : all) {
         text += fmt::format("Definition {} : {} := {}.\n", c.name, c.type, c.value);
-        // What is made of others is unfolded before them.
+        // A definition that uses others is unfolded before them.
         names = names.empty() ? c.name : c.name + ", " + names;
     }
     return text + fmt::format("Ltac constants := unfold {} in *.\n"

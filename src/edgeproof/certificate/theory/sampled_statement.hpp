@@ -8,36 +8,38 @@
 #include <string_view>
 #include <vector>
 
-/// What theorems about one contact with numbers have in common.
+/// Common parts of theorems about one contact with given numbers.
 namespace edgeproof::certificate {
 
-/// What agreement is stated to.
+/// The tolerance for statements of agreement.
 inline constexpr std::string_view agreement = "1 / 10 ^ 12";
 
-/// |first - second| at a sample, as far as the enclosures have it, and beside the larger of both.
+/// A lower bound of |first - second| at a sample, and the same relative to the larger of both.
 struct Gap {
     double least = 0;
     double relative = 0;
 };
-/// None where there are no enclosures.
+/// Returns no value if there are no enclosures.
 [[nodiscard]] std::optional<Gap> gap_at(const formula::Expr& first, const formula::Expr& second,
                                         const audit::Sample& sample);
-/// The least that first at one sample is above second at another; none where it is not.
+/// Returns a lower bound of first at one sample minus second at another; no value if it is not
+/// positive.
 [[nodiscard]] std::optional<double> excess(const formula::Expr& first, const audit::Sample& at,
                                            const formula::Expr& second, const audit::Sample& other);
 
-/// "253 / 10 ^ 3": three digits, a little below.
+/// Returns a fraction of three digits slightly below `gap`: "253 / 10 ^ 3".
 [[nodiscard]] std::string fraction_below(double gap);
 
-/// The definitions of the numbers, and the tactics that use them.
+/// Returns the definitions of the numbers, and the tactics that use them.
 [[nodiscard]] std::string constants(const std::vector<Constant>& all);
 
-/// "Print Assumptions" of theorems, once for all of them: it takes longer than most proofs.
+/// Returns "Print Assumptions" for the theorems, once for all of them, because it takes longer than
+/// most proofs.
 [[nodiscard]] std::string assumptions(const std::vector<std::string>& theorems);
-/// A theorem and its proof, without "Print Assumptions".
+/// Returns a theorem and its proof, without "Print Assumptions".
 [[nodiscard]] std::string bare_theorem(const std::string& name, const std::string& statement,
                                        const std::string& proof);
-/// A theorem and its proof as a file has them.
+/// Returns a theorem and its proof, with "Print Assumptions".
 [[nodiscard]] std::string theorem_text(const std::string& name, const std::string& statement,
                                        const std::string& proof);
 

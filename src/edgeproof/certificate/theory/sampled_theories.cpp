@@ -10,8 +10,8 @@ namespace {
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
-/// `parameters` by their names in ledgers; `fraction`: of the contact's length, from the right edge
-/// to x.
+/// `parameters` have their names in ledgers. `fraction` is the distance of x from the right edge,
+/// divided by the length of the contact.
 SampledTheory sampled(Theory theory, const std::string& profile, const Parameters& parameters,
                       const std::string& x, const std::string& fraction) {
     SampledTheory s;
@@ -118,7 +118,7 @@ SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
     theory.left_shear = {{"v0", "v1", "v2"},
                          fmt::format("left_shear_series {} b v0 v1 v2", traction),
                          "apply left_shear; positive"};
-    // The contact of a wedge, by which the enclosures know where its edges are.
+    // A wedge with these edges, so that the enclosures have the positions of the edges.
     SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
                               right ? "2/5" : "3/5");
     s.theory.constants.push_back({"b", "1"});

@@ -8,17 +8,18 @@
 
 namespace edgeproof::certificate {
 
-/// A theorem about formulas of a ledger: which facts of a theory they need, and their text in Coq.
+/// A theorem about formulas of a ledger: the facts of a theory that they need, and their text in
+/// Coq.
 class Statement {
 public:
     explicit Statement(const Theory& theory) : theory_(theory) {}
 
-    /// The formula in Coq; coefficients, the load and the pressure become unknowns of their facts.
-    /// Throws NotStated.
+    /// Returns the formula in Coq. Coefficients, the load and the pressure become unknowns of their
+    /// facts. Throws NotStated.
     [[nodiscard]] std::string operator()(const formula::Expr& e);
-    /// "exists r0 r1 r2, right_edge_series ... /\ " in front of `conclusion`.
+    /// Returns `conclusion` after the facts: "exists r0 r1 r2, right_edge_series ... /\ ".
     [[nodiscard]] std::string text(const std::string& conclusion) const;
-    /// The proof of the facts, then `last` for the conclusion.
+    /// Returns the proof of the facts, then `last`, the proof of the conclusion.
     [[nodiscard]] std::string proof(const std::string& last) const;
 
 private:

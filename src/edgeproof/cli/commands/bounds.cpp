@@ -70,7 +70,7 @@ int hard_cases(const CasesOptions& o) {
     if (!o.classes || text) {
         report::Table table = case_table(cases, outcomes, options.digits);
         if (text) {
-            // A line is to stay one: what went wrong is told below.
+            // Rows must fit on a line; the text below the table has the details of failures.
             table.columns.erase(table.columns.begin() + 3, table.columns.begin() + 5);
             table.columns.pop_back();
             for (auto& row : table.rows) {
@@ -103,7 +103,7 @@ int hard_cases(const CasesOptions& o) {
     return faults == 0 ? 0 : 1;
 }
 
-/// A count with its progress, kept in a state file where there is one.
+/// Runs a count with progress; its state is kept in a file if one is given.
 template <class State, class Options, class Parse, class Write, class Counting>
 auto kept_count(const std::string& file, State& state, Options& options, const Parse& parse,
                 const Write& write, const Counting& counting) {
@@ -192,12 +192,12 @@ struct HonestyChoice {
 
 constexpr double script_seconds = 600;
 
-/// Another program of the same task, where its interpreter and its script are there.
+/// Another program for the same task, if its interpreter and its script are there.
 struct Peer {
     const char* name;
-    const char* needs; ///< a command that succeeds where the interpreter can do it
+    const char* needs; ///< a command that succeeds if the interpreter is suitable
     const char* script;
-    const char* run; ///< of the shell; $0 is the script
+    const char* run; ///< the shell command; $0 is the script
 };
 constexpr Peer peers[] = {
     {"mpmath quad", "python3 -c 'import mpmath' 2>/dev/null", "mpmath_quad.py", "python3 \"$0\""},

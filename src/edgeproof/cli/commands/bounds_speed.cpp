@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_scenes = 1'000'000;
 constexpr std::size_t most_digits_of_a_scan = 1000;
 constexpr std::size_t longest_limit = 86'400;
-constexpr double most_waiting = 20; ///< by the clock, to a second of the processor: a busy machine
+constexpr double most_waiting = 20; ///< elapsed time over processor time, on a busy machine
 
 struct SpeedChoice {
     std::string scenes = "100";
@@ -34,8 +34,8 @@ struct SpeedChoice {
     bool csv = false;
 };
 
-/// This program itself, asked as a user asks it: in a process of its own nothing is in a cache, and
-/// what takes too long can be ended.
+/// Runs this program in a process of its own, as a user does: caches are empty, and a run that
+/// takes too long can be ended.
 cost::TimedAnswer answered(const cost::SampledScene& scene, const cost::ScannedCommand& command,
                            unsigned digits, std::size_t limit) {
     io::ProgramCall call;
@@ -106,7 +106,7 @@ int speed(const SpeedChoice& o) {
     options.answer = [&](const cost::SampledScene& scene, const cost::ScannedCommand& command,
                          unsigned digits) { return answered(scene, command, digits, limit); };
     if (!o.write.empty()) {
-        io::make_folder(o.write); // fails before the work, not after
+        io::make_folder(o.write); // fails before the work, not after it
     }
     std::vector<cost::SpeedCell> cells;
     {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What `edgeproof bounds` prints.
+/// The tables that `edgeproof bounds` prints.
 namespace edgeproof::cli {
 
 [[nodiscard]] report::Table case_table(const std::vector<validation::HardCase>& cases,
@@ -22,13 +22,13 @@ namespace edgeproof::cli {
 [[nodiscard]] report::Table binary64_table(const validation::Binary64Count& count);
 [[nodiscard]] report::Table honesty_table(const std::vector<validation::HonestyRow>& rows,
                                           unsigned digits);
-/// All that it takes to see a finding again.
+/// Returns everything that is needed to reproduce a finding.
 [[nodiscard]] std::string finding_text(const validation::CountFinding& finding);
 
-/// `bounds speed`, which times scenes.
+/// Adds `bounds speed`, which times scenes.
 void add_bounds_speed(CLI::App& bounds, int& code);
 
-/// Title, notes, and columns aligned: text to the left, numbers to the right.
+/// Returns title, notes and aligned columns: text to the left, numbers to the right.
 [[nodiscard]] std::string aligned_text(const report::Table& table);
 
 } // namespace edgeproof::cli

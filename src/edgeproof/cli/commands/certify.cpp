@@ -36,10 +36,10 @@ struct CertifyOptions {
     int threads = 0;
 };
 
-// What theorems state depends on verdicts and corrections, for which 30 digits suffice.
+// Statements of theorems depend on verdicts and corrections, for which 30 digits suffice.
 constexpr unsigned digits_of_verdicts = 30;
 
-/// Into --out, whole or not at all; how many there are.
+/// Writes the folder of --out, whole or not at all, and prints the number of theorems.
 void write_folder(const CertifyOptions& o, io::StagedFolder& staged,
                   const std::vector<certificate::Certificate>& all, std::string of,
                   std::string things) {
@@ -81,7 +81,7 @@ int certify_ledger(const CertifyOptions& o, const std::string& text) {
     return result.errors.empty() ? 0 : report_claim_errors(result.errors);
 }
 
-/// All that a scene asks for and that theorems are stated about.
+/// Writes theorems about all values that a scene asks for, where they can be stated.
 int certify_scene(const CertifyOptions& o, const std::string& text) {
     if (o.only != "*") {
         throw InputError("--only chooses claims of a ledger, and " + o.file + " is a scene",

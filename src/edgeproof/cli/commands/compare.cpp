@@ -107,7 +107,7 @@ int test_the_diagnosis(const CompareOptions& o) {
     return result.passes() ? 0 : 1;
 }
 
-/// What of the outputs is written already: for the message of a process that ends in between.
+/// The outputs that are already written, for the message of a process that is interrupted.
 class WrittenSoFar {
 public:
     void add(const std::string& name) {
@@ -115,7 +115,7 @@ public:
         note_.reset();
         note_.emplace("written: " + names_);
     }
-    /// Runs `write`. Where it is interrupted, the message names what is written.
+    /// Runs `write`. If it is interrupted, the message names the outputs that are written.
     void run(const std::function<void()>& write) const {
         try {
             write();
@@ -129,7 +129,7 @@ private:
     std::optional<io::KeptNote> note_;
 };
 
-/// All outputs but the text on standard output. Everything is made before the first is written.
+/// Writes all outputs except the text on standard output. All are made before the first is written.
 void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
     std::optional<report::DrawnComparison> drawn;
     if (!o.figures.empty() || !o.html.empty()) {
@@ -181,7 +181,7 @@ int compare_results(const CompareOptions& o) {
     io::check_output(o.junit);
     io::check_output(o.html);
     if (!o.figures.empty()) {
-        io::check_folder(o.figures); // made once there is something to write
+        io::check_folder(o.figures); // the folder is made when there is something to write
     }
     const scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     reading.units = scene.units;

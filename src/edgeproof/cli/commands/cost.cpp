@@ -100,7 +100,7 @@ void print(const report::CostReport& report, bool usual) {
 }
 
 int cost(const CostArguments& a) {
-    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after
+    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after them
     if (!a.out.empty()) {
         staged.emplace(a.out);
     }

@@ -7,7 +7,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// k + half of `half_powers`, as a quotient.
+/// Returns k + half_powers/2 as a quotient.
 std::string power_text(std::size_t k, int half_powers) {
     return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
 }

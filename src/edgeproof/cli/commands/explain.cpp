@@ -61,7 +61,7 @@ std::string narrow_text(const scene::Plan& plan) {
                : "";
 }
 
-/// What was done, a value at a time.
+/// Counts the values by kind and route.
 class Tally {
 public:
     explicit Tally(const scene::SceneResult& result) {
@@ -127,7 +127,7 @@ private:
             add(*v);
         }
     }
-    /// "proved: 6 values (4 by series, 2 by given)".
+    /// Returns a text such as "proved: 6 values (4 by series, 2 by given)".
     static std::string list(const char* kind, const Routes& routes) {
         std::size_t all = 0;
         std::string each;

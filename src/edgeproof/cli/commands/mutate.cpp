@@ -31,7 +31,7 @@ struct MutateOptions {
     int threads = 0;
 };
 
-/// How the claims as they stand came out otherwise than the golden file has them.
+/// Lists the unchanged claims whose verdict differs from the golden file.
 std::vector<std::string> false_alarms(const audit::MutationRun& run, const std::string& ledger) {
     std::vector<std::string> all;
     const auto golden = report::golden_file(ledger);

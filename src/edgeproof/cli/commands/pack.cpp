@@ -32,14 +32,14 @@ std::string today() {
     return fmt::format("{:04}-{:02}-{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
 }
 
-/// A word of the manifest's head.
+/// Checks a text for the head of the manifest.
 void check_word(const std::string& option, const std::string& text) {
     if (text.find_first_of("\r\n") != std::string::npos) {
         throw InputError(option + " holds a line break", "give one line");
     }
 }
 
-/// The manifest without what depends on the day and the commit.
+/// Returns the manifest without the lines that depend on the day and the commit.
 std::string checksums_of(const std::string& manifest) {
     std::string out;
     for (std::size_t at = 0; at < manifest.size();) {
@@ -85,7 +85,7 @@ int make(const PackCommandOptions& o, const std::string& version) {
     pack::PackOptions options;
     options.threads = threads_of(o.threads);
     if (!o.check) {
-        io::check_folder(o.folder); // made once there is something to write
+        io::check_folder(o.folder); // the folder is made when there is something to write
     } else if (!std::filesystem::is_directory(o.folder)) {
         throw InputError(o.folder + " is no folder",
                          "give the folder of a pack, or leave out --check");

@@ -10,7 +10,7 @@ namespace {
 
 int plot(SceneOptions& o) {
     std::string file;
-    std::swap(file, o.out); // of a picture, not of a table
+    std::swap(file, o.out); // the file of the picture, not of a table
     if (!file.empty()) {
         report::check_picture_name(file);
         io::check_output(file);

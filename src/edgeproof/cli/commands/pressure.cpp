@@ -9,7 +9,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// Points are asked for by names or by x.
+/// True if a point is asked for by its name or by x.
 bool by_name(const scene::Scene& scene) {
     return std::any_of(scene.ask.u.begin(), scene.ask.u.end(),
                        [](const scene::AskedPoint& point) { return point.place.has_value(); });
@@ -43,8 +43,8 @@ std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::P
     return columns;
 }
 
-/// The value that a route column stands behind, with the names of what else its columns hold that
-/// is not proved although the value is.
+/// Returns the value for a route column. Its route names the other values of the same columns that
+/// are not proved although this value is.
 scene::BoundedValue marked(const scene::BoundedValue& value, const std::string& prefix,
                            const scene::BoundedValue& x,
                            const std::vector<scene::Approximation>& approximations) {
@@ -72,7 +72,7 @@ std::string state_name(const std::optional<contact::SlipState>& state) {
                                                              : "slip";
 }
 
-/// |q|/(f p): 1 where the contact slips.
+/// Returns |q|/(f p): 1 where the contact slips.
 scene::BoundedValue friction_used(const scene::Scene& scene, const scene::PointValues& at) {
     if (at.state == contact::SlipState::slip) {
         return {Ball(1, 64), at.q->proved, "superposition", Rational(1)};

@@ -20,7 +20,7 @@ struct RelationsOptions : SceneOptions {
     bool symmetric = false;
 };
 
-/// "P2=m*P1/a" as a name and a formula.
+/// Splits "P2=m*P1/a" into a name and a formula.
 std::pair<std::string, std::string> given_name(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {

@@ -44,7 +44,7 @@ int slip_table(const SlipTableRequest& o) {
     }
     io::check_output(o.out);
     if (!o.figures.empty()) {
-        io::check_folder(o.figures); // made once there is something to write
+        io::check_folder(o.figures); // the folder is made when there is something to write
     }
     report::SlipTableOptions options;
     options.tolerances.clear();

@@ -39,7 +39,7 @@ reference_options(const TableOptions& o, const conformance::Recipe& recipe, Prog
     return options;
 }
 
-/// The table that stands beside the recipe.
+/// Returns the file of the table: --out, else next to the recipe.
 std::filesystem::path table_of(const TableOptions& o) {
     return o.out.empty() ? std::filesystem::path(o.recipe).replace_extension(".csv")
                          : std::filesystem::path(o.out);
@@ -95,14 +95,14 @@ int to_file(const TableOptions& o) {
         if (leads) {
             throw;
         }
-        follow_failed(*processes, error.what()); // the first tells it
+        follow_failed(*processes, error.what()); // the first process reports it
         return 0;
     }
     if (leads) {
         table->make(threads, processes.get());
     } else {
         table->help(threads, *processes);
-        check_interruption(); // its exit status tells, too
+        check_interruption(); // also gives this process the status of an interruption
     }
     return 0;
 }
@@ -125,7 +125,7 @@ int table(const TableOptions& o) {
         if (o.out != "-" && !io::OutputTarget::of(o.out).special) {
             return to_file(o);
         }
-        io::check_output(o.out); // nothing is kept beside a device
+        io::check_output(o.out); // a device has no part file
     }
     conformance::Recipe recipe = conformance::read_recipe(o.recipe);
     if (o.check) {

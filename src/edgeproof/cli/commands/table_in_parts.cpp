@@ -26,7 +26,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// This very program: another may compute otherwise under the same version.
+/// Identifies this executable: another one of the same version may compute different values.
 std::string program_mark() {
     struct stat self {};
     if (::stat("/proc/self/exe", &self) != 0) {
@@ -36,7 +36,7 @@ std::string program_mark() {
                        self.st_mtim.tv_nsec);
 }
 
-/// A piece's rows, as the part file has them: those that follow one another together.
+/// Makes the rows of a piece in the format of the part file: consecutive rows form one entry.
 parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
                             const std::function<void()>& one) {
     return [&recipe, one, rows = report::ReferenceRows(recipe)](std::size_t p) {
@@ -63,15 +63,15 @@ parallel::MakePiece rows_of(const conformance::RecipeGrid& recipe,
     };
 }
 
-/// Rows in their order out of a part file, as far as it has them: a few pieces are open at a time,
-/// since a contact's coefficients and pressures, which take turns among the rows, are in different
-/// ones.
+/// Reads rows in order from a part file, as far as they are there. A few pieces are open at a time,
+/// since a contact's coefficients and pressures alternate among the rows but are in different
+/// pieces.
 class RowsInOrder {
 public:
     RowsInOrder(const conformance::RecipeGrid& recipe, const io::CheckpointFile& part)
         : recipe_(recipe), part_(part) {}
 
-    /// Hands over the lines that follow those handed over before.
+    /// Calls `take` with the lines that follow those of earlier calls.
     void each(const std::function<void(const std::string&)>& take) {
         while (row_ < recipe_.rows()) {
             const std::size_t p = recipe_.piece_of(row_);
@@ -119,7 +119,7 @@ void write(const report::Table& head, const conformance::RecipeGrid& recipe,
         return;
     }
     report::Table table = head;
-    const std::string header = report::csv_line({"id"}); // a table has one
+    const std::string header = report::csv_line({"id"}); // every table has an id column
     rows.each([&](const std::string& lines) {
         for (io::Csv::Row& row : io::parse_csv(header + lines, file.string()).rows) {
             table.rows.push_back(std::move(row.cells));
@@ -181,8 +181,8 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
             cannot_keep = true;
             part.add(p, body);
             cannot_keep = false;
-            rows.each(add_to_checksum); // while others compute
-            if (processes != nullptr) { // else counted one by one
+            rows.each(add_to_checksum); // while the others compute
+            if (processes != nullptr) { // otherwise `one` counts each row
                 progress(done += part.items() - before, total);
             }
         };
@@ -206,7 +206,7 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
         throw;
     } catch (const Error&) {
         if (!cannot_keep) {
-            part.remove(); // the recipe must be corrected, and is another one then
+            part.remove(); // the corrected recipe will be a different one
         }
         throw;
     }

@@ -11,21 +11,22 @@
 
 namespace edgeproof::cli {
 
-/// A table that is written to a file, made piece by piece: what is done stands in FILE.part, from
-/// which the same command goes on when it was stopped or killed, or when the disk was full. The
-/// table is the same in every byte, however often that happens, on any number of threads and by any
-/// number of processes. The memory that a CSV table takes does not grow with its rows.
+/// A table that is written to a file piece by piece. Finished pieces are kept in FILE.part; the
+/// same command continues from there if it was stopped or killed, or if the disk was full. The
+/// table is the same in every byte, regardless of interruptions and of the number of threads and
+/// processes. The memory for a CSV table does not grow with its rows.
 class TableInParts {
 public:
     /// Keeps a reference to the recipe.
     TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
                  report::TableFormat format);
-    /// Opens the part file. Throws InputError where it cannot be written or another run holds it.
+    /// Opens the part file. Throws InputError if it cannot be written or another run uses it.
     void open();
-    /// After open(). Throws as references() does, InputError where it cannot be written, Error when
-    /// stopped. `processes`: those that make it together, of which this is the first, or null.
+    /// Makes the table after open(). Throws the errors of references(), InputError if a file cannot
+    /// be written, and Error when stopped. `processes`: the processes that share the work, of which
+    /// this is the first, or null.
     void make(unsigned threads, parallel::Processes* processes);
-    /// What any but the first of them does.
+    /// The work of all processes other than the first.
     void help(unsigned threads, parallel::Processes& processes) const;
 
 private:

@@ -35,13 +35,14 @@ struct VerifyOptions {
 
 constexpr long long most_digits_of_a_formula = 10000;
 
-/// Exit status of --strict: some claim does not hold.
+/// The condition for exit status 1 with --strict: some claim does not hold.
 bool some_claim_fails(const audit::AuditResult& result) {
     return std::any_of(result.claims.begin(), result.claims.end(),
                        [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); });
 }
 
-/// Of the folder that --certificates names, or of `certificates` beside the ledger.
+/// Attaches the certificates of the folder in --certificates, or of `certificates` next to the
+/// ledger.
 void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
                          audit::AuditResult& result) {
     namespace fs = std::filesystem;
@@ -57,8 +58,8 @@ void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
                                      fs::proximate(folder, beside.empty() ? "." : beside).string());
 }
 
-/// What the report says it was made by; where it is written is left out, so that it is the same
-/// anywhere.
+/// Returns the command for the report. The output folder is left out, so that the report is the
+/// same everywhere.
 std::string command_text(const VerifyOptions& o) {
     return "edgeproof verify " + o.ledger + " --digits " + std::to_string(o.digits) +
            (o.only == "*" ? "" : " --only '" + o.only + "'");
@@ -96,7 +97,7 @@ int verify(const VerifyOptions& o) {
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
-    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after
+    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after them
     if (!o.out.empty()) {
         staged.emplace(o.out);
     }
@@ -115,7 +116,7 @@ int verify(const VerifyOptions& o) {
     if (!result.errors.empty()) {
         std::printf("%zu of %zu claims could not be judged\n", result.errors.size(),
                     result.errors.size() + result.claims.size());
-        return report_claim_errors(result.errors); // nothing is recorded, or held against what is
+        return report_claim_errors(result.errors); // without a record or a comparison
     }
     const int failing = o.strict && some_claim_fails(result) ? 1 : 0;
     const std::filesystem::path golden = report::golden_file(o.ledger);

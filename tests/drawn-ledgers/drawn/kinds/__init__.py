@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One module a group of kinds of claim; each has a table KINDS of functions that draw one claim."""
+"""One module for each group of kinds of claim, with a table KINDS of functions that draw one
+claim."""

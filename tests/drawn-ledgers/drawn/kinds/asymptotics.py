@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds series, order, uniformity and split: what is left of an expansion."""
+"""Claims of the kinds series, order, uniformity and split: the remainders of expansions."""
 from .. import scenes
 from ..ledger import Claim, family
 from ..rewriting import equivalent
@@ -13,7 +13,8 @@ ORDERS = ["1/2", "3/2", "5/2", "7/2"]
 
 
 def _nearly_vanishing(rng):
-    """m = 5/8 has no second term; a little off it, the second term shows only very close to the edge."""
+    """m = 5/8 has no second term; for an m near it, the second term shows only very close to the
+    edge."""
     if rng.random() < 0.4:
         orders, truth = rng.choice(((["1/2", "5/2"], "true"), (["1/2", "2"], "false"), (["1/2", "7/2"], "false")))
         return Claim("series", {"orders": orders}, scenes.power_law(rng, "5/8"), truth, "a coefficient that vanishes")
@@ -33,7 +34,7 @@ def draw_series(rng, digits):
     terms = list(COEFFICIENTS[m])[:rng.randint(1, 3)]
     orders = ORDERS[:len(terms) + rng.choice((0, 1))]
     keys = {"edge": rng.choice(("right", "left")) if m != "any" else "right"}
-    if rng.random() < 0.2:  # of the pressure without any coefficient
+    if rng.random() < 0.2:  # the pressure without coefficients
         if rng.random() < 0.5:
             return Claim("series", {"orders": ORDERS[:rng.randint(1, 3)], **keys}, at, "true", "orders alone")
         order = rng.choice(("3/2", "1", "1/4", "1/2+1e-6"))
@@ -50,7 +51,7 @@ def draw_series(rng, digits):
                  f"coefficient {k} is off by {error}")
 
 
-# (quantity, its order in u); in a contact of an m other than 5/8 and 1 +- sqrt(...).
+# (quantity, its order in u), for exponents m other than 5/8 and 1 +- sqrt(...).
 def _orders(n):
     return ((f"1 - right_local({n}, x)/p(x)", f"{n}"), (f"abs(1 - right_local({n}, x)/p(x))", f"{n}"),
             (f"p(x) - right_local({n}, x)", f"{2 * n + 1}/2"),
@@ -72,7 +73,7 @@ def draw_order(rng, digits):
         return Claim("order", {"says": says, "of": "1 - right_local(1, x)/p(x)"}, scenes.power_law(rng, m), truth,
                      "hidden")
     if rng.random() < 0.12:
-        # What shows only closer to the edge than anything is computed.
+        # These terms show only closer to the edge than any computed place.
         of, order, said = rng.choice((("sqrt(u/a) + 1e-40*(u/a)^(1/4)", "1/4", "1/2"),
                                       ("u/a + 1e-60*sqrt(u/a)", "1/2", "1"),
                                       ("1e-50 + u/a", "0", "1"), ("(u/a)^2 + 1e-90*u/a", "1", "2")))
@@ -91,7 +92,7 @@ def draw_order(rng, digits):
     return Claim("order", {"says": says, "of": of, "edge": "right"}, at, truth, "order", f"of order {order}")
 
 
-# What is left over eps^2, in s = 1 - sigma, and whether it stays bounded as s -> 0.
+# The remainder divided by eps^2, in s = 1 - sigma; True if it stays bounded as s -> 0.
 RESTS = (("log({s})", False), ("1/({s})", False), ("({s})^(-1/10)", False), ("({s})^(-2)", False),
          ("1e-30/({s})", False), ("sqrt({s})", True),
          ("({s})*log({s})", True), ("1", True), ("{sigma}", True), ("sin(1/({s}))", True), ("1e30*({s})", True),
@@ -125,8 +126,9 @@ def draw_uniformity(rng, digits):
                  "slow" if any(t in rest for t in ("log", "1/100", "1/10", "e-")) else "plain")
 
 
-# Integrands in sigma from 0 to 1 and eps: whether terms of the cut cancel through a power of eps. Where the integrand
-# has a layer at sigma = 1 of the width eps, its expansion misses the term that the layer adds.
+# Integrands in sigma from 0 to 1 and eps; True if terms of the cut cancel through a power of eps.
+# If the integrand has a layer of width eps at sigma = 1, its expansion misses the term of the
+# layer.
 SPLITS = (("1/(1 + {e}*sigma)", "1", True), ("sqrt(1 + {e}*sigma)", "2", True),
           ("exp({e}*sigma)/sqrt(1 - sigma)", "1", True),
           ("1/sqrt(1 - sigma)*(1 + {e})", "1", True), ("cos({e}*sigma)", "2", True), ("(1 + {e}*sigma)^3", "3", True),

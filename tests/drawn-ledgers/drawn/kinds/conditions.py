@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds relation and size-condition: inequalities, many of which touch."""
+"""Claims of the kinds relation and size-condition: inequalities, many of which become equalities at
+a point."""
 from .. import scenes
 from ..ledger import Claim, family
 
-# In a Hertz contact: a condition at a place, and where it is true (everywhere, somewhere, nowhere).
+# Conditions at a place of a Hertz contact, and where each is true (everywhere, somewhere, nowhere).
 PLACED = (
     ("p(x) > 0", "everywhere"), ("right_local(1, x) >= p(x)", "everywhere"),
     ("right_local(1, x) > p(x)", "everywhere"), ("p(x) <= p(0)", "everywhere"),
@@ -80,7 +81,7 @@ def draw_relation(rng, digits):
     return Claim("relation", {"says": says}, at, "true" if right else "false", f"of a scene, {shape}")
 
 
-# For all sizes of a contact, for some, for none.
+# Conditions that hold for all sizes of a contact, for some, or for none.
 SIZED = (
     ("hertz", "right.c1 < 0", "all"), ("hertz", "a = b", "all"), ("hertz", "right.c0 = left.c0", "all"),
     ("hertz", "right.c1*4*a = -right.c0", "all"),
@@ -116,7 +117,8 @@ def draw_size_condition(rng, digits):
     shape, says, where = rng.choice(SIZED)
     sizes = rng.choice((("1/2", "4"), ("1/1000", "1e4"))) if shape != "flat" else rng.choice((("11/10", "4"),
                                                                                               ("101/100", "1e3")))
-    # Sizes are looked at one by one, and a note says how many: no list of them shows a single exception.
+    # Sizes are checked one by one, and a note gives their number: a list of sizes cannot show a
+    # single exception.
     truth = {"all": "true", "some": "some", "but a point": "some or all", "none": "false"}[where]
     return Claim("size-condition", {"says": says, "sizes": list(sizes)}, sized_family(rng, shape), truth,
                  f"{shape}, for {where}")

@@ -4,7 +4,7 @@ from .. import scenes
 from ..ledger import Claim
 from ..rewriting import equivalent
 
-# (quantity, its terms with their powers, the power through which they go): in any contact. c: coefficients.
+# (quantity, its terms with their powers, the last power), for any contact. c: coefficients.
 GENERAL = (
     ("P1of(a-eps)", (("P1", "0"), ("-P2", "1"), ("P3/2", "2")), 2),
     ("Pof(a-eps)", (("P", "0"), ("-P1", "1"), ("P2/2", "2")), 2),
@@ -55,12 +55,12 @@ def draw_expansion(rng, digits):
         of, terms, through = rng.choice(GENERAL)
     truth, why = "true", ""
     terms = list(terms)
-    if which == "partial":  # fewer terms, and an order that goes with them
+    if which == "partial":  # fewer terms, and their order
         keep = rng.randint(1, len(terms))
         terms = terms[:keep]
         through = terms[-1][1]
     if rng.random() < 0.4:
-        # An edit that shows in every contact: of a coefficient that is zero in none, or a new term.
+        # An edit that shows in every contact: of a coefficient that is never zero, or a new term.
         k = 0 if which != "hertz" and rng.random() < 0.6 else rng.randrange(len(terms))
         coefficient, exponent = terms[k]
         if coefficient in ("-P2", "-b1") or k > 0 and which in ("general", "partial"):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds value, identity, figure and definition: a formula or a number against a quantity."""
+"""Claims of the kinds value, identity, figure and definition: a formula or a number for a
+quantity."""
 import decimal
 
 from mpmath import mp, mpf
@@ -35,7 +36,7 @@ def _formula(rng, digits, of_family, of, says, label, kind="value"):
     if rng.random() < 0.6:
         return Claim(kind, {"says": equivalent(rng, says, times), "of": of, **edge}, of_family, "true", label)
     if "g1" in of and of_family.profile == "flat-and-rounded":
-        of, says = "g1(a)", "(a-t)/R"  # the slope of the flat part is zero: a factor shows nothing
+        of, says = "g1(a)", "(a-t)/R"  # the slope of the flat part is zero: a factor has no effect
     edit, error = spoiled(rng, says, digits)
     return Claim(kind, {"says": equivalent(rng, edit, times), "of": of, **edge}, of_family, "false", label,
                  f"off by {error} of itself")
@@ -102,7 +103,7 @@ def _no_value(rng):
     return Claim("value", {"says": says, "of": "P"}, scenes.power_law(rng, "1"), "no value", "no value in print")
 
 
-# Identities of every profile; `over` names a family in which an edit shows.
+# Identities for every profile; `over` names a family in which an edit shows.
 IDENTITIES = (
     ("right.c0", "2*P1/(Pi*sqrt(a+b))"), ("right.c1", "((3+2*b1)*P1 - 4*(a+b)*P2)/(3*Pi*(a+b)^(3/2))"),
     ("right.c2",
@@ -157,10 +158,11 @@ def draw_definition(rng, digits):
     return Claim("definition", {}, scenes.power_law(rng, "1"), "true", "definition")
 
 
-# ---- figures: a quoted decimal against a quantity of one scene
+# ---- figures: a quoted decimal for a quantity of one scene
 
 def _plain(number, places, up=True):
-    """A number in units of the last of `places` decimals, a half rounded up; None where its digits do not decide."""
+    """A number in units of the last of `places` decimals, with a half rounded up; None if it is
+    undecided."""
     steps = number * mpf(10) ** places
     whole = mpmath.floor(steps + mpf(1) / 2)
     distance = abs(steps - mpmath.floor(steps) - mpf(1) / 2)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds vanishing, superposition, independence and dependence: what a quantity depends on."""
+"""Claims of the kinds vanishing, superposition, independence and dependence of a quantity."""
 from .. import scenes
 from ..ledger import Claim, union
 from ..rewriting import equivalent, spoiled
 
-# Full stick: s = (A Q/L^k + B sig0 L^(1-k))/sqrt(L); sig0 L/Q where it vanishes; the signs of A and B.
+# Full stick: s = (A Q/L^k + B sig0 L^(1-k))/sqrt(L); the zero of s as sig0 L/Q; the signs of A and
+# B.
 SHEAR = (("right.s0", "-8/Pi", 1, 1), ("left.s0", "8/Pi", 1, -1), ("right.s1", "8/(3*Pi)", 1, -1),
          ("left.s1", "-8/(3*Pi)", 1, 1),
          ("right.s2", "24/(5*Pi)", 1, -1), ("left.s2", "-24/(5*Pi)", 1, 1), ("2*right.s0", "-8/Pi", 1, 1),
@@ -20,7 +21,7 @@ def draw_vanishing(rng, digits):
     at = scenes.sheared(rng)
     of, zero, _, _ = rng.choice(SHEAR)
     if "right.s0*right.s0" in of:
-        of = "right.s0"  # what follows must be linear in the loads
+        of = "right.s0"  # the formulas below must be linear in the loads
     ratio, says = (text.format(v=zero) for text in rng.choice(RATIOS))
     keys = {"of": of, "ratio": ratio, "loads": ["Q", "sig0"]}
     if rng.random() < 0.6:
@@ -36,7 +37,7 @@ def draw_vanishing(rng, digits):
     return Claim("vanishing", {"says": edit, **keys}, at, "false", "ratio", f"off by {error} of itself")
 
 
-# k in s0 of this edge + k s0 of the other: (text, signs of the parts by Q and by sig0).
+# Sums of s0 at one edge and k times s0 at the other: (text, signs of the parts by Q and by sig0).
 COMBINED = (("right.s0 + left.s0", 1, 0), ("right.s0 - left.s0", 0, 1), ("right.s0 + (1+1e-40)*left.s0", 1, -1),
             ("right.s0 + (1-1e-40)*left.s0", 1, 1), ("right.s0 - (1+1e-40)*left.s0", -1, 1),
             ("right.s0 + 2*left.s0", 1, -1),
@@ -115,7 +116,7 @@ def draw_independence(rng, digits):
     other = {"hertz": ("C", "Es", "a/(a+1)"), "shear": ("a/(a+1)", "L"), "wedge": ("phi", "a/(a+1)", "1/Es")}[which]
     name = rng.choice(other)
     k = rng.randint(0, max(0, digits - 12))
-    # a/(a+1) and the others differ by a hundredth of themselves or more, from scene to scene.
+    # The relative differences of a/(a+1) and the others between scenes are at least a hundredth.
     size = "1" if "1e30" in of else f"1e-{k}" if k else "1"
     wrong = "p(x)*a/P" if of.startswith(("sgn", "step(x+u", "sqrt", "acos")) else of
     wrong = wrong if "1e30" not in of and "1e12" not in of else "p(x)*a/P"
@@ -135,7 +136,7 @@ def _variables(rng, symmetric):
 
 
 def _mixed(rng, names):
-    """Functions of names from which the names can be solved for."""
+    """Functions of names that can be solved for the names."""
     texts = list(names)
     rng.shuffle(texts)
     found = []
@@ -160,7 +161,7 @@ def _made_of(rng, names):
     return rng.choice((" + ", "*", " - ")).join(parts)
 
 
-# Of the symmetric kind, or not: (quantity, others, whether it is a function of them).
+# (True for symmetric contacts, quantity, others, True if the quantity is a function of the others).
 DEPENDENCES = (
     (True, "right.c0", ("P1", "a"), True), (True, "right.c1", ("right.c0", "P2", "a"), True),
     (True, "P1", ("right.c0", "a"), True),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds extent, size-extent and optimum: how far n terms stay within a tolerance."""
+"""Claims of the kinds extent, size-extent and optimum, about the distance within which n terms meet
+a tolerance."""
 from mpmath import mp, mpf
 
 from .. import scenes
@@ -12,7 +13,8 @@ POINTS = 300
 
 
 def first_exit(scene, edge, terms, tolerance, upto):
-    """The least fraction of the contact at which the error passes the tolerance; None: up to `upto` it does not."""
+    """The least fraction of the contact at which the error exceeds the tolerance; None if there is
+    none up to `upto`."""
     L = scene.a + scene.b
 
     def error(u):
@@ -77,7 +79,7 @@ def draw_size_extent(rng, digits):
 
 
 def _size_extent(rng):
-    """Of a wedge or a parabola the reach is the same fraction at every size."""
+    """The reach of a wedge or a parabola is the same fraction at every size."""
     shape = rng.choice(("hertz", "wedge"))
     at = sized_family(rng, shape)
     terms, tolerance = rng.randint(1, 3), rng.choice(("1/100", "1/20"))
@@ -92,14 +94,15 @@ def _size_extent(rng):
         base = rng.choice(("side", "whole"))
         number = reach * ((scene.a + scene.b) / (scene.a if edge == "right" else scene.b) if base == "side" else 1)
         if base == "side" and number > 1:
-            return None  # the side is within the tolerance all over
+            return None  # the whole side is within the tolerance
         places = rng.choice((2, 3, 5))
         units = _plain(number, places)
     off = rng.choice((0, 0, 3, -2, 12)) if units > 2 else rng.choice((0, 3))
     keys = {"edge": edge, "terms": terms, "tolerance": tolerance, "figure": f"{units + off}/{10**places}",
             "unit": f"1/{10**places}", "base": base,
             "sizes": ["1/10", "10"], "quoted": _decimal(units + off, places)}
-    # Beyond the apex of a wedge the terms may come within the tolerance again: that measure is not this one.
+    # Beyond the apex of a wedge the terms may be within the tolerance again; this measure does not
+    # include that.
     truth = "false" if off else "true" if shape == "hertz" else "some or all"
     return Claim("size-extent", keys, at, truth, shape, f"it is {mp.nstr(number, 15)}")
 
@@ -111,7 +114,8 @@ def draw_optimum(rng, digits):
                 "sense": "limit", "upto": "1/2"}
         return Claim("optimum", keys, scenes.power_law(rng, "5/8"), "true", "in the limit of small tolerances")
     if which == "wrong":
-        # 5/8 has no second term: for one term, a reach of sqrt(tolerance) against one of the tolerance.
+        # 5/8 has no second term: the reach of one term is of the order sqrt(tolerance) instead of
+        # the tolerance.
         keys = {"along": "m", "at": rng.choice(("1/10", "1", "3/2", "1/3")), "between": ["0", "2"], "terms": 1,
                 "tolerances": [rng.choice(("1e-3", "1/100"))],
                 "upto": "1/2"}

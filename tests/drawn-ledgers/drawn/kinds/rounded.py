@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Formulas with rounded constants. A printed decimal stands for the interval of half a unit in its last digit: a
-formula is true where some choice of constants in their intervals is right at all samples, else it is false.
+"""Formulas with rounded constants. A printed decimal means the interval of half a unit in its last
+digit: a formula is true if some choice of constants in their intervals is right at all samples,
+else it is false.
 
-The constants of a formula multiply (`powers`: each with its power), or they are coefficients of a sum
-(`basis`: what each multiplies). At one sample the constants of a sum can compensate; at more, of linearly
-independent basis, only the exact constants fit."""
+The constants of a formula are factors (`powers`: the power of each), or coefficients of a sum
+(`basis`: the function of each). At one sample the constants of a sum can compensate each other; at
+more samples, with a linearly independent basis, only the exact constants fit."""
 import dataclasses
 
 from mpmath import mp, mpf
@@ -73,7 +74,7 @@ TILTED = (_one("right.c0", "{0}*P1/sqrt(a+b)", "2/Pi"), _one("left.c0", "{0}*rig
           _one("p(x)", "{0}*Es*phi*log(abs((1+sqrt(gam*(a-x)/(x+b)))/(1-sqrt(gam*(a-x)/(x+b)))))", "1/Pi"))
 IDENTITIES = (_one("right.c0", "{0}*P1/sqrt(a+b)", "2/Pi"), _one("left.c0", "{0}*P1/(b1*sqrt(a+b))", "2/Pi"),
               _one("L", "{0}*(a+b)/3", "3"))
-# Kind, of, keys with {0}, the constant.
+# (kind, of, keys with {0}, the constant)
 OTHERS = (
     ("expansion", "P1of(a-eps)/sqrt(1-eps/(2*a))", {"says": "P1 + eps*({0}*P1/a - P2)", "through": "1"}, "1/4"),
     ("expansion", "exp(eps/(3*a))", {"says": "1 + {0}*eps/a", "through": "1"}, "1/3"),
@@ -97,7 +98,7 @@ def printed(number, digits):
 
 
 def text_of(units, exponent, rng):
-    """The decimal; it has a point."""
+    """The decimal with a point."""
     if exponent >= 0 or rng.random() < 0.1:
         digits = str(units)
         return f"{digits[0]}.{digits[1:]}e{exponent + len(digits) - 1}"
@@ -110,7 +111,8 @@ def interval(units, exponent):
 
 
 def _drawn(rng, exact):
-    """Constants as they are printed, with one of them moved by three units or none: texts, intervals, and whether."""
+    """The printed constants, perhaps with one of them moved by three units: texts, intervals, True
+    if one is moved."""
     moved = rng.randrange(len(exact)) if rng.random() < 0.45 else None
     texts, intervals = [], []
     for k, text in enumerate(exact):
@@ -126,7 +128,7 @@ def _drawn(rng, exact):
 
 
 def _fits(formula, at, intervals, samples):
-    """Whether constants in their intervals are right at all samples."""
+    """True if constants in their intervals are right at all samples."""
     exact = [value(c, Plain()) for c in formula.constants]
     inside = all(lo <= k <= hi for k, (lo, hi) in zip(exact, intervals))
     if inside:

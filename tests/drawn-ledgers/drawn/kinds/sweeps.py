@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds limit and monotone: a quantity as a parameter runs through a list.
+"""Claims of the kinds limit and monotone: a quantity while a parameter runs through a list.
 
-The truth of a monotone behaviour is that of the values listed, computed by mpmath. The truth of a limit is that
-of mathematics, as the parameter goes on where its list goes; a false limit is one that the last value listed is
-at least a hundred times closer to the true one than to it, so that the list can show it."""
+The truth of a monotone behaviour is that of the listed values, computed by mpmath. The truth of
+a limit is the mathematical limit of the parameter. If a limit is false, the last listed value is
+at least a hundred times closer to the true limit than to the false one, so that the list can
+show it."""
 import re
 
 from mpmath import mp, mpf
@@ -25,14 +26,14 @@ def _s_list(rng, scale="a*"):
 
 
 def _of_distance(rng):
-    """A quantity in a distance s from the edge, the scene, the list of s."""
+    """A quantity that depends on a distance s from the edge, the scene, the list of s."""
     which = rng.choice(("power", "power", "flat"))
     if which == "power":
         at = scenes.power_law(rng, rng.choice(("1", "1", "2", "3", "0")))
     else:
         at = scenes.flat(rng, t=rng.choice(("a/3", "a*2/5")))
     n = rng.randint(1, 6 if which == "power" else 4)
-    if rng.random() < 0.5:  # what is left of n terms: nearly all digits cancel
+    if rng.random() < 0.5:  # the remainder of n terms: nearly all digits cancel
         of = rng.choice((f"abs(1 - right_local({n}, a-s)/p(a-s))", f"1 - right_local({n}, a-s)/p(a-s)",
                          f"abs(right_local({n}, a-s) - p(a-s))*a/P", f"abs(p(a-s)/right_local({n}, a-s) - 1)"))
         return of, at, _s_list(rng, rng.choice(("a*", "a*", "a/3*")))
@@ -63,7 +64,7 @@ def _values(of, at, along, texts):
 
 
 def _sense(values):
-    """increasing, decreasing, constant, neither, or None where 400 digits do not show it."""
+    """increasing, decreasing, constant, neither, or None if 400 digits do not show it."""
     steps = [y - x for x, y in zip(values, values[1:])]
     largest = max(abs(v) for v in values)
     if any(0 < abs(d) <= largest * mpf(10) ** (100 - DPS) for d in steps):
@@ -125,7 +126,7 @@ def draw_monotone(rng, digits):
                      f"it is {sense}")
 
 
-# Limits: (text in z, the limit, what z runs to). z is replaced by the parameter.
+# Limits: (text in z, the limit, the limit of z). z is replaced by the parameter.
 AT_INFINITY = (("1/z", "0"), ("1 + 1/z", "1"), ("z", "infinity"), ("z^2 + 1", "infinity"), ("exp(-z)", "0"),
                ("1 + 1e60*exp(-3*z)", "1"),
                ("log(z)", "infinity"), ("sqrt(z)", "infinity"), ("atan(z)", "Pi/2"), ("(z+1)/(2*z+3)", "1/2"),
@@ -156,7 +157,7 @@ INFINITE_LISTS = (("1", "10", "100"), ("1", "10", "100", "1000"), ("1", "1000", 
 ZERO_LISTS = (("1/10", "1e-6", "1e-40"), ("1/2", "1/4", "1/8"), ("1/10", "1/100", "1/1000", "1e-4"),
               ("1e-3", "1e-28", "3e-29"), ("1e-10", "1e-20", "1e-40"),
               ("1/7", "1e-40", "9e-41"), ("1/10", "1e-50", "1e-51", "1e-52"), ("1e-6", "1e-12", "1e-60"))
-# In a distance s from the edge, s -> 0, on a scene.
+# Limits in a distance s from the edge, s -> 0, in a scene.
 EDGE_LIMITS = (("right_local(1, a-s)/p(a-s)", "1"), ("abs(1 - right_local(2, a-s)/p(a-s))", "0"), ("p(a-s)", "0"),
                ("p(a-s)/sqrt(s)", "right.c0"),
                ("(p(a-s) - right.c0*sqrt(s))/s^(3/2)", "right.c1"),
@@ -204,7 +205,7 @@ def _edge_limit(rng):
 
 
 def _limit_claim(rng, of, limit, along, at, vary, values, evaluate, label):
-    """A claim with the true limit, or with another that the last value listed is far from."""
+    """A claim with the true limit, or with another one that is far from the last listed value."""
     keys = {"of": of, "along": along, "limit": limit, **vary}
     if rng.random() < 0.5:
         if limit != "infinity" and abs(values[-1] - evaluate(limit)) > abs(values[0] - evaluate(limit)):

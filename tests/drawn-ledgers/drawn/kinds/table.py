@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All kinds that claims are drawn of."""
+"""All kinds of claims that are drawn."""
 import importlib
 import pathlib
 

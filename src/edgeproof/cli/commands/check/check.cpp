@@ -87,7 +87,7 @@ io::Csv read_answers(const CheckOptions& o) {
                          io::input_name(o.answers), {.keep_faults = true});
 }
 
-/// Asks a program; what it answers is never bad input, only wrong.
+/// Runs a program. Its answers are never bad input, only wrong.
 conformance::Answers ask_program(const CheckOptions& o) {
     if (!o.recipe.empty()) {
         throw InputError("--recipe is given with --exec", "give the recipe alone, as the first");

@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* what_answers_are = "file of answers (CSV)";
 
-/// One reading of the file. `twice`: lines among which an id occurs twice; those found where none
-/// are known yet. Nothing where one block holds all.
+/// Reads the file once. `twice`: the lines among which an id occurs twice; if it is empty, those
+/// found are stored in it. Returns no value if one block holds all answers.
 std::optional<report::ConformanceSummary> one_reading(const std::filesystem::path& file,
                                                       const conformance::Target& target,
                                                       std::size_t errors,
@@ -31,11 +31,11 @@ std::optional<report::ConformanceSummary> one_reading(const std::filesystem::pat
         rows.head(), [&](io::Csv::Row& row) { return rows.next(row); }, twice);
     report::ConformanceSummary summary(target, errors);
     conformance::FailingRows failing;
-    conformance::Questions without_reference; // of the first block, while nothing has one
+    conformance::Questions without_reference; // of the first block, until an answer has one
     bool any_reference = false;
     Progress progress("bytes of answers");
     conformance::Answers block;
-    // One more than the answers whose conditioning is found whether they fail or not.
+    // One more than the number of answers whose conditioning is always found.
     for (bool first = true; reader.next(block, conformance::most_conditioned + 1); first = false) {
         check_interruption();
         if (first && reader.ended()) {
@@ -54,7 +54,7 @@ std::optional<report::ConformanceSummary> one_reading(const std::filesystem::pat
     }
     if (!any_reference) {
         options.digits.count = reference_digits(target);
-        (void)references(without_reference, options); // throws the first
+        (void)references(without_reference, options); // throws the first error
     }
     if (twice.empty()) {
         twice = reader.maybe_twice();
@@ -75,7 +75,7 @@ check_in_blocks(const std::filesystem::path& file, const conformance::Target& ta
                 std::size_t errors, const conformance::ReferenceOptions& options) {
     std::error_code unknown;
     if (file == "-" || !std::filesystem::is_regular_file(file, unknown)) {
-        return {}; // it can be read once only
+        return {}; // it can be read only once
     }
     std::set<std::size_t> twice;
     auto summary = one_reading(file, target, errors, options, twice);

@@ -7,26 +7,26 @@
 #include <optional>
 #include <string>
 
-/// The ways in which `edgeproof check` goes, but for the usual one.
+/// The variants of `edgeproof check` other than the usual one.
 namespace edgeproof::cli {
 
-/// Answers of a file of any size, which is read as they are held against the references: what is
-/// kept of them does not grow with the file, but for 16 bytes an answer. Nothing where the file can
-/// be read once only, or holds so few answers that all of them are looked at together.
+/// Checks answers in a file of any size while it is read: the memory does not grow with the file
+/// except for 16 bytes for each answer. Returns no value if the file can be read only once, or
+/// holds so few answers that all of them are checked together.
 [[nodiscard]] std::optional<report::ConformanceSummary>
 check_in_blocks(const std::filesystem::path& file, const conformance::Target& target,
                 std::size_t errors, const conformance::ReferenceOptions& options);
 
-// Each of the others gives the exit code.
+// The following functions return the exit status.
 
-/// Somebody's own formulas: 0 where all of them hold, 1 where one does not.
+/// Checks a user's own formulas: 0 if all of them hold, else 1.
 [[nodiscard]] int check_ledger(const std::string& ledger, const std::string& threads);
 
 struct SelfTestOptions {
     std::string seed = "1";
     std::string files = "200";
 };
-/// Right answers to a recipe must pass, corrupted ones be found: 0 where all are.
+/// Checks that right answers to a recipe pass and that corrupted ones are found: 0 if all are.
 [[nodiscard]] int self_test(const std::string& recipe, const SelfTestOptions& options,
                             const std::string& threads);
 

@@ -17,7 +17,7 @@
 namespace edgeproof::cli {
 namespace {
 
-/// The doubles nearest to the references, as a program without fault would answer.
+/// Returns the doubles nearest to the references: the answers of a program without errors.
 io::Csv right_answers(const conformance::Questions& asked, const std::string& title,
                       const conformance::ReferenceOptions& options) {
     io::Csv csv = io::parse_csv(
@@ -32,7 +32,7 @@ io::Csv right_answers(const conformance::Questions& asked, const std::string& ti
     return csv;
 }
 
-/// What is said of the answers; empty where they pass.
+/// Returns the complaint about the answers; empty if they pass.
 std::string complaint(const conformance::Questions& asked, const std::string& text,
                       const conformance::ReferenceOptions& options) {
     report::Conformance result;
@@ -40,7 +40,7 @@ std::string complaint(const conformance::Questions& asked, const std::string& te
     try {
         result.answers = answers_to(asked, io::parse_csv(text, "answers", {.keep_faults = true}));
         result.agreements = compare(result.answers, result.target, options);
-    } catch (const InputError& error) { // refused: found as well
+    } catch (const InputError& error) { // refused answers count as found
         return error.what();
     }
     return result.pass() ? "" : conformance_text(result, 3);

@@ -149,7 +149,7 @@ TEST_CASE("TeX of a ledger: the error names the line, and what to write") {
             error_with("NOTATION", tex).starts_with("L.toml:20: the TeX of 'eps' cannot be used"));
         CHECK(error_with("MACRO", tex).starts_with("L.toml:22: the TeX of 'own' cannot be used"));
     }
-    CHECK(error_with("PRINTED", R"(\write18{x})").find("\\write, which is no command") !=
+    CHECK(error_with("PRINTED", R"(\write18{x})").find("\\write, which is not a command") !=
           std::string::npos);
     CHECK(error_with("PRINTED", "10 %").find("; write \\%") != std::string::npos);
 }

@@ -75,7 +75,7 @@ formula::Expr ContactFormulas::named(const std::string& name, const Ball& value)
 bool ContactFormulas::beyond(const Ball& near, const formula::Expr& knot) const {
     const Ball at = enclosed_constant(formula::Exact(knot), contact_.bits());
     if (overlaps(near, at)) {
-        throw BudgetError("a place that cannot be told from a knot");
+        throw BudgetError("a place that cannot be distinguished from a knot");
     }
     return certainly_less(at, near);
 }

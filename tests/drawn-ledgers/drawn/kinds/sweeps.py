@@ -217,7 +217,7 @@ def _limit_claim(rng, of, limit, along, at, vary, values, evaluate, label):
             other = rng.choice(("0", "1", "-3", mpmath.nstr(values[0], 5) if abs(values[0]) < 1e6 else "7"))
             if "e" in other or "." in other or size < 100 * abs(evaluate(other)) or size < 100:
                 return None
-            return Claim("limit", {**keys, "limit": other}, at, "false", label, "it grows without end")
+            return Claim("limit", {**keys, "limit": other}, at, "false", label, "it grows without bound")
         true = evaluate(limit)
         off = abs(values[-1] - true)
         other = rng.choice(("0", "infinity", "1", "2", f"({limit})*(1+1e-6)", f"({limit}) + 1e-20", f"({limit})*2",

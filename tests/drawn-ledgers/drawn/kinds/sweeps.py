@@ -113,11 +113,11 @@ def draw_monotone(rng, digits):
         sense = _sense(_values(of, at, along, texts))
         if sense is None:
             continue
-        said = rng.choice(("increasing", "decreasing"))
+        claimed = rng.choice(("increasing", "decreasing"))
         if sense in ("increasing", "decreasing") and rng.random() < 0.3:
-            said = sense
-        truth = "true" if said == sense else "false"
-        keys = {"of": of, "along": along, "sense": said}
+            claimed = sense
+        truth = "true" if claimed == sense else "false"
+        keys = {"of": of, "along": along, "sense": claimed}
         if along == "s":
             keys["vary"] = {"s": texts}
         label = "tiny steps" if "e-" in texts[-1] or "e-" in texts[1] else "ordinary steps"

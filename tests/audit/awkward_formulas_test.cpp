@@ -140,7 +140,8 @@ TEST_CASE("products of awkward ways to write 1, right and wrong, seeds 1 to 9" *
     }
 }
 
-TEST_CASE("a limit of ours is undecided and named; no value in print is underspecified") {
+TEST_CASE(
+    "a limit of the program is undecided and named; a formula without value is underspecified") {
     CHECK(verdict_of_factor("sum(1, k, 1, 100001)/100001")
               .find("undecided: not evaluated here: "
                     "more than 100000 terms") == 0);

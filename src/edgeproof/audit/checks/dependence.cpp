@@ -154,7 +154,7 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     if (rank.outside()) {
         judge_independent(claim, rank, says_independent, context.digits(), outcome);
         const std::string alone = names_alone(formulas);
-        outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", and they do not";
+        outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", but they do not";
         if (algebraic.none) {
             outcome.note += "; no polynomial relation of degree up to " +
                             std::to_string(claim.integer("degree")) +

@@ -35,7 +35,7 @@ ContactFormulas::ContactFormulas(const contact::Profile& profile,
     case contact::Profile::Kind::power_law: {
         const Rational* m = parameter("m").rational();
         if (m == nullptr) {
-            throw Error("a power law of an exponent that is no fraction has no enclosure inside "
+            throw Error("a power law whose exponent is not rational has no enclosure inside "
                         "an integral");
         }
         exponent_ = *m;

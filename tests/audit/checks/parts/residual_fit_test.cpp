@@ -80,7 +80,7 @@ TEST_CASE("residual fit: evidence from Barber-Mossakovskii is the same") {
     }
 }
 
-TEST_CASE("residual fit: what cannot be fitted is refused") {
+TEST_CASE("residual fit: input that cannot be fitted is refused") {
     const Contact c = symmetric()[6];
     CHECK_THROWS_AS((void)fit_residuals(c.profile, c.modulus, c.load, Edge::right, {.points = 2}),
                     DomainError);

@@ -80,7 +80,7 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
         }
     }
     if (!any) {
-        throw Error("the value is zero at every sample");
+        throw Error("no sample has a value that is not zero");
     }
     if (formula && finding.as_printed) {
         finding.comes_to = "what is printed, at every sample";

@@ -56,7 +56,7 @@ std::string uniformity(const std::string& of, const std::string& approximation,
 
 } // namespace
 
-TEST_CASE("dependence: a function of others is told from what is none") {
+TEST_CASE("dependence: functions of others are distinguished from other quantities") {
     // The first multipliers of the two edges differ only by the factor b'.
     CHECK(appendix_verdict(dependence("left.c0", "\"right.c0\", \"b1\"", "function")) ==
           Verdict::confirmed);
@@ -78,7 +78,7 @@ TEST_CASE("dependence: a function of others is told from what is none") {
     CHECK(appendix_verdict(dependence("P1*P2", "\"P1/P2\"", "independent")) == Verdict::confirmed);
 }
 
-TEST_CASE("dependence: however small the difference, and where nothing is left") {
+TEST_CASE("dependence: tiny differences, and quantities that are zero") {
     const auto both = [](const std::string& of, const std::string& from) {
         return std::pair(appendix_verdict(dependence(of, from, "function")),
                          appendix_verdict(dependence(of, from, "independent")));
@@ -102,7 +102,7 @@ TEST_CASE("dependence: however small the difference, and where nothing is left")
     CHECK(both("asinh(P1)", "\"P1\"") == std::pair(Verdict::undecided, Verdict::undecided));
 }
 
-TEST_CASE("uniformity: a pole is told from a bounded rest") {
+TEST_CASE("uniformity: a pole is distinguished from a bounded remainder") {
     const char* with_pole = "1 + eps*s + eps^2*s^2/(1-s)";
     CHECK(appendix_verdict(uniformity(with_pole, "1 + eps*s", "breaks down")) ==
           Verdict::confirmed);

@@ -119,7 +119,8 @@ TEST_CASE("each awkward way to write 1: a right formula is never refuted") {
     never_refuted(right);
 }
 
-TEST_CASE("awkward and wrong: what cancels, cannot be evaluated, or has no value does not hold") {
+TEST_CASE(
+    "awkward and wrong formulas that cancel, are not evaluated or have no value do not hold") {
     never_hold({"2*" + hertz + "*(cosh(1e6)^2 - sinh(1e6)^2)",
                 "2*" + hertz + "*(sum(1, k, 1, 100001)/100001)", "2*" + hertz + "*((a-a)/(a-a))",
                 "2*" + hertz + "*(exp(exp(exp(20)))/exp(exp(exp(20))))",
@@ -139,7 +140,8 @@ TEST_CASE("products of awkward ways to write 1, right and wrong, seeds 1 to 9" *
     }
 }
 
-TEST_CASE("a limit of ours is undecided and named; no value in print is underspecified") {
+TEST_CASE(
+    "a limit of the program is undecided and named; a formula without value is underspecified") {
     CHECK(verdict_of_factor("sum(1, k, 1, 100001)/100001")
               .find("undecided: not evaluated here: "
                     "more than 100000 terms") == 0);
@@ -158,7 +160,7 @@ TEST_CASE("a limit of ours is undecided and named; no value in print is underspe
               .find("underspecified: has no value as printed, by an estimate: ") == 0);
 }
 
-TEST_CASE("divided by the root of what is zero by b's inverse: no value, whatever roundoff makes") {
+TEST_CASE("divided by the root of a zero that contains b's inverse: no value, despite roundoff") {
     // Among 1000 mutants of the paper's formulas, this one was undecided because of roundoff.
     CHECK(verdict_of_factor("(1/sqrt(x + bof(a + (binv(-x) - a))))").find("underspecified: ") == 0);
     CHECK(verdict_of_factor("integral(1/sqrt(s*(x + bof(a + (binv(-x) - a)))), s, 0, 1)")

@@ -95,7 +95,7 @@ std::string faults_of(const std::string& integral, const std::string& known,
 
 } // namespace
 
-TEST_CASE("functions of the contact inside integrals: what is known of them holds") {
+TEST_CASE("functions of the contact inside integrals have their known values") {
     // The growth of the force is compared with closed forms of the force.
     CHECK(faults_of("integral(P1of(s), s, a/9, a)", "P - Pof(a/9)", "P") == "");
     CHECK(faults_of("integral(P1of(2*a - 2*s/3), s, 3*a/4, a)", "3/2*(Pof(3*a/2) - Pof(4*a/3))",
@@ -122,7 +122,7 @@ TEST_CASE("the left edge inside integrals: the growth of the moment") {
     }
 }
 
-TEST_CASE("the pressure inside integrals: force, moment, and the slope that it answers") {
+TEST_CASE("the pressure inside integrals: force, moment, and the slope of the profile") {
     CHECK(faults_of("integral(p(s), s, -b, a)", "P", "P") == "");
     CHECK(faults_of("integral(s*p(s), s, -b, a)", "M", "P*L") == "");
     CHECK(faults_of("integral((2 - s)*p(s)/7, s, -b, a)", "(2*P - M)/7", "P + P*L") == "");
@@ -162,7 +162,7 @@ TEST_CASE("a power, sine or exponential of the place times the pressure") {
                         contact_formula("2*P/a^2*(sqrt(1+a^2)-1)"), contact_formula("P")) == "");
 }
 
-TEST_CASE("the pressure at a point by what is laid over the contact as it grows") {
+TEST_CASE("the pressure at a point as an integral over the growth of the contact") {
     const char* whole = "1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, x, a)";
     CHECK(faults_of(whole, "p(x)", "p(x)", "1/5") == "");
     CHECK(faults_of(whole, "p(x)", "p(x)", "1e-12") == "");
@@ -186,7 +186,7 @@ TEST_CASE("the pressure at a point by what is laid over the contact as it grows"
     }
 }
 
-TEST_CASE("what is not known inside an integral is refused, by name") {
+TEST_CASE("an unknown name inside an integral is refused and stated") {
     const Sample sample = sample_of(sampled_profiles()[6], "2/7");
     const EnclosedSample enclosed_sample(sample, 300);
     for (const char* text : {"integral(p(s), s, 0, a)", "integral(p(s)^2, s, -b, a)",

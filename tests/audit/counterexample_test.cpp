@@ -38,7 +38,7 @@ TEST_CASE("the clearest counterexample: small numbers, exact values") {
     CHECK(text_in(clearest, "correct_decimal") == "0.50000000");
 }
 
-TEST_CASE("what holds has no counterexample") {
+TEST_CASE("a true claim has no counterexample") {
     const AuditResult result = small_ledger::audit_of(
         "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"Es*C*sqrt(a^2 - x^2)/2\"\n");
     CHECK(result.claims.front().outcome.evidence.find("clearest") == nullptr);

@@ -66,7 +66,7 @@ std::string claim_of(const std::string& of, const std::string& limit) {
 
 } // namespace
 
-TEST_CASE("drawn limits: none that is true is refuted, none that is false is confirmed" *
+TEST_CASE("drawn limits: true ones are never refuted, false ones are never confirmed" *
           doctest::test_suite("slow")) {
     DrawnLimits drawn(20261);
     std::size_t claims = 0;

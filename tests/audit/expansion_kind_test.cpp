@@ -39,7 +39,7 @@ variable = "eps"
 } // namespace
 
 // The reversion of b - y = b(a + d) to second order, by hand: d = -y/b' - y^2 b''/(2 b'^3).
-TEST_CASE("a right expansion is proved, and what is left shows its order in a real contact") {
+TEST_CASE("a right expansion is proved, and the remainder shows its order in a real contact") {
     const Outcome o = expansion_outcome(R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "binv(b-eps*X)-a"
@@ -72,7 +72,7 @@ says = "P1 - eps*X*P2"
     CHECK(o.evidence.find("first_departure")->text() == "eps^(2)");
 }
 
-TEST_CASE("what a wrong line would follow from is tried, and said") {
+TEST_CASE("hypotheses from which a wrong line would follow are tried and reported") {
     const std::string claim = R"toml(vary = { eps = ["a*1e-14"], X = ["1/3", "5/7"] }
 through = "2"
 of = "P1of(a-eps*X)"

@@ -62,7 +62,7 @@ TEST_CASE("a figure at a place of a contact") {
     CHECK(verdict_of(figure("abs(1 - right_local(1, x)/p(x))", "0.27 %")) == "refuted");
 }
 
-TEST_CASE("a figure that depends on the scene is as wrong as it is at its worst") {
+TEST_CASE("a figure that depends on the scene is judged by its largest error") {
     CHECK(verdict_of(figure("a", "1.5")) == "refuted"); // in one scene a = 3/2
 }
 

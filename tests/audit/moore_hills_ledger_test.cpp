@@ -55,7 +55,7 @@ TEST_CASE("the ledger of the paper: every id once, every claim with its TeX") {
     CHECK(seen.size() >= 110);
 }
 
-TEST_CASE("every row of the list of checkable claims has a verdict to get, at its lines") {
+TEST_CASE("every row of the list of checkable claims has a claim at lines that overlap") {
     const auto paper = test::paper_dir();
     if (!paper) {
         MESSAGE("skipped: the paper is not at hand (EDGEPROOF_PAPER)");
@@ -93,7 +93,7 @@ TEST_CASE("every row of the list of checkable claims has a verdict to get, at it
     }
 }
 
-TEST_CASE("what is printed stands in the source, letter for letter, at the lines given") {
+TEST_CASE("the printed text is in the source, letter for letter, at the given lines") {
     const auto paper = test::paper_dir();
     if (!paper) {
         MESSAGE("skipped: the paper is not at hand (EDGEPROOF_PAPER)");

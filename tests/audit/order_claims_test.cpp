@@ -56,7 +56,7 @@ TEST_CASE("residuals have the orders and the coefficients claimed, or not") {
           "refuted");
 }
 
-TEST_CASE("past 100 digits the coefficients are held to all of them in six scenes") {
+TEST_CASE("past 100 digits the coefficients are proved to all digits in six scenes") {
     const std::string c0 = "Es*C/2*sqrt(2*a)";
     const std::string halves = R"("1/2", "3/2")";
     const ClaimResult r = result_of(series_claim('"' + c0 + '"', halves, "nine"), 130);
@@ -78,7 +78,7 @@ TEST_CASE("past 100 digits the coefficients are held to all of them in six scene
     CHECK(verdict_of(series_claim('"' + c0 + "*(1+1e-115)\"", halves), 100) == "refuted");
 }
 
-TEST_CASE("a coefficient that vanishes leaves the next order, and is told of") {
+TEST_CASE("a coefficient that vanishes leaves the next order, and is reported") {
     const ClaimResult r =
         result_of(series_claim("\"right.c0\"", R"("1/2", "3/2")", "five-eighths"));
     CHECK(name_of(r.outcome.verdict) == "confirmed");
@@ -87,7 +87,7 @@ TEST_CASE("a coefficient that vanishes leaves the next order, and is told of") {
     CHECK(vanishing->text() == "1");
 }
 
-TEST_CASE("orders and terms go together") {
+TEST_CASE("orders that do not match the terms are refused") {
     CHECK_THROWS_AS(static_cast<void>(verdict_of(series_claim(R"("1", "2")", "\"1/2\""))),
                     InputError);
     CHECK_THROWS_AS(static_cast<void>(verdict_of(series_claim("\"1\"", "\"half\""))), InputError);

@@ -33,7 +33,7 @@ TEST_CASE("readings: all hold, some hold, none holds") {
     CHECK(combine_readings({imprecise, refuted}) == Verdict::imprecise);
 }
 
-TEST_CASE("readings: what is not decided decides nothing") {
+TEST_CASE("readings: an undecided reading leaves the claim undecided") {
     CHECK(combine_readings({}) == Verdict::undecided);
     CHECK(combine_readings({undecided}) == Verdict::undecided);
     CHECK(combine_readings({confirmed, undecided}) == Verdict::undecided);

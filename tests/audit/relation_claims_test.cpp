@@ -27,7 +27,7 @@ std::string first_interval(const ClaimResult& r, const char* key) {
 
 } // namespace
 
-TEST_CASE("a relation that holds all over, and its opposite") {
+TEST_CASE("a relation that holds everywhere, and its opposite") {
     // Hertz: every truncation lies above the pressure, as all coefficients except the first are <
     // 0.
     CHECK(verdict_of(relation("right_local(1, x) > p(x) and right_local(2, x) > p(x)")) ==

@@ -109,7 +109,7 @@ TEST_CASE("superposition: parts that add and parts that subtract, at any signs o
     CHECK(shear_verdict(parts("right.s0^2", "add")) == Verdict::undecided);
 }
 
-TEST_CASE("independence: what all scenes share, and what they do not") {
+TEST_CASE("independence: quantities that are equal in all scenes, and others") {
     const auto claim = [](const std::string& of) {
         return "kind = \"independence\"\nover = \"force-alone\"\nat = [\"1/1000\", \"1/3\"]\nof = "
                "\"" +

@@ -33,7 +33,7 @@ const std::string along_s =
 
 } // namespace
 
-TEST_CASE("what grows with a parameter, what falls, and what does both") {
+TEST_CASE("quantities that increase, decrease, or do both with a parameter") {
     CHECK(verdict_of(monotone("m", "increasing")) == "confirmed");
     CHECK(verdict_of(monotone("m", "decreasing")) == "refuted");
     CHECK(verdict_of(monotone("1/m", "decreasing")) == "confirmed");
@@ -44,7 +44,7 @@ TEST_CASE("what grows with a parameter, what falls, and what does both") {
     CHECK(verdict_of(monotone("right.c1/right.c0", "increasing")) == "refuted");
 }
 
-TEST_CASE("along a name of its own") {
+TEST_CASE("monotone along a variable of the claim") {
     CHECK(verdict_of(monotone("s", "decreasing", along_s)) == "confirmed");
     CHECK(verdict_of(monotone("a*sqrt(1-s^2)", "increasing", along_s)) == "confirmed");
     CHECK(verdict_of(monotone("a*sqrt(1-s^2)", "decreasing", along_s)) == "refuted");
@@ -98,7 +98,7 @@ TEST_CASE("a limit is judged by what lies beyond the values listed") {
     CHECK(verdict_of(limit("1+s^2-1e-40", "1-1e-40", along_s)) == "confirmed");
 }
 
-TEST_CASE("what prevails beyond the range that is followed decides nothing") {
+TEST_CASE("terms that dominate beyond the range that is followed do not decide") {
     const std::string along_big = "along = \"s\"\nvary = { s = [\"1\", \"10\", \"100\"] }";
     for (const char* claimed : {"0", "1", "infinity"}) {
         CAPTURE(claimed);
@@ -147,7 +147,7 @@ TEST_CASE("oscillation, exact equality, and values that a formula makes special"
     CHECK(verdict_of(limit("s-s", "0", along_s)) == "confirmed");
 }
 
-TEST_CASE("where the values listed go") {
+TEST_CASE("the value that the listed values approach") {
     const auto along = [](const std::string& values) {
         return "along = \"s\"\nvary = { s = [" + values + "] }";
     };
@@ -170,7 +170,7 @@ TEST_CASE("where the values listed go") {
           "undecided");
 }
 
-TEST_CASE("limits of a contact far below the size of the digits asked for") {
+TEST_CASE("limits of a contact at distances far below the requested digits") {
     // The remainder of Hertz's pressure after three terms decreases as s^3.
     const std::string tiny =
         "along = \"s\"\nvary = { s = [\"a*1e-30\", \"a*1e-35\", \"a*1e-40\"] }";

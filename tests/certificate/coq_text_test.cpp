@@ -49,7 +49,7 @@ TEST_CASE("powers with whole and other exponents") {
     CHECK(in_coq("x*a^(5/2)") == "x * Rpower a (5 / 2)");
 }
 
-TEST_CASE("what Coq's real numbers do not have is not stated") {
+TEST_CASE("functions that Coq's real numbers do not have are not stated") {
     CHECK_THROWS_AS(in_coq("gamma(a)"), certificate::NotStated);
     CHECK_THROWS_AS(in_coq("m*a"), certificate::NotStated);
     CHECK_THROWS_AS(in_coq("a^x"), certificate::NotStated);

@@ -50,14 +50,14 @@ TEST_CASE("values of a parabola as theorems") {
 }
 
 // The force at a = 1 is pi/4.
-TEST_CASE("an edge that a force tells") {
+TEST_CASE("an edge computed from a force") {
     const auto all = certified("kind = \"power-law\"\nm = \"1\"\nC = \"1\"", "P = \"pi/4\"",
                                "u = [\"0.4\"]\nedges = [\"right\"]\n");
     CHECK(has(named(all, "pressure.right").theorems.at(0).states, "p = 0.4"));
     CHECK(has(named(all, "pressure.right").text, "Definition a : R := (sqrt ("));
 }
 
-TEST_CASE("what cannot be stated of a scene has no theorem, and says why") {
+TEST_CASE("what cannot be stated about a scene has no theorem, but a reason") {
     const auto within = certified("kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
                                   "a = \"1\"", "u = [\"0.1\", \"0.6\"]\nedges = [\"left\"]\n");
     CHECK(named(within, "pressure.left").theorems.size() == 1);

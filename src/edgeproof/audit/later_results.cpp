@@ -13,7 +13,7 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned later_digits = 100; // several orders cancel before the required one
-constexpr unsigned told_digits = 6;
+constexpr unsigned result_digits = 6;
 
 struct LaterFinding {
     std::string comes_to;
@@ -37,7 +37,7 @@ LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
     const Place place = values.place_at_u(claim.edge(), u);
     const Real error = values.evaluate(later.says, &place).value;
     const Real tolerance = formula::Exact::parse(claim.text("tolerance")).to<Real>();
-    return {to_decimal(Real(error * 100), told_digits) + " %",
+    return {to_decimal(Real(error * 100), result_digits) + " %",
             error < tolerance * 3 / 2 && error * 2 > tolerance};
 }
 
@@ -71,7 +71,7 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
             }
         }
         if (finding.comes_to.empty() || !finding.as_printed) {
-            finding.comes_to = to_decimal(value, told_digits) +
+            finding.comes_to = to_decimal(value, result_digits) +
                                (formula ? " times what is printed" : "") + ", " + sample.text;
         }
         any = true;
@@ -80,7 +80,7 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
         }
     }
     if (!any) {
-        throw Error("no sample shows it");
+        throw Error("no sample has a value that is not zero");
     }
     if (formula && finding.as_printed) {
         finding.comes_to = "what is printed, at every sample";

@@ -28,7 +28,7 @@ void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledge
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
     if (claim.text_or("reach", "") != "first-exit" || !result.outcome.computed) {
-        throw NotStated("of extents, only first exits are stated");
+        throw NotStated("only first exits of extents are stated");
     }
     const audit::SceneSpec scene = scene_of(ledger, claim);
     const StatedContact contact =

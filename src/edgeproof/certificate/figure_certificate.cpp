@@ -14,7 +14,7 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
     if (result.outcome.verdict != audit::Verdict::confirmed) {
-        throw NotStated("of figures, only those that are confirmed are stated");
+        throw NotStated("only confirmed figures are stated");
     }
     const audit::Family& family = ledger.family(claim.text("over"));
     const auto scenes = draw_scenes(family, ledger.families);
@@ -27,7 +27,7 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
     }
     for (const audit::SceneSpec& scene : scenes) {
         if (scene.parameter("m") != m) {
-            throw NotStated("the figure is of several exponents");
+            throw NotStated("the figure is for several exponents");
         }
     }
     const SampledTheory contact = power_law_contact(m.rational() == 0 ? 0 : 1, "",

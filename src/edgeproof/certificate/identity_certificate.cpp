@@ -24,7 +24,8 @@ std::string exponent_of_load(const audit::Claim& claim) {
         load.arg(1).arg(0) == formula::Expr::symbol("a") &&
         !free_symbols(load.arg(0)).contains("a");
     if (!is_power || load.arg(1).arg(1).rational() == nullptr) {
-        throw NotStated("of assumptions, only a load in proportion to a power of a is stated");
+        throw NotStated(
+            "the only assumption that is stated is a load proportional to a power of a");
     }
     return coq_number(*load.arg(1).arg(1).rational());
 }
@@ -41,7 +42,7 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
     const bool symmetric = is_symmetric(profiles_of(ledger, claim.text("over")));
     const bool given = claim.has("given");
     if (given && !symmetric) {
-        throw NotStated("an assumption on the load is stated of symmetric contacts alone");
+        throw NotStated("an assumption on the load is stated for symmetric contacts only");
     }
     Theory theory = smooth_contact(symmetric);
     const bool at_x = free_symbols(claim.formula("says")).contains("x");

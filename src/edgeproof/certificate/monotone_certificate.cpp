@@ -32,7 +32,7 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
     const auto add = [&](const formula::Expr& e) {
         const auto least = excess(e, wedge.sample, e, parabola.sample);
         if (!least) {
-            throw NotStated("a wedge and a parabola are no counterexample");
+            throw NotStated("a wedge and a parabola are not a counterexample");
         }
         conclusion += fmt::format("{}{} <= ({}) - ({})", conclusion.empty() ? "" : " /\\\n  ",
                                   fraction_below(*least), of_wedge(e), of_parabola(e));

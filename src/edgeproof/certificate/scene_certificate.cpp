@@ -68,8 +68,8 @@ formula::Exact right_edge(const scene::Scene& scene) {
     if (m != parameters.end() && m->second.is_rational() && m->second.rational() == 1) {
         return of_these("sqrt(4*P/(pi*Es*C))");
     }
-    throw NotStated("of a force, a contact is stated of wedges and parabolas alone: of others the "
-                    "edge is the root of an equation; give a");
+    throw NotStated("a contact given by its force is stated for wedges and parabolas only, because "
+                    "the edge of other contacts is the root of an equation; give a");
 }
 
 class SceneTheorems {
@@ -91,7 +91,7 @@ public:
                 [&](Certificate& c) { first_exit(c, extent); });
         }
         if (scene_.shear) {
-            add("shear", [](Certificate&) { throw NotStated("of shear nothing is stated"); });
+            add("shear", [](Certificate&) { throw NotStated("shear is not stated"); });
         }
         return std::move(certificates_);
     }
@@ -115,7 +115,7 @@ private:
 
     const StatedContact& contact() {
         if (!scene_.profile) {
-            throw NotStated("a contact is stated of which the tilt is given, not of P and M");
+            throw NotStated("a contact is stated if its tilt is given, not P and M");
         }
         if (!contact_) {
             contact_ = stated_contact(*scene_.profile, right_edge(scene_), scene_.contact_modulus);
@@ -197,7 +197,7 @@ private:
     void pressure(Certificate& c, const scene::PointRow& row) {
         const StatedEdge& edge = contact().at(row.edge);
         if (row.values.u) {
-            throw NotStated("places are stated by a number: give u");
+            throw NotStated("only places given by a distance u are stated; give u");
         }
         const auto u = row.u.to<double>();
         const auto proofs = edge.at(u, "u = " + row.u.text());

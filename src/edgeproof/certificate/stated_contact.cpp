@@ -41,7 +41,7 @@ std::vector<Part> parts_of(const contact::Profile& profile, double a) {
         const Exact& from = profile.knots()[knot];
         const contact::SlopePiece& piece = profile.pieces()[knot + 1];
         if (!piece.linear) {
-            throw NotStated("of curved profiles nothing is stated");
+            throw NotStated("curved profiles are not stated");
         }
         if (from.to<double>() >= a) {
             break;
@@ -170,7 +170,7 @@ CoqDecimal coq_decimal(const std::string& number) {
             continue;
         }
         if (c < '0' || c > '9') {
-            throw NotStated(fmt::format("the value {} is no decimal number", number));
+            throw NotStated(fmt::format("the value {} is not a decimal number", number));
         }
         digits += c;
         exponent -= behind_point ? 1 : 0;
@@ -241,7 +241,7 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
     static const char* const sums[] = {"r0 * sqrt u", "r0 * sqrt u + r1 * (u * sqrt u)",
                                        "r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u)"};
     if (extent.terms < 1 || extent.terms > 3) {
-        throw NotStated("extents are stated of up to three terms");
+        throw NotStated("extents are stated for up to three terms");
     }
     const auto tolerance = extent.tolerance.to<double>();
     // Up to `near`, the arguments of the logarithms are so small that two terms of their series

@@ -24,7 +24,8 @@ void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& l
     if (result.outcome.verdict != audit::Verdict::refuted || claim.text("of") != bracket ||
         claim.text("small") != "eps" || claim.integer("order") != 2 ||
         claim.text("variable") != "sigma" || claim.text("towards") != "1") {
-        throw NotStated("the Coq files bound no expansion of this for all of its variable");
+        throw NotStated(
+            "the Coq files have no bound of such an expansion for all values of its variable");
     }
     Theory theory = smooth_contact(false);
     theory.imports.insert(theory.imports.end(), {"Expansions", "Uniform"});

@@ -107,7 +107,7 @@ TEST_CASE("a sample's names and functions in balls hold the values found in Real
     }
 }
 
-TEST_CASE("confirmed says how many digits are proved, refuted shows two disjoint balls") {
+TEST_CASE("confirmed states how many digits are proved, refuted shows two disjoint balls") {
     const ClaimResult right = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)"));
     CHECK(right.outcome.verdict == Verdict::confirmed);
     CHECK(enclosures_of(right).find("digits_proved")->text() == "34.0");
@@ -167,7 +167,7 @@ TEST_CASE("integrals of the contact are proved to the digits of the run, never r
     CHECK(basis_of(wrong) == Basis::enclosures);
 }
 
-TEST_CASE("past 100 digits an integral is held to 100 everywhere, and to all at some samples") {
+TEST_CASE("past 100 digits an integral is proved to 100 at every sample, and to all at some") {
     const std::string of_pressure = "kind = \"value\"\nover = \"nine\"\nof = \"P\"\nsays = \"";
     const ClaimResult right = result_of(of_pressure + "integral(p(s), s, -a, a)\"\n", 130);
     CHECK(right.outcome.verdict == Verdict::confirmed);

@@ -9,7 +9,7 @@
 
 #include <type_traits>
 
-TEST_CASE("refuted is made of a refutation, confirmed of a confirmation, by type") {
+TEST_CASE("refuted is made from a refutation, confirmed from a confirmation, by type") {
     // A verdict, also a constant one, cannot be converted or assigned to a judgement.
     static_assert(!std::is_convertible_v<Verdict, Judgement>);
     static_assert(!std::is_constructible_v<Judgement, Verdict>);
@@ -23,7 +23,7 @@ TEST_CASE("refuted is made of a refutation, confirmed of a confirmation, by type
     CHECK(Judgement(Decision()) == Verdict::undecided);
 }
 
-TEST_CASE("balls decide what all of their numbers have in common") {
+TEST_CASE("balls decide a comparison that holds for all of their numbers") {
     const Ball one(1, 64);
     const Ball two(2, 64);
     const Ball about_one = Ball::around(Real(1), Real("1e-6"), 64);
@@ -60,7 +60,7 @@ TEST_CASE("all parts must hold, and one that fails refutes") {
     CHECK(Judgement::of_all({}) == Verdict::undecided);
 }
 
-TEST_CASE("a few that are spread evenly over all come first") {
+TEST_CASE("a few samples spread evenly over all come first") {
     using Order = std::vector<std::size_t>;
     CHECK(spread_first(11, 6) == Order{0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9});
     CHECK(spread_first(7, 3) == Order{0, 3, 6, 1, 2, 4, 5});
@@ -70,7 +70,7 @@ TEST_CASE("a few that are spread evenly over all come first") {
     CHECK(spread_first(0, 6).empty());
 }
 
-TEST_CASE("an interrupted run compares no more") {
+TEST_CASE("an interrupted run stops comparing") {
     const Ledger ledger = parse_ledger(
         small_ledger::head + "[[claim]]\nid = \"C\"\nkind = \"value\"\nover = \"hertz\"\n"
                              "of = \"p(x)\"\nsays = \"Es*C/2*sqrt(a^2-x^2)\"\n",

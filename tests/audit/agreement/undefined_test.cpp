@@ -13,7 +13,7 @@ std::string varied_verdict(const std::string& says, const std::string& vary) {
 
 } // namespace
 
-TEST_CASE("right at some samples, without a value by far at others: underspecified") {
+TEST_CASE("right at some samples, clearly without a value at others: underspecified") {
     const std::string from_edge = "integral(1/sqrt((a-s)*(s+a)), s, -a, k*a)";
     CHECK(varied_verdict(from_edge, R"(k = ["1"])") == "confirmed");
     CHECK(varied_verdict(from_edge, R"(k = ["1", "1.01"])") == "underspecified");
@@ -42,7 +42,7 @@ TEST_CASE("a principal value whose pole is beyond its interval is an integral li
     CHECK(varied_verdict("Pi + pv(1/(s-k), s, 0, 3, k) + log(2)", R"(k = ["2"])") == "confirmed");
 }
 
-TEST_CASE("the root of zero, which roundoff makes negative: says nothing") {
+TEST_CASE("the root of zero, which roundoff makes negative: not underspecified") {
     // These sums are zero; roundoff makes each negative for some of the values of k.
     for (const char* zero : {"a*(1+k) - a - a*k", "(1+k)^2 - 1 - 2*k - k^2", "k - 2*k/3 - k/3",
                              "(a+k)*(a-k) - a^2 + k^2"}) {
@@ -56,7 +56,7 @@ TEST_CASE("the root of zero, which roundoff makes negative: says nothing") {
     }
 }
 
-TEST_CASE("what roundoff leaves of a zero is shown as a bound, with no digits") {
+TEST_CASE("the roundoff of a zero is shown as a bound, without digits") {
     bool some = false;
     for (const char* zero : {"a*(1+k) - a - a*k", "(sqrt(2)+k)^2 - 2 - 2*sqrt(2)*k - k^2",
                              "sqrt(2+k)*sqrt(3) - sqrt(6+3*k)"}) {

@@ -71,7 +71,7 @@ std::string fault_of_integral(const std::string& integral, const std::string& va
 
 } // namespace
 
-TEST_CASE("integrals of what is regular are enclosed, in either direction") {
+TEST_CASE("integrals of regular functions are enclosed, in either direction") {
     CHECK(fault_of_integral("integral(s^2*exp(s), s, 0, 1)", "exp(1) - 2") == "");
     CHECK(fault_of_integral("integral(s^2*exp(s), s, 1, 0)", "2 - exp(1)") == "");
     CHECK(fault_of_integral("integral(atan(s)/(1 + s^2), s, x, a)", "(atan(a)^2 - atan(x)^2)/2") ==
@@ -102,7 +102,7 @@ TEST_CASE("roots that vanish at an end are integrated exactly there") {
     }
 }
 
-TEST_CASE("what is singular without a proof, or not real, or not integrable has no enclosure") {
+TEST_CASE("functions that are singular without a proof, not real or not integrable: no enclosure") {
     // c - a is zero for these numbers, but this is not proved.
     CHECK_FALSE(integral_ball("integral(1/sqrt(c-s), s, 0, a)").is_finite());
     CHECK_FALSE(integral_ball("integral(1/sqrt(s-1/2), s, 1/2 - 1/10^40, a)").is_finite());

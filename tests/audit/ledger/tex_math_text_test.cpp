@@ -106,7 +106,7 @@ const std::vector<std::string> hostile_tex{
 
 } // namespace
 
-TEST_CASE("TeX of a ledger: what mathematics needs is accepted") {
+TEST_CASE("TeX of a ledger: commands of mathematics are accepted") {
     for (
         const std::string tex :
         {"", "x", R"(M_{I} = \frac{2\sqrt{2}}{3a^{3/2}\pi}\left(\frac{5P'(a)}{8} - aP''(a)\right))",
@@ -127,7 +127,8 @@ TEST_CASE("TeX of a ledger: what mathematics needs is accepted") {
     CHECK_FALSE(is_allowed(R"(\ve X)"));
 }
 
-TEST_CASE("TeX of a ledger: what reads or writes files, or changes how TeX reads, is refused") {
+TEST_CASE(
+    "TeX of a ledger: commands that read or write files, or change how TeX reads, are refused") {
     for (const std::string& tex : hostile_tex) {
         CAPTURE(tex);
         CHECK_FALSE(is_allowed(tex));
@@ -149,12 +150,12 @@ TEST_CASE("TeX of a ledger: the error names the line, and what to write") {
             error_with("NOTATION", tex).starts_with("L.toml:20: the TeX of 'eps' cannot be used"));
         CHECK(error_with("MACRO", tex).starts_with("L.toml:22: the TeX of 'own' cannot be used"));
     }
-    CHECK(error_with("PRINTED", R"(\write18{x})").find("\\write, which is no command") !=
+    CHECK(error_with("PRINTED", R"(\write18{x})").find("\\write, which is not a command") !=
           std::string::npos);
     CHECK(error_with("PRINTED", "10 %").find("; write \\%") != std::string::npos);
 }
 
-TEST_CASE("macros: put in as TeX does; a name that LaTeX has is the macro of the source") {
+TEST_CASE("macros are expanded as in TeX, and replace LaTeX commands of the same name") {
     const TexMacros macros{{"ve", R"(\varepsilon)"}, {"sgn", R"(\operatorname{sgn})"},
                            {"two", R"(\ve\sgn)"},    {"letters", "ab"},
                            {"input", "I"},           {"none", ""}};
@@ -167,7 +168,7 @@ TEST_CASE("macros: put in as TeX does; a name that LaTeX has is the macro of the
     CHECK(without_macros(R"(\input{x}\none y)", macros) == R"(I{x} y)");
 }
 
-TEST_CASE("macros: names that are not letters, circles and endless texts are refused") {
+TEST_CASE("macros: names with other characters, circular and endless macros are refused") {
     for (const std::string name : {"", "a1", "a b", "input}{}\\write", "a\\b"}) {
         CAPTURE(name);
         CHECK(macro_fault(name, {{name, "x"}}).has_value());

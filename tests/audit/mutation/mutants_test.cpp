@@ -69,7 +69,7 @@ TEST_CASE("every misprint of the eight kinds, and no other") {
     CHECK(mutants("t").empty());
 }
 
-TEST_CASE("what is broken is refuted, what is the same is proved so, and the edit is named") {
+TEST_CASE("wrong mutants are refuted, equal ones are proved equal, and the edit is named") {
     const MutationRun r = run_all(hertz_pressure + first, 1);
     CHECK(r.claims == 2);
     CHECK(r.fates.size() == r.possible);
@@ -90,7 +90,7 @@ TEST_CASE("what is broken is refuted, what is the same is proved so, and the edi
     CHECK(a_for_b == 1);
 }
 
-TEST_CASE("the seed decides which, not the threads") {
+TEST_CASE("the seed chooses the mutants, not the number of threads") {
     const MutationRun one = run_all(hertz_pressure + first, 1, 8);
     const MutationRun two = run_all(hertz_pressure + first, 2, 8);
     REQUIRE(one.fates.size() == 8);
@@ -101,7 +101,8 @@ TEST_CASE("the seed decides which, not the threads") {
     }
 }
 
-TEST_CASE("the second mutant of a claim that is held to an integral is decided as the first is") {
+TEST_CASE(
+    "the second mutant of a claim that is compared with an integral is decided like the first") {
     const MutationRun r = run_all(hertz_pressure + R"toml([[claim]]
 id = "P"
 kind = "value"

@@ -132,14 +132,14 @@ TEST_CASE("relations under full stick, and of symmetric contacts") {
     }
 }
 
-TEST_CASE("relations: what cannot be searched is refused") {
+TEST_CASE("relations: a search that is too large or has no value is refused") {
     CHECK_THROWS_AS((void)find_relations(related({"sqrt(a)", "a"}), 2, {}), Error);
     CHECK_THROWS_AS(
         (void)find_relations(related({"a", "b", "b1", "b2", "b3", "P1", "P2", "P3"}), 10, {}),
         InputError);
 }
 
-TEST_CASE("relations: definitions that go round in a circle, or of what follows, are refused") {
+TEST_CASE("relations: circular definitions, and definitions of derived names, are refused") {
     const auto problem = [](std::vector<std::pair<std::string, std::string>> given) {
         RelationQuestion question;
         question.quantities = {"P2", "right.c1"};

@@ -106,7 +106,7 @@ TEST_CASE("along the family of contacts that are not symmetric") {
                     "p(x)", &left) > setting_digits);
 }
 
-TEST_CASE("what a scene does not have is an error that names it") {
+TEST_CASE("a name that a scene does not have is an error that states the name") {
     const EvaluatedScene scene_values(hertz_scene(), setting_digits);
     CHECK_THROWS_WITH_AS(static_cast<void>(scene_values.evaluate(setting_formula("t/a"))),
                          "'t' has no value in a scene of family test", Error);

@@ -36,8 +36,7 @@ TEST_CASE("an integrand as it stands: singular ends of every power that has an i
         Real(1 - exp(one))));
 }
 
-TEST_CASE(
-    "an integrand that grows like one over the distance, or faster, is said to have no value") {
+TEST_CASE("an integrand that grows like one over the distance, or faster, has no value") {
     const PrecisionScope scope(3 * naive_digits);
     const auto thrown = [&](const NaiveIntegrand& f) {
         CHECK_THROWS_AS((void)integrate_naively(f, Real(-1), Real(1), {}, precision), DomainError);
@@ -48,7 +47,7 @@ TEST_CASE(
     thrown([](const Real& s) { return Real(pow(Real(1 + s), Real(-3) / 2)); });
 }
 
-TEST_CASE("a kink inside converges at no level, and is given up, not called divergent") {
+TEST_CASE("an integrand with a jump inside does not converge, and is not called divergent") {
     const PrecisionScope scope(3 * naive_digits);
     const Real third = Real(1) / 3;
     std::size_t calls = 0;

@@ -31,7 +31,7 @@ std::string ordered(std::string_view x) { return ordered_text(parse(x, names()))
 
 } // namespace
 
-TEST_CASE("ordered text: the order of terms and factors, signs and quotients do not show") {
+TEST_CASE("ordered text does not depend on the order of terms and factors, signs and quotients") {
     CHECK(ordered("a - eps*X") == ordered("-X*eps + a"));
     CHECK(ordered("a/(b/x)") == ordered("x*a/b"));
     CHECK(ordered("-(a - b)") == ordered("b - a"));
@@ -60,7 +60,7 @@ TEST_CASE("surely equal: by b = a, by symbols, and by a principal value that is 
         full, "pv((Q + sig0*(2*s + b + a))/sqrt((a - s)*(s + b))/(s - x), s, -b, x, x)"));
 }
 
-TEST_CASE("surely equal: by what is odd about the middle of an interval") {
+TEST_CASE("surely equal: terms that are odd about the middle of an interval") {
     const char* full =
         "integral(Q/sqrt((a-s)*(s+b)) + sig0*(2*s+b-a)/(8*sqrt((a-s)*(s+b))), s, -b, a)";
     CHECK(equivalent(full,
@@ -72,6 +72,6 @@ TEST_CASE("surely equal: by what is odd about the middle of an interval") {
     CHECK_FALSE(equivalent(full, "integral(Q/sqrt((a-s)*(s+b)), s, -b, b)"));
 }
 
-TEST_CASE("surely equal: what symbols cannot divide by is no proof") {
+TEST_CASE("surely equal: a division by zero in symbols is not a proof") {
     CHECK_FALSE(equivalent("1/(a - b)", "1/(a + b)", true));
 }

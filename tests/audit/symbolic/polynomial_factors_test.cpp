@@ -40,7 +40,7 @@ long count_of(const GiNaC::ex& product) {
 // and are therefore irreducible. The symbols are new in each round and created in another order:
 // the former factorization drew points in an order that depends on this, and did not always
 // terminate.
-TEST_CASE("polynomials in many variables come apart into the factors they were made of") {
+TEST_CASE("products of polynomials in many variables are split into their factors") {
     const auto held = audit::ginac::hold();
     std::mt19937_64 draw(20261123);
     for (int round = 0; round < 200; ++round) {

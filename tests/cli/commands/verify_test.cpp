@@ -125,7 +125,7 @@ TEST_CASE("verify: a claim that cannot be read is named, the others are judged; 
             CHECK(line.find("; ") != std::string::npos);
         }
         CHECK(all[0].find("unknown name 'K'") != std::string::npos);
-        CHECK(all[2].find("the id good stands twice") != std::string::npos);
+        CHECK(all[2].find("the id good is given twice") != std::string::npos);
         CHECK(all[4].find("stress below the surface is outside what Edgeproof computes") !=
               std::string::npos);
         CHECK(all[5].find("friction is a parameter of the family") != std::string::npos);

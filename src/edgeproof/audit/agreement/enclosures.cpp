@@ -242,8 +242,8 @@ Decision compare_by_enclosures(const Agreement& agreement, const EvaluatedSample
         }
         const auto holds = Confirmation::agreement(*pair.printed, *pair.exact, *pair.scale, needed);
         if (!holds) {
-            outcome.note = "the enclosures prove " + digits_text(proved_digits(pair)) +
-                           " digits of " + digits_text(needed) + " at " + at;
+            outcome.note = "the enclosures prove " + digits_text(proved_digits(pair)) + " of " +
+                           digits_text(needed) + " digits at " + at;
             outcome.evidence.add("enclosures", both(pair, at, digits));
             return {};
         }

@@ -105,7 +105,7 @@ void judge_independent(const Claim& claim, const GradientRank& rank, bool says_i
     } else if (const auto holds = Confirmation::less(none, left); holds && says_independent) {
         outcome.verdict = Judgement(*holds);
     }
-    outcome.note = claim.text("of") + " is no function of the others near the point drawn";
+    outcome.note = claim.text("of") + " is not a function of the others near the point drawn";
     add_pair({"gradient outside of the span of the others",
               {left, ""},
               "of a function of them",
@@ -154,10 +154,11 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     if (rank.outside()) {
         judge_independent(claim, rank, says_independent, context.digits(), outcome);
         const std::string alone = names_alone(formulas);
-        outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", and they do not";
+        outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", but they do not";
         if (algebraic.none) {
             outcome.note += "; no polynomial relation of degree up to " +
-                            std::to_string(claim.integer("degree")) + " holds it, proved by rank";
+                            std::to_string(claim.integer("degree")) +
+                            " contains it, proved by rank";
         }
     } else if (rank.rank()) {
         judge_function(claim, rank, says_independent, context.digits(), outcome);

@@ -67,7 +67,7 @@ Remainder measure_remainder(const Claim& claim, const std::vector<Sample>& sampl
     for (const Sample& sample : samples) {
         const auto it = sample.variables.find(variable);
         if (it == sample.variables.end()) {
-            claim.reject("vary", "vary does not say where " + variable + " runs",
+            claim.reject("vary", "vary does not state where " + variable + " runs",
                          "write vary = { " + variable + " = [\"a*1e-14\"] }");
         }
         ++remainder.samples;
@@ -244,8 +244,9 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     if (comparison.equal()) {
         const bool contradicted = remainder.contradicts(in.through);
         outcome.verdict = contradicted ? Judgement() : Judgement::proved_by_symbols();
-        outcome.note = contradicted ? "equal in symbols, but more is left at " + remainder.at
-                                    : "equal power by power; what is left has the order claimed";
+        outcome.note = contradicted
+                           ? "equal in symbols, but the remainder is larger at " + remainder.at
+                           : "equal power by power; the remainder has the order claimed";
         return outcome;
     }
     const PrintedFormula as_printed = printed_formula(claim);

@@ -166,7 +166,7 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     }
     if (none) {
         outcome.note = "there is no first exit up to " + figure.text(*at_worst) +
-                       ", the end of the part looked at";
+                       ", the end of the part examined";
     }
     outcome.evidence.add("scenes", std::move(scenes));
     return outcome;

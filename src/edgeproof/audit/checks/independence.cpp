@@ -88,7 +88,7 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
         .add("digits", digits_text(std::min(digits, 1.0 * context.digits())))
         .add("values", values);
     if (scenes.size() < 2) {
-        outcome.note = "one scene shows nothing";
+        outcome.note = "one scene is not enough to decide";
         return outcome;
     }
     outcome.verdict = Judgement::of_all(decisions);

@@ -60,9 +60,10 @@ SeenLimit look_at(const ParameterSweep& sweep, std::size_t sample, const LimitCl
         seen.tail.emplace(sweep, sample, *target, claimed, digits);
         seen.problem = seen.tail->problem();
     } else {
-        seen.problem = "the values of " + sweep.name() +
-                       " do not show where it goes; list values that halve, or double, at each "
-                       "step, or whose distance from a simple number halves";
+        seen.problem =
+            "the values of " + sweep.name() +
+            " do not show which value it approaches; list values that halve, or double, at each "
+            "step, or whose distance from a simple number halves";
     }
     return seen;
 }
@@ -89,11 +90,12 @@ std::string note_of(const Judgement& verdict, bool infinite, unsigned decades,
                     const ParameterSweep& sweep, std::size_t sample, const SeenLimit& seen) {
     const std::string far = "followed by 10^" + std::to_string(decades);
     if (verdict == Verdict::confirmed) {
-        return (infinite ? "grows without end at " : "the distance from the limit dies away at ") +
+        return (infinite ? "grows without bound at "
+                         : "the distance from the limit tends to zero at ") +
                std::to_string(sweep.samples()) + " samples (sampled; " + far + ")";
     }
     if (verdict == Verdict::refuted) {
-        return (infinite ? "does not grow without end: " : "goes elsewhere: ") +
+        return (infinite ? "does not grow without bound: " : "does not approach the limit: ") +
                sweep.sample_at(sweep.values().size() - 1, sample).text + " (" + far + ")";
     }
     return seen.problem;

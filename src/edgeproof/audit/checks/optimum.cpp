@@ -198,13 +198,13 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     const Rational claimed = formula::Exact::parse(claim.text("at")).rational();
     const auto& between = claim.list("between");
     if (between.size() != 2) {
-        claim.reject("between", "the search goes between two values", "write [\"0\", \"2\"]");
+        claim.reject("between", "the search needs two ends", "write [\"0\", \"2\"]");
     }
     const Rational lo = formula::Exact::parse(between[0]).rational();
     const Rational hi = formula::Exact::parse(between[1]).rational();
     if (!(lo < claimed && claimed < hi)) {
         claim.reject("between", "the value claimed is not between the ends of the search",
-                     "take it in");
+                     "give ends that include it");
     }
     const bool in_the_limit = claim.text_or("sense", "each") == "limit";
     const PrecisionScope scope(search_digits + 20);

@@ -102,7 +102,7 @@ std::string short_text(const Ball& x, unsigned digits = 4) {
 Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
     if (!scenes.undetermined.empty() || scenes.all.empty()) {
         note = scenes.all.empty() && scenes.undetermined.empty()
-                   ? "no scene admits the claim"
+                   ? "no scene fulfils the condition of the claim"
                    : "the order is not determined in " + scenes.undetermined;
         return {};
     }
@@ -122,7 +122,7 @@ Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
             decision(std::nullopt, Confirmation::less(abs(s.order - s.order_said), slack)));
     }
     if (higher) {
-        note = "of a higher order than is said";
+        note = "of a higher order than claimed";
         return Judgement::imprecise(*higher);
     }
     const auto [least, most] = std::minmax_element(
@@ -131,7 +131,7 @@ Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
         });
     if (universal) {
         if (const auto apart = Refutation::less(least->ratio * most_spread, most->ratio)) {
-            note = "the factor is no pure number: from " + short_text(least->ratio) + " to " +
+            note = "the factor is not a pure number: from " + short_text(least->ratio) + " to " +
                    short_text(most->ratio) + " over the scenes";
             return Judgement(*apart);
         }

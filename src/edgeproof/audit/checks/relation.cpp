@@ -184,8 +184,8 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
 Condition opposite(const Claim& claim, const Condition& condition) {
     using Op = Relation::Op;
     if (condition.size() != 1 || condition.front().op == Op::equal) {
-        claim.reject("says", "`holds = \"nowhere\"` is for one inequality",
-                     "write claims of their own for further ones");
+        claim.reject("says", "`holds = \"nowhere\"` needs a single inequality",
+                     "write a separate claim for each inequality");
     }
     Relation r = condition.front();
     switch (r.op) {

@@ -51,7 +51,7 @@ void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& prin
             found.decisions.push_back(same);
             if (!confirms(same) && found.problem.empty()) {
                 found.problem =
-                    refutes(same) ? "coefficient " + std::to_string(n) + " is not that printed"
+                    refutes(same) ? "coefficient " + std::to_string(n) + " is not the printed one"
                                   : "the enclosures do not decide coefficient " + std::to_string(n);
             }
         }
@@ -64,7 +64,7 @@ void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& prin
         const Ball zero(0, exact[n].bits());
         found.decisions.push_back(decision(Refutation::disjoint(zero, exact[n]), std::nullopt));
         if (found.problem.empty()) {
-            found.problem = "after " + std::to_string(n) + " terms the rest goes as u^" +
+            found.problem = "after " + std::to_string(n) + " terms the remainder is of order u^" +
                             to_decimal(from_rational<Real>(order), 6) + ", not u^" +
                             to_decimal(from_rational<Real>(orders[n]), 6);
         }
@@ -206,8 +206,8 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         terms = claim.formulas("terms");
     }
     if (orders.empty() || orders.size() < terms.size() || orders.size() > 8) {
-        claim.reject("orders", "the orders do not go with the terms",
-                     "give one for each term, and one more for what is left, 8 at most");
+        claim.reject("orders", "the number of orders does not match the terms",
+                     "give one for each term, and one more for the remainder, 8 at most");
     }
     const contact::Edge edge = claim.edge();
     Outcome outcome;

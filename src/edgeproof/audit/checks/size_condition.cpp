@@ -110,9 +110,9 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     outcome.verdict = at_sizes(scenes.front(), condition, scan.sizes(), claim, context);
     const std::string looked_at = " (at " + std::to_string(scan.sizes().size()) + " sizes)";
     if (outcome.verdict == Verdict::confirmed) {
-        outcome.note = "the size is not given, and for every size it holds" + looked_at;
+        outcome.note = "the size is not given, and it holds at every size" + looked_at;
     } else if (outcome.verdict == Verdict::undecided) {
-        outcome.note = set.empty() ? "for no size that was looked at does it hold" + looked_at
+        outcome.note = set.empty() ? "it holds at no size that was examined" + looked_at
                                    : "the enclosures do not decide at some sizes";
     } else {
         outcome.note = "the size is not given; it would hold for a = " + to_text(set, 4);

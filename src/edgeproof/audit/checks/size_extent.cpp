@@ -374,11 +374,11 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     }
     if (some == 0) {
         outcome.verdict = Judgement::of_readings(nowhere);
-        outcome.note = "for no size of the contact does it round to this (at " +
+        outcome.note = "it rounds to this at no size of the contact (at " +
                        std::to_string(found->sizes.size()) + " sizes)";
     } else if (everywhere.size() == looked) {
         outcome.verdict = Judgement::of_readings(everywhere);
-        outcome.note = "the size is not given, and for every size it rounds to this (at " +
+        outcome.note = "the size is not given, and it rounds to this at every size (at " +
                        std::to_string(found->sizes.size()) + " sizes)";
     } else if (!everywhere.empty()) {
         // It holds under some readings; under the others it holds for some sizes only.
@@ -390,8 +390,8 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
         outcome.note = "the size is not given; it would hold for " + fitting;
     }
     if (!figures.empty()) {
-        outcome.note += jointly ? "; there are sizes for which all figures hold together"
-                                : "; for no size do all figures hold together";
+        outcome.note += jointly ? "; there are sizes at which all figures hold together"
+                                : "; there is no size at which all figures hold together";
     }
     return outcome;
 }

@@ -66,7 +66,7 @@ public:
             const Ball near = abs(second_[2 * i + 1] + with_cut(terms, 2 * i + 1));
             found.orders.push_back(log(far / near) / log(Ball(10, far.bits())));
             if (!found.orders.back().is_finite()) {
-                throw BudgetError("what is left is not enclosed at " + texts_[i]);
+                throw BudgetError("the remainder is not enclosed at " + texts_[i]);
             }
             if (found.orders.back().midpoint() < found.least().midpoint()) {
                 found.worst = i;
@@ -134,12 +134,12 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
                 const Left with = splitting.left(cut_terms(other, variable, in, under));
                 const Ball& order = with.least();
                 found =
-                    "what is left is of order " + order_text(order, 3) + ": " +
+                    "the remainder is of order " + order_text(order, 3) + ": " +
                     (certainly_less(Ball(cancelled, order.bits()), order) ? "the terms cancel"
                                                                           : "they do not cancel");
             } catch (const DomainError&) {
                 found = "its terms are not integrable up to 1: those of the cut grow without "
-                        "bound, and the second part, which does not, cannot cancel them";
+                        "bound, and the second part is bounded and cannot cancel them";
             }
             hypotheses.add(text, found);
         }
@@ -155,10 +155,10 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
     const std::string order = order_text(left.least(), 2);
     outcome.note = outcome.verdict == Verdict::confirmed
                        ? "they cancel through " + claim.text("small") + "^(" +
-                             claim.text("through") + "); what is left is of order " + order
+                             claim.text("through") + "); the remainder is of order " + order
                    : outcome.verdict == Verdict::refuted
                        ? "terms of order " + order + " are left"
-                       : "what is left is of order " + order + ", which does not decide";
+                       : "the remainder is of order " + order + ", which does not decide";
     return outcome;
 }
 

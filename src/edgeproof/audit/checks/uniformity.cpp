@@ -95,7 +95,7 @@ ExpansionToFollow expansion_of(const Claim& claim) {
 /// For a remainder that is zero at every sample: symbols decide if the expansion is exact.
 void judge_nothing_left(const Claim& claim, const AuditContext& context, bool says_breaks,
                         const FollowedSample& one, Outcome& outcome) {
-    outcome.note = "nothing is left that enclosures distinguish from zero";
+    outcome.note = "the enclosures do not distinguish the remainder from zero";
     bool exact = false;
     try {
         exact = proved_equal(claim.formula("of"), claim.formula("approximation"),
@@ -108,7 +108,8 @@ void judge_nothing_left(const Claim& claim, const AuditContext& context, bool sa
     if (!exact) {
         return;
     }
-    outcome.note = "nothing is left, by symbols: the expansion is exact, and does not break down";
+    outcome.note =
+        "the remainder is zero, proved by symbols: the expansion is exact and does not break down";
     if (!says_breaks) {
         outcome.verdict = Judgement::proved_by_symbols();
         return;
@@ -125,7 +126,7 @@ void judge_nothing_left(const Claim& claim, const AuditContext& context, bool sa
 void judge_rests(const std::vector<FollowedSample>& all, const ExpansionToFollow& expansion,
                  bool says_breaks, unsigned digits, Outcome& outcome) {
     const std::string over =
-        "what is left over " + expansion.small + "^" + std::to_string(expansion.order);
+        "the remainder divided by " + expansion.small + "^" + std::to_string(expansion.order);
     const std::string as = " as " + expansion.variable + " -> " + expansion.towards.text();
     const std::size_t bounded = count(all, Course::bounded);
     const FollowedSample* grows = first_of(all, Course::grows);
@@ -181,7 +182,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     for (const Sample& sample : context.samples(claim)) {
         check_interruption();
         if (!sample.variables.contains(expansion.small)) {
-            claim.reject("vary", "vary does not say how small " + expansion.small + " is",
+            claim.reject("vary", "vary does not state how small " + expansion.small + " is",
                          "write vary = { " + expansion.small + " = [\"b*1e-6\"] }");
         }
         all.push_back({sample, FollowedRest(sample, expansion, context.digits())});

@@ -78,7 +78,7 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
                                             ? -(refuted.printed / r.arg(0))
                                             : refuted.printed / r;
         if (accept(refuted, corrected, outcome)) {
-            outcome.note = "printed is " + to_text(r) + " times what is right";
+            outcome.note = "the printed formula is " + to_text(r) + " times the right one";
             return;
         }
     }

@@ -35,7 +35,7 @@ ContactFormulas::ContactFormulas(const contact::Profile& profile,
     case contact::Profile::Kind::power_law: {
         const Rational* m = parameter("m").rational();
         if (m == nullptr) {
-            throw Error("a power law of an exponent that is no fraction has no enclosure inside "
+            throw Error("a power law whose exponent is not rational has no enclosure inside "
                         "an integral");
         }
         exponent_ = *m;
@@ -75,7 +75,7 @@ formula::Expr ContactFormulas::named(const std::string& name, const Ball& value)
 bool ContactFormulas::beyond(const Ball& near, const formula::Expr& knot) const {
     const Ball at = enclosed_constant(formula::Exact(knot), contact_.bits());
     if (overlaps(near, at)) {
-        throw BudgetError("a place that cannot be told from a knot");
+        throw BudgetError("a place that cannot be distinguished from a knot");
     }
     return certainly_less(at, near);
 }

@@ -35,7 +35,7 @@ public:
             return Ball(0, around_.bits);
         }
         if (!certainly_less(lo.at, hi.at)) {
-            throw BudgetError("the ends of an integral that are not told apart");
+            throw BudgetError("the ends of an integral that are not distinguished");
         }
         return real_part(between(lo, hi));
     }
@@ -88,7 +88,7 @@ private:
         }
         if (pole_ &&
             !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
-            throw BudgetError("a pole that is not seen to be inside the interval");
+            throw BudgetError("a pole that is not shown to be inside the interval");
         }
         if (around_.contact != nullptr && holds_pressure(f_, variable_)) {
             if (const auto above = over_the_contact()) {
@@ -144,7 +144,7 @@ private:
             if (x.written == e || surely_zero(x.written - e, around_.symmetric)) {
                 return true;
             }
-            throw BudgetError("places where an integrand changes that are not told apart");
+            throw BudgetError("places where an integrand changes that are not distinguished");
         };
         for (const IntegrandCut& cut : integrand_cuts(f_, variable_, *around_.contact)) {
             const Ball at = number(cut.at);
@@ -227,7 +227,8 @@ private:
             return pieces.by_ends(f, from, to, path.has_value());
         }
         if (path || !certainly_less(from.at, pole) || !certainly_less(pole, to.at)) {
-            throw BudgetError("a pole that is not told from where the integrand changes");
+            throw BudgetError(
+                "a pole that is not distinguished from a place where the integrand changes");
         }
         return pieces.over_pole(f, {*pole_, pole}, from, to);
     }

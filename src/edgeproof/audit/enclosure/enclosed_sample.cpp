@@ -202,7 +202,7 @@ struct EnclosedSample::State {
             return {profile, sample.scene.parameter("Es"), contact::Load::right_edge(*edge), bits};
         }
         if (!certainly_positive(at)) {
-            throw Error(function + " of what may not be positive");
+            throw Error(function + " of an argument that may not be positive");
         }
         return contact.with_right_edge(at);
     }
@@ -210,7 +210,7 @@ struct EnclosedSample::State {
                              std::span<const Ball> args) const {
         const Rational* n = node.arg(0).rational();
         if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
-            throw Error(node.name() + " of a number of terms that is not written out");
+            throw Error(node.name() + " of a number of terms that is not from 0 to 1000");
         }
         const Ball at = distance(edge, node.arg(1), args[1]);
         const std::vector<Ball> c = contact().expansion(edge, n->convert_to<std::size_t>());

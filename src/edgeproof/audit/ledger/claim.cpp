@@ -101,7 +101,7 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
             from = i;
         }
         if (ops.empty()) {
-            throw formula::FormulaError("'" + std::string(part) + "' compares nothing",
+            throw formula::FormulaError("'" + std::string(part) + "' contains no comparison",
                                         "write a condition such as x > 0 and x < a", 0);
         }
         sides.push_back(parse_formula(part.substr(from), vocabulary));
@@ -146,7 +146,7 @@ const std::string& Claim::text(std::string_view key) const {
     if (const auto* value = std::get_if<std::string>(&field->value)) {
         return *value;
     }
-    reject(key, std::string(key) + " of claim " + id + " is no text",
+    reject(key, std::string(key) + " of claim " + id + " is not a text",
            "write " + std::string(key) + " = \"...\"");
 }
 
@@ -163,7 +163,7 @@ long Claim::integer(std::string_view key) const {
     long n = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), n);
     if (error != std::errc{} || end != value.data() + value.size()) {
-        reject(key, std::string(key) + " = " + value + " is no integer",
+        reject(key, std::string(key) + " = " + value + " is not an integer",
                "write " + std::string(key) + " = 1, for instance");
     }
     return n;
@@ -247,7 +247,7 @@ const Claim::Parsed& Claim::parsed(std::string_view key) const {
     const auto it = parsed_.find(key);
     if (it == parsed_.end()) {
         static_cast<void>(text(key)); // throws if the field is missing
-        throw Error(std::string(key) + " of claim " + id + " is no formula");
+        throw Error(std::string(key) + " of claim " + id + " is not a formula");
     }
     return it->second;
 }

@@ -191,7 +191,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         const auto it =
             std::find_if(all.begin(), all.end(), [&](const Family& f) { return f.name == member; });
         if (it == all.end()) {
-            throw InputError("family " + family.name + " takes in the unknown family '" + member +
+            throw InputError("family " + family.name + " contains the unknown family '" + member +
                                  "'",
                              "name a family of this ledger");
         }

@@ -72,8 +72,8 @@ public:
                 io::at_place(file_, claim.line(), [&] {
                     Claim read = read_claim(claim);
                     if (!ids.insert(read.id).second) {
-                        claim.reject("id", "the id " + read.id + " stands twice",
-                                     "give each claim an id of its own");
+                        claim.reject("id", "the id " + read.id + " is given twice",
+                                     "give each claim a different id");
                     }
                     ledger_.claims.push_back(std::move(read));
                 });

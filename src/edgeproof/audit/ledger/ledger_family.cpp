@@ -34,8 +34,8 @@ public:
                                [&](const Family& f) { return f.name == name; });
         };
         if (is_above(family_.name)) {
-            table_.reject("name", "the family " + family_.name + " stands twice",
-                          "give each family a name of its own");
+            table_.reject("name", "the family " + family_.name + " is given twice",
+                          "give each family a different name");
         }
         if (!table_.has("union")) {
             read_own();
@@ -47,7 +47,7 @@ public:
         for (const std::string& member : family_.union_of) {
             if (!is_above(member)) {
                 table_.reject("union", "there is no family '" + member + "' above",
-                              "name families that stand above the union");
+                              "name families that are defined above the union");
             }
         }
         return std::move(family_);

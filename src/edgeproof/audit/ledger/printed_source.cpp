@@ -37,7 +37,7 @@ std::size_t line_number(const io::TomlSection& table, const std::string& key) {
     std::size_t line = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), line);
     if (error != std::errc() || end != key.data() + key.size() || line == 0) {
-        table.reject(key, "'" + key + "' is no line of the source",
+        table.reject(key, "'" + key + "' is not a line number of the source",
                      "write \"LINE\" = \"2.1 Title\"");
     }
     return line;

@@ -38,7 +38,8 @@ public:
 
     std::optional<TexFault> fault() {
         if (printable_lines(tex_) != tex_) {
-            return TexFault{"it holds control characters, or is no UTF-8", "write printable text"};
+            return TexFault{"it contains control characters, or is not UTF-8",
+                            "write printable text"};
         }
         while (at_ < tex_.size()) {
             if (auto found = tex_[at_] == '\\' ? command() : character()) {
@@ -56,17 +57,17 @@ public:
 
 private:
     static TexFault unbalanced(const std::string& what) {
-        return {"it holds " + what + " without its counterpart", "write both, or none"};
+        return {"it contains " + what + " without its counterpart", "write both, or none"};
     }
 
     std::optional<TexFault> character() {
         const char c = tex_[at_];
         if (c == '%' || c == '#') {
-            return TexFault{std::string("it holds ") + c + ", which TeX does not print",
+            return TexFault{std::string("it contains ") + c + ", which TeX does not print",
                             std::string("write \\") + c};
         }
         if (tex_.substr(at_, 2) == "^^") {
-            return TexFault{"it holds ^^, by which TeX reads another character",
+            return TexFault{"it contains ^^, by which TeX reads another character",
                             "write the character itself"};
         }
         ++at_;
@@ -79,8 +80,8 @@ private:
         const std::string_view name = command_at(tex_, at_);
         if (name.empty()) {
             if (at_ + 1 == tex_.size() || !is_math_sign(tex_[at_ + 1])) {
-                return TexFault{"it holds " + shown_tex(tex_.substr(at_, 2)) +
-                                    ", which is no command of mathematics",
+                return TexFault{"it contains " + shown_tex(tex_.substr(at_, 2)) +
+                                    ", which is not a command of mathematics",
                                 write_mathematics};
             }
             at_ += 2;
@@ -91,8 +92,8 @@ private:
             return {};
         }
         if (!is_math_command(name)) {
-            return TexFault{"it holds \\" + shown_tex(name) +
-                                ", which is no command of mathematics",
+            return TexFault{"it contains \\" + shown_tex(name) +
+                                ", which is not a command of mathematics",
                             write_mathematics};
         }
         return name == "begin" || name == "end" ? environment(name == "begin") : std::nullopt;
@@ -105,8 +106,8 @@ private:
         }
         const std::string name(tex_.substr(at_ + 1, close - at_ - 1));
         if (!is_math_environment(name)) {
-            return TexFault{"it holds the environment '" + shown_tex(name) +
-                                "', which is not one of formulas",
+            return TexFault{"it contains the environment '" + shown_tex(name) +
+                                "', which is not an environment for formulas",
                             "write equation, align, cases, array or another one of amsmath"};
         }
         at_ = close + 1;
@@ -193,8 +194,8 @@ std::optional<TexFault> tex_fault(std::string_view tex, const TexMacros& macros)
         return fault;
     }
     if (!Expansion(tex, macros).is_whole()) {
-        return TexFault{"its macros stand for more than " + std::to_string(most_expanded_bytes) +
-                            " characters, or for more than " + std::to_string(most_expansions) +
+        return TexFault{"its macros expand to more than " + std::to_string(most_expanded_bytes) +
+                            " characters, or use more than " + std::to_string(most_expansions) +
                             " macros",
                         "write shorter macros"};
     }

@@ -57,14 +57,14 @@ AskedRelations asked_relations(const RelationQuestion& question) {
         const std::string as_given = "given " + name + "=";
         if (!vocabulary.symbols.has(name)) {
             throw InputError(fmt::format("{}{}: there is no '{}'", as_given, formula, name),
-                             "give P1, P2, ..., b, b1, ... as formulas in what is left free");
+                             "give P1, P2, ..., b, b1, ... as formulas in the free quantities");
         }
         formula::Expr e = formula_of(as_given, formula, vocabulary);
         std::set<std::string> names = free_symbols(e);
         names.insert(name);
         if (const auto it = std::ranges::find_if(names, is_derived); it != names.end()) {
             throw InputError(fmt::format("{}{}: '{}' follows from others", as_given, formula, *it),
-                             "give P1, P2, ..., b, b1, ... as formulas in what is left free");
+                             "give P1, P2, ..., b, b1, ... as formulas in the free quantities");
         }
         if (!under.names.emplace(name, std::move(e)).second) {
             throw InputError(fmt::format("{} is given twice", name), "give each name one formula");

@@ -20,7 +20,7 @@ ResidueSample::ResidueSample(const SymbolicCase& under, std::uint64_t seed)
     : under_(under), random_(seed), pi_(draw()) {
     const auto root = Residue::root(symbol("L"));
     if (!root) {
-        throw DomainError("a + b is no square modulo the prime");
+        throw DomainError("a + b is not a square modulo the prime");
     }
     root_ = *root;
 }

@@ -216,7 +216,7 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
                               " terms");
         }
         if (n < 0 || Real(n) != args[0]) {
-            throw DomainError(name + " is asked for a number of terms that is no whole number");
+            throw DomainError(name + " has a number of terms that is not a whole number");
         }
         const contact::Extent<Real>& extent = top().extent;
         const Real u =

@@ -276,8 +276,8 @@ void GradientRank::decide(const Eliminated& pivots) {
     if (adds_nothing(of_, pivots)) {
         rank_ = rank;
     } else {
-        problem_ = "that its gradient is a combination of the others is seen at the points drawn, "
-                   "and not proved by symbols";
+        problem_ = "its gradient is a combination of the others at the points drawn, but this is "
+                   "not proved by symbols";
     }
 }
 

@@ -36,7 +36,7 @@ LinearLoads::Parts LinearLoads::parts(const formula::Expr& e) const {
     const PrecisionScope scope(digits_ + 20);
     const Real off = abs(Real(whole - p.first - p.second));
     if (off > (abs(p.first) + abs(p.second)) * pow(Real(10), -static_cast<int>(digits_))) {
-        throw DomainError(to_text(e) + " is not the sum of what the loads make of it alone");
+        throw DomainError(to_text(e) + " is not the sum of its values under each load alone");
     }
     return p;
 }

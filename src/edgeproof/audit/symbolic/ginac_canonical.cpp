@@ -102,7 +102,7 @@ std::vector<ex> polynomial_over_root(const ex& e, const ex& s, const ex& hi) {
     Roots roots;
     const ex whole = roots.fraction(e * GiNaC::sqrt(hi - s));
     if (whole.denom().has(s) || roots.involves(whole, s)) {
-        throw DomainError("an integrand is no polynomial over the square root of the distance "
+        throw DomainError("an integrand is not a polynomial over the square root of the distance "
                           "from its upper end");
     }
     const ex under = whole.denom();

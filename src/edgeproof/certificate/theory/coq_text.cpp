@@ -119,7 +119,7 @@ private:
     Term power(const Expr& e) const {
         const Rational* const exponent = e.arg(1).rational();
         if (exponent == nullptr) {
-            throw NotStated(fmt::format("the exponent of {} is no rational number", to_text(e)));
+            throw NotStated(fmt::format("the exponent of {} is not a rational number", to_text(e)));
         }
         if (denominator(*exponent) == 1 && *exponent >= 0) {
             return {operand(e.arg(0), Strength::application) + " ^ " + numerator(*exponent).str(),

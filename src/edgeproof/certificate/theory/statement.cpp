@@ -58,7 +58,7 @@ std::string Statement::call(const formula::Expr& e, const CoqNames& names) {
 std::string Statement::local_sum(const formula::Expr& e) {
     const Rational* const terms = e.arg(0).rational();
     if (terms == nullptr || *terms < 1 || *terms > 3) {
-        throw NotStated(fmt::format("{} has not one to three terms", to_text(e)));
+        throw NotStated(fmt::format("the number of terms of {} is not 1, 2 or 3", to_text(e)));
     }
     need(theory_.right, "the right edge");
     std::string sum;

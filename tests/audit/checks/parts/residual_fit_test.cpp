@@ -41,7 +41,7 @@ TEST_CASE("residual fit: both edges of tilted contacts") {
     }
 }
 
-TEST_CASE("residual fit: at m = 5/8 the second coefficient vanishes, and it is said") {
+TEST_CASE("residual fit: at m = 5/8 the second coefficient vanishes, and this is reported") {
     const Contact c = symmetric()[3];
     const auto fits = fit_residuals(c.profile, c.modulus, c.load, Edge::right);
     for (const OrderFit& fit : fits) {
@@ -49,7 +49,7 @@ TEST_CASE("residual fit: at m = 5/8 the second coefficient vanishes, and it is s
     }
 }
 
-TEST_CASE("residual fit: a wrong coefficient is seen, at its order and after") {
+TEST_CASE("residual fit: a wrong coefficient is found, at its order and after it") {
     const Contact c = symmetric()[6];
     std::vector<Real> coefficients;
     {
@@ -80,7 +80,7 @@ TEST_CASE("residual fit: evidence from Barber-Mossakovskii is the same") {
     }
 }
 
-TEST_CASE("residual fit: what cannot be fitted is refused") {
+TEST_CASE("residual fit: input that cannot be fitted is refused") {
     const Contact c = symmetric()[6];
     CHECK_THROWS_AS((void)fit_residuals(c.profile, c.modulus, c.load, Edge::right, {.points = 2}),
                     DomainError);

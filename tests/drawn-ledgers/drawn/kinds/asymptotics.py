@@ -74,12 +74,12 @@ def draw_order(rng, digits):
                      "hidden")
     if rng.random() < 0.12:
         # These terms show only closer to the edge than any computed place.
-        of, order, said = rng.choice((("sqrt(u/a) + 1e-40*(u/a)^(1/4)", "1/4", "1/2"),
-                                      ("u/a + 1e-60*sqrt(u/a)", "1/2", "1"),
-                                      ("1e-50 + u/a", "0", "1"), ("(u/a)^2 + 1e-90*u/a", "1", "2")))
+        of, order, claimed = rng.choice((("sqrt(u/a) + 1e-40*(u/a)^(1/4)", "1/4", "1/2"),
+                                         ("u/a + 1e-60*sqrt(u/a)", "1/2", "1"),
+                                         ("1e-50 + u/a", "0", "1"), ("(u/a)^2 + 1e-90*u/a", "1", "2")))
         if rng.random() < 0.5:
             return Claim("order", {"says": f"(u/a)^({order})", "of": of}, at, "true", "hidden")
-        return Claim("order", {"says": f"(u/a)^({said})", "of": of}, at, "false", "hidden")
+        return Claim("order", {"says": f"(u/a)^({claimed})", "of": of}, at, "false", "hidden")
     kind = rng.choice(("true", "true", "higher", "lower"))
     shift = {"true": "", "higher": rng.choice((" + 1/2", " + 1", " + 1e-3")),
              "lower": rng.choice((" - 1/2", " - 1", " - 1e-3"))}[kind]

@@ -67,7 +67,7 @@ def draw_relation(rng, digits):
         right = HOLDS[true][holds]
         return Claim("relation", {"says": says, "holds": holds}, scenes.power_law(rng, "1"), "true" if right
                      else "false",
-                     f"{true}, said {holds}")
+                     f"{true}, claimed {holds}")
     if which == "near":
         m = rng.choice(tuple(NEAR))
         says, right = rng.choice(NEAR[m])

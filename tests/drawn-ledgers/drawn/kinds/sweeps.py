@@ -113,11 +113,11 @@ def draw_monotone(rng, digits):
         sense = _sense(_values(of, at, along, texts))
         if sense is None:
             continue
-        said = rng.choice(("increasing", "decreasing"))
+        claimed = rng.choice(("increasing", "decreasing"))
         if sense in ("increasing", "decreasing") and rng.random() < 0.3:
-            said = sense
-        truth = "true" if said == sense else "false"
-        keys = {"of": of, "along": along, "sense": said}
+            claimed = sense
+        truth = "true" if claimed == sense else "false"
+        keys = {"of": of, "along": along, "sense": claimed}
         if along == "s":
             keys["vary"] = {"s": texts}
         label = "tiny steps" if "e-" in texts[-1] or "e-" in texts[1] else "ordinary steps"
@@ -217,7 +217,7 @@ def _limit_claim(rng, of, limit, along, at, vary, values, evaluate, label):
             other = rng.choice(("0", "1", "-3", mpmath.nstr(values[0], 5) if abs(values[0]) < 1e6 else "7"))
             if "e" in other or "." in other or size < 100 * abs(evaluate(other)) or size < 100:
                 return None
-            return Claim("limit", {**keys, "limit": other}, at, "false", label, "it grows without end")
+            return Claim("limit", {**keys, "limit": other}, at, "false", label, "it grows without bound")
         true = evaluate(limit)
         off = abs(values[-1] - true)
         other = rng.choice(("0", "infinity", "1", "2", f"({limit})*(1+1e-6)", f"({limit}) + 1e-20", f"({limit})*2",

@@ -71,7 +71,7 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
         for (std::size_t i = 0; i < claim.table("given").size(); ++i) {
             const std::string& name = claim.table("given")[i].first;
             if (name != "P" && name != "b") {
-                claim.reject("given", "given names " + name + ", which nothing follows from",
+                claim.reject("given", "given contains " + name + ", from which nothing is derived",
                              "write given = { P = \"...\", b = \"...\" }, formulas in a");
             }
             (name == "P" ? under.P : under.b) = claim.formulas("given")[i];

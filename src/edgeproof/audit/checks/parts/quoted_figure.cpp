@@ -38,7 +38,7 @@ QuotedFigure QuotedFigure::of(const Claim& claim) {
     }
     const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
     if (number.empty() || !std::all_of(number.begin(), number.end(), plain)) {
-        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is no decimal",
+        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is not a decimal number",
                      "write it as quoted, such as \"6.4 %\" or \"0.03\"");
     }
     try {
@@ -110,8 +110,8 @@ Judgement QuotedFigure::verdict_half_way(const formula::Exact& computed) const {
     const PrecisionScope scope(digits() + 40);
     const Rational steps = Rational(
         floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
-    for (const int beside : {-1, 0, 1}) {
-        const Rational middle = (steps + beside + rounding_units()) * unit_;
+    for (const int offset : {-1, 0, 1}) {
+        const Rational middle = (steps + offset + rounding_units()) * unit_;
         if (formula::proved_zero(computed.expr() - formula::Expr::number(middle))) {
             return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
         }
@@ -143,7 +143,7 @@ std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
 std::string QuotedFigure::note(const Real& computed) const {
     const long off = units_off(computed);
     const std::string between =
-        half_way(computed) ? " (half-way between two, as far as its digits tell: rounded up)" : "";
+        half_way(computed) ? " (half-way between two, to the digits computed: rounded up)" : "";
     if (off == 0) {
         return "rounds to it" + between;
     }

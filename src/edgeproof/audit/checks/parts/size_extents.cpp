@@ -244,7 +244,8 @@ std::vector<ContactsBySize::At::Node> ContactsBySize::At::errors(const ExtentOf&
 
 ContactsBySize::Fractions ContactsBySize::At::found(const ExtentOf& of, bool refine) {
     if (of.terms == 0 || of.terms > most_terms) {
-        throw DomainError("an extent is asked for more terms than are carried");
+        throw DomainError(
+            "an extent is requested for no terms, or for more terms than are computed");
     }
     const std::vector<Node> nodes = errors(of);
     const auto tolerance = static_cast<long double>(of.tolerance);

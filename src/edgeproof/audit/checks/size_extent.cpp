@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
-#include "edgeproof/audit/checks/parts/size_extents.hpp"
+#include "edgeproof/audit/checks/parts/quoted_extent.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -11,94 +11,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-constexpr std::string_view kind_name = "size-extent";
-
-/// A quoted extent: the figure, and the quantity that it gives.
-struct Quoted {
-    std::string id;
-    std::string key; ///< everything except the scene on which the figure and its meaning depend
-    ExtentOf of;
-    std::optional<ExtentOf> over; ///< the divisor, if any
-    Float128 lower;               ///< the numbers that round to the figure: lower end ...
-    Float128 upper;               ///< ... and upper end (excluded)
-    Rational figure;
-    Rational unit; ///< one unit of its last place
-    formula::Exact tolerance;
-};
-
-Quoted read_quoted(const Claim& claim) {
-    const auto number = [&](std::string_view key) {
-        return formula::Exact::parse(claim.text(key)).to<Float128>();
-    };
-    const auto terms = [&](std::string_view key) {
-        const long n = claim.integer(key);
-        if (n < 1 || n > 4) {
-            claim.reject(key, "an approximation of " + std::to_string(n) + " terms",
-                         "write 1 to 4");
-        }
-        return static_cast<std::size_t>(n);
-    };
-    Quoted q;
-    q.id = claim.id;
-    for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
-        q.key += "/" + claim.text_or(name, "");
-    }
-    const contact::Edge edge = claim.edge();
-    q.of = {edge, terms("terms"), number("tolerance")};
-    if (claim.has("over_terms")) {
-        q.over = ExtentOf{edge, terms("over_terms"), q.of.tolerance};
-    }
-    q.figure = formula::Exact::parse(claim.text("figure")).rational();
-    q.unit = formula::Exact::parse(claim.text("unit")).rational();
-    q.tolerance = formula::Exact::parse(claim.text("tolerance"));
-    const Float128 half = number("unit") / 2;
-    q.lower = number("figure") - half;
-    q.upper = number("figure") + half;
-    if (!(half > 0) || !(q.of.tolerance > 0)) {
-        claim.reject("unit", "a unit or a tolerance that is not positive",
-                     "give both as positive numbers, such as 1/100");
-    }
-    return q;
-}
-
-using Fractions = ContactsBySize::Fractions;
-
-Fractions quotient(Fractions x, const Fractions& y) {
-    for (std::size_t r = 0; r < x.size(); ++r) {
-        x[r] /= y[r];
-    }
-    return x;
-}
-
-Fractions values_of(const Quoted& q, ContactsBySize::At& contact) {
-    const Fractions x = contact.fractions(q.of);
-    return q.over ? quotient(x, contact.fractions(*q.over)) : x;
-}
-Fractions rough_values_of(const Quoted& q, ContactsBySize::At& contact) {
-    const Fractions x = contact.rough_fractions(q.of);
-    return q.over ? quotient(x, contact.rough_fractions(*q.over)) : x;
-}
-
-std::vector<Quoted> companions(const Claim& claim, const AuditContext& context) {
-    std::vector<Quoted> all;
-    if (!claim.has("together")) {
-        return all;
-    }
-    for (const std::string& id : claim.list("together")) {
-        const auto& claims = context.ledger().claims;
-        const auto it = std::find_if(claims.begin(), claims.end(), [&](const Claim& c) {
-            return c.id == id && c.kind == kind_name && c.text("over") == claim.text("over");
-        });
-        if (it == claims.end()) {
-            claim.reject(
-                "together", "there is no claim " + id + " of this kind over the same scene",
-                "name claims of kind " + std::string(kind_name) + " over " + claim.text("over"));
-        }
-        all.push_back(read_quoted(*it));
-    }
-    return all;
-}
 
 constexpr std::size_t reading_count = extent_readings.size();
 
@@ -114,7 +26,7 @@ struct Found {
 
 /// True if between neighbours the figure varies by less than its distance from the interval of
 /// numbers that round to the quoted one.
-bool is_steady(const std::vector<Float128>& values, const Quoted& q) {
+bool is_steady(const std::vector<Float128>& values, const QuotedExtent& q) {
     for (std::size_t i = 0; i + 1 < values.size(); ++i) {
         const Float128 away = std::min(
             std::max(Float128(q.lower - values[i]), Float128(values[i] - q.upper)),
@@ -126,14 +38,14 @@ bool is_steady(const std::vector<Float128>& values, const Quoted& q) {
     return true;
 }
 
-Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula::Exact& from,
+Found find_sizes(const QuotedExtent& q, const contact::Profile& profile, const formula::Exact& from,
                  const formula::Exact& to) {
     const SizeScan scan(profile, from, to);
     const ContactsBySize contacts(profile);
     std::array<std::vector<Float128>, reading_count> table;
     for (const Float128& a : scan.sizes()) {
         ContactsBySize::At contact = contacts.at(a);
-        const Fractions values = rough_values_of(q, contact);
+        const ContactsBySize::Fractions values = rough_extents_of(q, contact);
         for (std::size_t r = 0; r < reading_count; ++r) {
             table[r].push_back(values[r]);
         }
@@ -142,7 +54,7 @@ Found find_sizes(const Quoted& q, const contact::Profile& profile, const formula
     for (std::size_t r = 0; r < reading_count; ++r) {
         const auto f = [&](const Float128& a) {
             ContactsBySize::At contact = contacts.at(a);
-            return values_of(q, contact)[r];
+            return extents_of(q, contact)[r];
         };
         found.holds[r] = scan.between(f, table[r], q.lower, q.upper);
         found.least[r] = *std::min_element(table[r].begin(), table[r].end());
@@ -182,7 +94,7 @@ struct QuotedReaches {
 };
 
 /// Decides by enclosures if the figure holds at one size under a reading.
-Decision holds_at(const Quoted& q, const QuotedReaches& reached, std::size_t i,
+Decision holds_at(const QuotedExtent& q, const QuotedReaches& reached, std::size_t i,
                   const SceneSpec& scene, ExtentReading reading) {
     const auto fraction = [&](const ExtentOf& of, const EnclosedReach& found) {
         if (!found.extents) {
@@ -213,8 +125,9 @@ Decision holds_at(const Quoted& q, const QuotedReaches& reached, std::size_t i,
 
 /// Decides if a figure holds at every size tried, or fails at every one. A finite list of sizes
 /// does not prove more, as the note states. `steady`: see is_steady.
-Judgement at_all_sizes(const Quoted& q, const SceneSpec& scene, const std::vector<Float128>& sizes,
-                       ExtentReading reading, bool steady, const AuditContext& context) {
+Judgement at_all_sizes(const QuotedExtent& q, const SceneSpec& scene,
+                       const std::vector<Float128>& sizes, ExtentReading reading, bool steady,
+                       const AuditContext& context) {
     const QuotedReaches reached{reaches(q.of, q.tolerance, scene, sizes, context),
                                 q.over ? reaches(*q.over, q.tolerance, scene, sizes, context)
                                        : nullptr};
@@ -235,7 +148,7 @@ struct Group {
     SizeSet sizes;
 };
 
-std::vector<Group> largest_groups(const std::vector<Quoted>& figures,
+std::vector<Group> largest_groups(const std::vector<QuotedExtent>& figures,
                                   const std::vector<SizeSet>& holds) {
     std::vector<Float128> ends;
     for (const SizeSet& set : holds) {
@@ -307,17 +220,17 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const contact::Profile profile = scenes.front().make_profile();
     const formula::Exact from = size(range[0]);
     const formula::Exact to = size(range[1]);
-    const auto sizes_of = [&](const Quoted& q) {
+    const auto sizes_of = [&](const QuotedExtent& q) {
         return context.once<Found>("size-extent/" + scenes.front().family + "/" + range[0] + "/" +
                                        range[1] + q.key,
                                    [&] { return find_sizes(q, profile, from, to); });
     };
-    const Quoted quoted = read_quoted(claim);
+    const QuotedExtent quoted = read_quoted_extent(claim);
     const auto found = sizes_of(quoted);
-    const std::vector<Quoted> figures = companions(claim, context);
+    const std::vector<QuotedExtent> figures = companion_extents(claim, context);
     std::vector<std::shared_ptr<const Found>> of_figures;
     of_figures.reserve(figures.size());
-    for (const Quoted& q : figures) {
+    for (const QuotedExtent& q : figures) {
         of_figures.push_back(sizes_of(q));
     }
 
@@ -400,7 +313,7 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
 
 CheckKind size_extent_kind() {
     using Type = KeySpec::Type;
-    return {std::string_view(kind_name),
+    return {std::string_view(size_extent_kind_name),
             {{.name = "figure", .type = Type::number, .required = true},
              {.name = "unit", .type = Type::number, .required = true},
              {.name = "tolerance", .type = Type::number, .required = true},

@@ -39,6 +39,11 @@ void collect_cuts_of(const formula::Expr& e, const std::string& variable,
 
 } // namespace
 
+bool holds_function(const formula::Expr& e) {
+    return (e.kind() == formula::Expr::Kind::call && e.builtin() == formula::Builtin::none) ||
+           std::any_of(e.args().begin(), e.args().end(), holds_function);
+}
+
 bool holds_symbol(const formula::Expr& e, const std::string& name) {
     if (e.kind() == Kind::symbol) {
         return e.name() == name;

@@ -64,7 +64,7 @@ def _values(of, at, along, texts):
 
 
 def _sense(values):
-    """increasing, decreasing, constant, neither, or None if 400 digits do not show it."""
+    """increasing, decreasing, constant, neither, or None if 800 digits do not show it."""
     steps = [y - x for x, y in zip(values, values[1:])]
     largest = max(abs(v) for v in values)
     if any(0 < abs(d) <= largest * mpf(10) ** (100 - DPS) for d in steps):

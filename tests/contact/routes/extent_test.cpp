@@ -137,8 +137,7 @@ TEST_CASE("an extremum that barely reaches the tolerance between two points of t
     CHECK(below.crossings.size() == above.crossings.size() + 2);
 }
 
-TEST_CASE(
-    "near a corner the crossing is found at any distance, and beyond the digits is the corner") {
+TEST_CASE("a crossing near a corner is found, or is the corner if the digits do not resolve it") {
     // A wedge is outside every tolerance at the apex.
     const NormalContact wedge(Profile::power_law(exact("1"), exact("0")), exact("1"),
                               Load::right_edge(exact("1")), 30);

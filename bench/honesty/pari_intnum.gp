@@ -1,8 +1,8 @@
 \\ SPDX-License-Identifier: GPL-3.0-or-later
-\\ PARI's intnum, used as its manual says: reads lines of id digits kind a u K m t gamma on
-\\ descriptor 3 (gp takes commands from standard input), writes id, p and the absolute error that
-\\ its user counts on. intnum tells no error: what is counted on is the precision that was set.
-\\ With s itself as variable it divides by zero and says so; hence v = s - x, and [0, -1/2].
+\\ PARI's intnum, used as in its manual. Reads lines of id digits kind a u K m t gamma from
+\\ descriptor 3 (gp reads commands from standard input) and writes id, p and the absolute error
+\\ that its user expects. intnum returns no error, so that its user expects that of the precision.
+\\ With s as the variable it stops with a division by zero; hence v = s - x, and [0, -1/2].
 rate(kind, K, m, t, s) = if(kind == "flat", K*s*acos(t/s), K*s^m);
 pressure(kind, a, u, K, m, t, g) =
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arb's rigorous integrator. Reads lines of id family digits u m t K W (a = 1; decimals), writes
- * id, value, evaluations, seconds a value (of the processor, median of the repeats).
+ * id, value, evaluations, processor seconds per value (the median of the repeats).
  *
- * s^2 = x^2 + w^2 takes the singularity at s = x away; x below the end of the flat: s = t/cos(phi).
- * With the argument "mapped" the singularities beside the interval are moved away as well:
- * w = d sinh(y), phi = d sinh(y), d their distance. With "parts" the flat-and-rounded integral is
- * taken by parts first, which leaves an algebraic integrand:
+ * s^2 = x^2 + w^2 removes the singularity at s = x; x below the end of the flat: s = t/cos(phi).
+ * With the argument "mapped" the singularities near the interval are moved away as well:
+ * w = d sinh(y), phi = d sinh(y), where d is their distance. With "parts" the flat-and-rounded
+ * integral is integrated by parts first, which leaves an algebraic integrand:
  *   sqrt(1 - x^2) acos(t) - t times the integral of sqrt(s^2 - x^2)/(s sqrt(s^2 - t^2)),
  * with s^2 = x^2 + w^2, or t^2 + w^2 for x below the end of the flat. */
 #if __has_include(<flint/acb_calc.h>)
@@ -54,7 +54,7 @@ static int by_parts(acb_ptr out, const acb_t w, void* param, slong order, slong 
     return 0;
 }
 
-/* f analytic where sqrt and acos are; order 1 asks to say where it is not. */
+/* f is analytic where sqrt and acos are. For order 1 it must be indeterminate elsewhere. */
 static int integrand(acb_ptr out, const acb_t z, void* param, slong order, slong prec) {
     contact* c = param;
     acb_t w, s, jacobian;
@@ -207,7 +207,7 @@ int main(int argc, char** argv) {
         arb_set_str(c.t, text[2], prec + 400);
         arb_set_str(K, text[3], prec);
         c.flat = strcmp(family, "flat") == 0;
-        c.mapped = mapped && strtod(text[0], NULL) < 1; /* at x = 0 there is nothing beside it */
+        c.mapped = mapped && strtod(text[0], NULL) < 1; /* at x = 0 no singularity is near */
         arb_sub_ui(p, u, 1, prec + 400);
         arb_neg(p, p);
         c.parts = parts && c.flat;

@@ -1,9 +1,10 @@
 \\ SPDX-License-Identifier: GPL-3.0-or-later
-\\ PARI's intnum and intnumgauss. Reads lines of id family digits u m t K (a = 1; decimals) on
-\\ descriptor 3, writes id, value, evaluations, seconds a value (of the processor, mean of as many
-\\ repeats as its clock of milliseconds needs). The environment's PEER_RULE: intnum, intnum-exponent
-\\ (the integrand in s, the exponent -1/2 at s = x told to it) or intnumgauss; PEER_SECONDS: how long a
-\\ point is repeated. s^2 = x^2 + w^2, or s = t/cos(phi), as the others have it.
+\\ PARI's intnum and intnumgauss. Reads lines of id family digits u m t K (a = 1; decimals) from
+\\ descriptor 3 and writes id, value, evaluations and processor seconds per value (the mean of as many
+\\ repeats as its clock of milliseconds needs). The environment variable PEER_RULE is intnum,
+\\ intnum-exponent (the integrand in s, with the exponent -1/2 given at s = x) or intnumgauss;
+\\ PEER_SECONDS is the time for which a point is repeated. s^2 = x^2 + w^2, or s = t/cos(phi), as in
+\\ the other programs.
 rule = getenv("PEER_RULE");
 enough = 1000*eval(getenv("PEER_SECONDS"));
 evaluations = 0;

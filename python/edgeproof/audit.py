@@ -109,13 +109,13 @@ def verify(ledger: str | os.PathLike[str], digits: int = 50, only: str = "*", th
     Raises InputError, with file and line, for a ledger or a claim that is malformed.
     """
     found = _edgeproof.verify(file_or_shipped(ledger, "verify"), digits, only, threads, progress)
-    told = json.loads(found["json"])
+    data = json.loads(found["json"])
     differences = found["differences"]
     return Audit(
-        ledger=told["ledger"],
+        ledger=data["ledger"],
         source=found["source"],
-        digits=told["digits"],
-        claims=tuple(Claim(**claim) for claim in told["claims"]),
+        digits=data["digits"],
+        claims=tuple(Claim(**claim) for claim in data["claims"]),
         summary=found["counts"],
         differences=None if differences is None else tuple(differences),
     )

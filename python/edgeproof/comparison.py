@@ -168,7 +168,7 @@ class Comparison:
     orders: dict[str, float | None]
     limits: dict[str, Limit]
     text: str = dataclasses.field(repr=False)
-    _told: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _data: dict[str, Any] = dataclasses.field(repr=False, compare=False)
 
     def __len__(self) -> int:
         return len(self.files)
@@ -184,14 +184,14 @@ class Comparison:
 
     def to_dict(self) -> dict[str, Any]:
         """The content of `edgeproof compare --json`."""
-        return copy.deepcopy(self._told)
+        return copy.deepcopy(self._data)
 
 
 def _errors_of(d: dict[str, Any]) -> MeshErrors:
-    told = dict(d)
-    if "from" in told:
-        told["from_"] = told.pop("from")
-    return MeshErrors(**told)
+    data = dict(d)
+    if "from" in data:
+        data["from_"] = data.pop("from")
+    return MeshErrors(**data)
 
 
 def _result_of(d: dict[str, Any]) -> MeshResult:
@@ -307,8 +307,8 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
         _decimal_text(edge_zone, "edge_zone"), text_or_none(tolerance_a, "tolerance_a"),
         text_or_none(tolerance_P, "tolerance_P"), text_or_none(tolerance_c0, "tolerance_c0"),
         bool(partial), progress)
-    told = json.loads(found["json"])
+    data = json.loads(found["json"])
     return Comparison(
-        passed=told["passes"], tolerance=told["tolerance"], units=told["units"],
-        routes=told["routes"], files=tuple(map(_result_of, told["files"])), orders=told["orders"],
-        limits={k: Limit(**v) for k, v in told["limits"].items()}, text=found["text"], _told=told)
+        passed=data["passes"], tolerance=data["tolerance"], units=data["units"],
+        routes=data["routes"], files=tuple(map(_result_of, data["files"])), orders=data["orders"],
+        limits={k: Limit(**v) for k, v in data["limits"].items()}, text=found["text"], _data=data)

@@ -46,7 +46,7 @@ class Relations:
     complete: bool
     monomials: int
     notes: tuple[str, ...] = dataclasses.field(repr=False)
-    _told: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _data: dict[str, Any] = dataclasses.field(repr=False, compare=False)
 
     def __len__(self) -> int:
         return len(self.relations)
@@ -59,7 +59,7 @@ class Relations:
 
     def to_dict(self) -> dict[str, Any]:
         """The content of `edgeproof relations --format json`."""
-        return copy.deepcopy(self._told)
+        return copy.deepcopy(self._data)
 
 
 def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = False,
@@ -82,9 +82,9 @@ def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = F
     if not asked:
         raise InputError("there is no quantity", 'give some, such as ["left.c0", "right.c0", "b1"]')
     named = [free] if isinstance(free, str) else list(free)
-    told = json.loads(_edgeproof.relations(asked, whole(degree, "degree"), symmetric,
+    data = json.loads(_edgeproof.relations(asked, whole(degree, "degree"), symmetric,
                                            list((given or {}).items()), named))
-    return Relations(quantities=tuple(asked), degree=int(told["degree"]),
-                     relations=tuple(Relation(**row) for row in told["rows"]),
-                     complete=told["complete"] == "yes", monomials=int(told["monomials"]),
-                     notes=tuple(told["notes"]), _told=told)
+    return Relations(quantities=tuple(asked), degree=int(data["degree"]),
+                     relations=tuple(Relation(**row) for row in data["rows"]),
+                     complete=data["complete"] == "yes", monomials=int(data["monomials"]),
+                     notes=tuple(data["notes"]), _data=data)

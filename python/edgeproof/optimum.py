@@ -56,7 +56,7 @@ class Design:
     reach_at_printed: Value | None
     falls_short_by: Value | None
     notes: tuple[str, ...] = dataclasses.field(repr=False)
-    _told: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _data: dict[str, Any] = dataclasses.field(repr=False, compare=False)
 
     @property
     def parameter(self) -> str:
@@ -70,7 +70,7 @@ class Design:
 
     def to_dict(self) -> dict[str, Any]:
         """The content of `edgeproof design --format json`."""
-        return copy.deepcopy(self._told)
+        return copy.deepcopy(self._data)
 
 
 def design(file: str | os.PathLike[str] | None = None, *, text: str | None = None,
@@ -109,7 +109,7 @@ def design(file: str | os.PathLike[str] | None = None, *, text: str | None = Non
         text, name, exact_text(gap, "gap"), whole(digits, "digits"), maximise,
         text_or_none(tolerance, "tolerance"), edge, None if terms is None else whole(terms, "terms"),
         progress)
-    told = json.loads(found.pop("json"))
-    return Design(title=told["title"], tolerance=told["tolerance"], terms=int(told["terms"]),
-                  gap=told["rows"][0]["gap"], best=told["best"], notes=tuple(told["notes"]),
-                  _told=told, **found)
+    data = json.loads(found.pop("json"))
+    return Design(title=data["title"], tolerance=data["tolerance"], terms=int(data["terms"]),
+                  gap=data["rows"][0]["gap"], best=data["best"], notes=tuple(data["notes"]),
+                  _data=data, **found)

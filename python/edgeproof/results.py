@@ -201,23 +201,23 @@ def _approximations(rows: list[tuple[int, Value, Value]]) -> tuple[Approximation
 
 
 def point_of(d: dict[str, Any]) -> Point:
-    told = {**d}
-    told["p_local"] = _approximations(d["p_local"])
-    told["q_local"] = _approximations(d["q_local"])
-    return Point(**told)
+    data = {**d}
+    data["p_local"] = _approximations(d["p_local"])
+    data["q_local"] = _approximations(d["q_local"])
+    return Point(**data)
 
 
 def coefficients_of(d: dict[str, Any]) -> Coefficients:
-    told = {**d}
-    told["c"] = tuple(d["c"])
-    told["s"] = tuple(d["s"])
-    return Coefficients(**told)
+    data = {**d}
+    data["c"] = tuple(d["c"])
+    data["s"] = tuple(d["s"])
+    return Coefficients(**data)
 
 
 def extent_of(d: dict[str, Any]) -> Extent:
-    told = {**d}
-    told["crossings"] = tuple(d["crossings"])
-    return Extent(**told)
+    data = {**d}
+    data["crossings"] = tuple(d["crossings"])
+    return Extent(**data)
 
 
 def slips_of(d: dict[str, Any]) -> tuple[Slip, ...]:

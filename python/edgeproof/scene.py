@@ -352,7 +352,7 @@ class Scene:
     def _needs_friction(self) -> None:
         if not self.has_friction:
             raise InputError("the scene has no friction, so that nothing slips",
-                             "give friction beside Q")
+                             "give friction and Q")
 
     def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),
              tolerance: Number | None = None, digits: int | None = None) -> Slip:

@@ -50,8 +50,7 @@ void check_refusal(const Outcome& o, const std::string& place, const std::string
 
 } // namespace
 
-TEST_CASE("bad scenes: every command that takes one says file, line, what is wrong and what to "
-          "write") {
+TEST_CASE("bad scenes: every command that reads one reports file, line, error and correction") {
     struct Bad {
         std::string scene;
         int line;
@@ -115,7 +114,7 @@ TEST_CASE("bad scenes: every command that takes one says file, line, what is wro
     }
 }
 
-TEST_CASE("bad recipes and ledgers: the same of every command that takes one") {
+TEST_CASE("bad recipes and ledgers: the same for every command that reads one") {
     struct Bad {
         std::vector<std::string> commands;
         std::string text;
@@ -161,7 +160,8 @@ TEST_CASE("bad recipes and ledgers: the same of every command that takes one") {
     }
 }
 
-TEST_CASE("files that cannot be read: a folder is no missing file, and nothing endless is read") {
+TEST_CASE(
+    "files that cannot be read: a folder is not a missing file, and endless files are refused") {
     const Folder folder;
     std::filesystem::create_directory(folder.path() / "dir");
     for (const std::string command :
@@ -180,7 +180,7 @@ TEST_CASE("files that cannot be read: a folder is no missing file, and nothing e
     check_refusal(run(folder, "check s.toml"), "s.toml", "this is a TOML file");
 }
 
-TEST_CASE("the command line: what is not known is named, with the near name") {
+TEST_CASE("the command line: an unknown word is named, with the near name") {
     const Folder folder;
     folder.write("s.toml", flat + pressed + asked);
     struct Bad {

@@ -106,7 +106,7 @@ TEST_CASE("third-party programs: JSON lines, a pipe of the shell, a figure") {
     CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.png").code == 2);
 }
 
-TEST_CASE("third-party programs: the six faults of the one that is wrong on purpose, each named") {
+TEST_CASE("third-party programs: each of the six deliberate mistakes of one program is named") {
     const Programs programs;
     if (!have("python3 -c 'import csv'")) {
         return;
@@ -145,7 +145,7 @@ TEST_CASE("check --self-test: 400 corrupted files of the examples" * doctest::te
     CHECK(o.code == 0);
 }
 
-TEST_CASE("check --ledger: formulas of one's own; the wrong one is named and corrected") {
+TEST_CASE("check --ledger: the user's own formulas; the wrong one is named and corrected") {
     const Folder folder;
     const Outcome o = run(folder, "check --ledger " + quoted(third_party() / "formulas.toml"));
     CAPTURE(o.out);
@@ -158,8 +158,9 @@ TEST_CASE("check --ledger: formulas of one's own; the wrong one is named and cor
     const Outcome right = run(folder, "check --ledger right.toml");
     CHECK(right.code == 0);
     CHECK(last_line(right.out) == "pass: 2 formulas, 0 do not hold");
-    folder.write("bad.toml", text + "[[claim]]\nid = \"x\"\nkind = \"value\"\nsays = \"nobody\"\n"
-                                    "of = \"P\"\nover = \"cylinder\"\n");
+    folder.write("bad.toml",
+                 text + "[[claim]]\nid = \"x\"\nkind = \"value\"\nsays = \"unknown_name\"\n"
+                        "of = \"P\"\nover = \"cylinder\"\n");
     const Outcome bad = run(folder, "check --ledger bad.toml");
     CHECK(bad.code == 2);
     CHECK(lines(bad.err).size() == 1);

@@ -108,7 +108,7 @@ TEST_CASE("example table_in_threads: the reference table's rows, in order") {
 }
 
 // sqrt(2a - u) = sqrt(2a) (1 - u/(4a) - ...): the second coefficient is negative.
-TEST_CASE("example ledger: what is right is confirmed, the wrong sign refuted and corrected") {
+TEST_CASE("example ledger: right claims are confirmed, the wrong sign is refuted and corrected") {
     const auto out = printed_by("ledger");
     REQUIRE(out.size() == 3);
     CHECK(out[0] == "pressure: confirmed");

@@ -268,12 +268,12 @@ void interrupt_all(const std::vector<LongRun>& all, std::chrono::milliseconds af
 
 } // namespace
 
-TEST_CASE("every subcommand is interrupted wherever it is: its own exit status, nothing left") {
+TEST_CASE("every subcommand is interrupted at any place: its own exit status, no files left") {
     interrupt_all(long_runs(), std::chrono::milliseconds(200),
                   [](std::size_t i) { return i % 2 == 0 ? SIGINT : SIGTERM; });
 }
 
-TEST_CASE("what is kept goes on after an interruption, and the message says so") {
+TEST_CASE("saved work continues after an interruption, and the message states it") {
     const std::vector<LongRun> all{
         {"table", "table in --out t.csv --threads 1", tilted_recipe(3000, 1000), {"t.csv.part"}}};
     Running run(all.front());
@@ -287,7 +287,7 @@ TEST_CASE("what is kept goes on after an interruption, and the message says so")
     CHECK(run.files() == std::set<std::string>{"in", "t.csv.part"});
 }
 
-TEST_CASE("a second signal ends at once, and the first one's number is told") {
+TEST_CASE("a second signal ends the program at once, and the exit status names the first") {
     const std::vector<LongRun> all = long_runs();
     const auto found = std::find_if(all.begin(), all.end(),
                                     [](const LongRun& r) { return r.name == "100,000 digits"; });

@@ -12,7 +12,7 @@ namespace {
 using namespace edgeproof::test;
 
 /// Returns the names of long options, or of subcommands, in a help text.
-std::set<std::string> told_in(const std::string& help, const std::regex& what) {
+std::set<std::string> matches_in(const std::string& help, const std::regex& what) {
     std::set<std::string> names;
     for (std::sregex_iterator i(help.begin(), help.end(), what), end; i != end; ++i) {
         names.insert((*i)[1]);
@@ -43,7 +43,7 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
     const std::string fish = file_text(folder.path() / "edgeproof.fish");
     const std::string whole = file_text(folder.path() / "man1/edgeproof.1");
     const std::string help = run(folder, "--help").out;
-    const auto subcommands = told_in(help.substr(help.find("Subcommands:")), a_subcommand);
+    const auto subcommands = matches_in(help.substr(help.find("Subcommands:")), a_subcommand);
     REQUIRE(subcommands.size() >= 11);
     for (const std::string& sub : subcommands) {
         CAPTURE(sub);
@@ -53,7 +53,7 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
         CHECK(has(fish, "-a " + sub + " -d '"));
         const std::string page = file_text(folder.path() / ("man1/edgeproof-" + sub + ".1"));
         CHECK(has(page, ".SH NAME\nedgeproof\\-" + in_roff(sub) + " \\- "));
-        const auto options = told_in(run(folder, sub + " --help").out, long_option);
+        const auto options = matches_in(run(folder, sub + " --help").out, long_option);
         CHECK(options.size() >= 1);
         for (const std::string& option : options) {
             CAPTURE(option);

@@ -10,7 +10,7 @@
 
 using namespace edgeproof::test;
 
-TEST_CASE("a check of nothing is no pass: every command that compares, with an empty input") {
+TEST_CASE("an empty input does not pass: every command that compares") {
     const Folder folder;
     folder.write("cases.toml", "[cases]\n");
     folder.write("head.toml", hertz_head);

@@ -41,7 +41,7 @@ Outcome in_shell(const Folder& folder, const std::string& command) {
 
 } // namespace
 
-TEST_CASE("--out follows a link, keeps permissions, and leaves nothing beside the file") {
+TEST_CASE("--out follows a link, keeps permissions, and leaves no other file") {
     const Folder folder;
     folder.write("in.toml", output_scene);
     folder.write("file", "old");
@@ -98,7 +98,7 @@ TEST_CASE("--out writes to a FIFO, a device and a descriptor as they are") {
     }
 }
 
-TEST_CASE("a place that cannot be written is told before the work, in one line") {
+TEST_CASE("a path that cannot be written is reported before the work, in one line") {
     const Folder folder;
     folder.write("in.toml", output_scene);
     folder.write("recipe.toml", output_recipe);
@@ -146,7 +146,7 @@ TEST_CASE("FILE.part: neither a link nor a file of the user's is taken") {
     CHECK_FALSE(fs::exists(folder.path() / "t.csv.part"));
 }
 
-TEST_CASE("bad input makes no folder for what would have been written; good input makes it") {
+TEST_CASE("bad input creates no output folder; good input creates it") {
     const Folder folder;
     folder.write("bad.toml", "[profile]\nkind = \"none\"\n");
     folder.write("bad.csv", "id,value\nx,\n");

@@ -158,8 +158,7 @@ TEST_SUITE("slow") {
         CHECK(std::filesystem::file_size(folder.path() / "picture.png") > 10000);
     }
 
-    TEST_CASE(
-        "the paper's page: nothing raw, nothing cut off, a short print, errata that compile") {
+    TEST_CASE("the paper's page: no raw TeX, no text cut off, a short print, errata that compile") {
         if (!browser()) {
             MESSAGE("skipped: no Chromium here");
             return;
@@ -191,7 +190,7 @@ TEST_SUITE("slow") {
         CHECK(file_text(folder.path() / "out/errata.log").find("(1 page,") != std::string::npos);
     }
 
-    TEST_CASE("without gnuplot the audit runs, and the page says what is missing") {
+    TEST_CASE("without gnuplot the audit runs, and the page states that figures are missing") {
         const Folder folder;
         folder.write("own.toml", page_ledger);
         const std::string command = "cd '" + folder.path().string() + "' && PATH= '" +

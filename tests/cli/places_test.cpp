@@ -81,7 +81,7 @@ TEST_CASE("where a is given, the names are numbers") {
     CHECK(json["rows"][3]["u"] == "0.4");
 }
 
-TEST_CASE("a place x is one place, whichever edge it is told from") {
+TEST_CASE("a place x is the same place, measured from either edge") {
     const auto json = pressures(cylinder + by_force + "[ask]\nedges = [\"right\", \"left\"]\n" +
                                 "x = [\"a/3\", \"1/10\"]\nterms = 1\n");
     REQUIRE(json["rows"].size() == 4);
@@ -92,7 +92,7 @@ TEST_CASE("a place x is one place, whichever edge it is told from") {
     }
 }
 
-TEST_CASE("the estimated routes say that the place is known as far as a is") {
+TEST_CASE("the estimated routes state that the place is known to the digits of a") {
     const auto json = pressures(cylinder + by_force +
                                 "[ask]\nu = \"a/2\"\ndigits = 20\nroute = \"singular-integral\"\n");
     const auto& row = json["rows"][0];
@@ -101,7 +101,7 @@ TEST_CASE("the estimated routes say that the place is known as far as a is") {
     CHECK(std::stod(row["p_bound"].get<std::string>()) > 0);
 }
 
-TEST_CASE("places that are none: one line") {
+TEST_CASE("places that do not exist: an error in one line") {
     const auto ask = [](const std::string& what) { return "[ask]\n" + what + "\n"; };
     const std::string given = cylinder + by_force;
     const std::pair<std::string, const char*> all[] = {
@@ -118,7 +118,7 @@ TEST_CASE("places that are none: one line") {
         {given + ask("u = \"-10%\""), "s.toml:8: u = -10% from the right edge: the point lies"},
         {given + ask("u = \"%\""), "s.toml:8: u = \"%\": "},
         {given + ask("u = { from = \"a/10\", to = \"a\", points = 3 }"),
-         "s.toml:8: from = a/10 is no number as long as a and b are none"},
+         "s.toml:8: from = a/10 is not a number: it depends on a and b, which are unknown"},
         {given + ask("x = { from = 0, to = 1 }"), "s.toml:8: a range of x needs points"},
         {wedge + by_force + ask("u = \"a\""),
          "s.toml:9: u = a from the right edge: the point is on a corner"},
@@ -172,7 +172,7 @@ TEST_CASE("the greatest pressure is reached, and no pressure is greater") {
 
 // P = pi/4, Q = 3/4 f P: c = 1/2, and |q|/(f p) = 1 - sqrt(c^2 - x^2)/sqrt(1 - x^2) in the stick
 // zone (Cattaneo, Mindlin).
-TEST_CASE("stick check: how much of the friction is used") {
+TEST_CASE("stick check: the fraction of the friction that is used") {
     const auto json = pressures(cylinder + by_edge +
                                 "[shear]\nQ = \"9*pi/80\"\nfriction = \"0.6\"\n"
                                 "[ask]\nx = [\"0\", \"1/4\", \"3/4\"]\ndigits = 18\n");

@@ -75,7 +75,7 @@ TEST_CASE("every file names the program, its commit and its libraries") {
     CHECK(names_program(file_text(folder.path() / "f.csv")));
 }
 
-TEST_CASE("what is compared with a run names no program: recorded verdicts") {
+TEST_CASE("files that are compared with a run name no program: recorded verdicts") {
     const Folder folder;
     folder.write("own.toml", hertz_head + hertz_right);
     REQUIRE(run(folder, "verify own.toml --record --digits 20").code == 0);

@@ -107,7 +107,7 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
     }
 }
 
-TEST_CASE("pressure: the columns, the order, Hertz to the last digit") {
+TEST_CASE("pressure: the columns, the order, and Hertz to the last digit") {
     const Folder folder;
     folder.write("s.toml", profile + load +
                                "[ask]\nedges = [\"left\", \"right\"]\n"
@@ -214,7 +214,8 @@ TEST_CASE("extent: Hertz by hand, and the process zone answered") {
     CHECK(json["rows"][1]["edge"] == "left");
 }
 
-TEST_CASE("explain: what is off says why; after a run what was done stands beside it") {
+TEST_CASE(
+    "explain: each effect that is off has a reason; after a run the effects used are listed, too") {
     const Folder folder;
     folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\n");
     const Outcome plan = run(folder, "explain s.toml");
@@ -229,7 +230,7 @@ TEST_CASE("explain: what is off says why; after a run what was done stands besid
 
 // An edge on a knot, which cannot be proved (scene/on_knot_test.cpp): p is proved, its series is
 // not.
-TEST_CASE("what is not proved carries its mark in every format, and explain --run counts it") {
+TEST_CASE("a value that is not proved is marked in every format, and explain --run counts it") {
     const Folder folder;
     folder.write("s.toml",
                  "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
@@ -255,7 +256,7 @@ TEST_CASE("what is not proved carries its mark in every format, and explain --ru
     CHECK(proved.out.find("estimated") == std::string::npos);
 }
 
-TEST_CASE("extent: no first exit in the part is no number") {
+TEST_CASE("extent: without a first exit in the part there is no number") {
     const Folder folder;
     folder.write("s.toml", profile + load + "[ask]\nterms = 1\npart = [\"0\", \"1/100\"]\n");
     const std::string command = "extent s.toml --tolerance 1% --digits 8 --edge right";

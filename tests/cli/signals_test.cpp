@@ -49,7 +49,7 @@ Outcome in_a_process(const std::function<void()>& f) {
 
 } // namespace
 
-TEST_CASE("whatever aborts in a library, or is caught by nobody: one line, exit status 2") {
+TEST_CASE("an abort in a library, or an uncaught exception: one line, exit status 2") {
     struct Abort {
         const char* name;
         std::function<void()> run;
@@ -85,7 +85,8 @@ TEST_CASE("whatever aborts in a library, or is caught by nobody: one line, exit 
     }
 }
 
-TEST_CASE("signals end a program that never looks; what nohup ignores does not") {
+TEST_CASE(
+    "signals end a program that never checks for them; a signal that nohup ignores does not") {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         CAPTURE(signal);
         const Outcome o = in_a_process([signal] {
@@ -106,7 +107,7 @@ TEST_CASE("signals end a program that never looks; what nohup ignores does not")
     CHECK(ignored.code == 0);
 }
 
-TEST_CASE("deep and long and huge formulas: an answer or one line, never a crash") {
+TEST_CASE("deep, long and huge formulas: an answer or one line, never a crash") {
     const auto repeated = [](int n, const std::string& text) {
         std::string all;
         for (int i = 0; i < n; ++i) {

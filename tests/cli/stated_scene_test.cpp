@@ -25,7 +25,7 @@ std::string table_of(const std::string& csv) {
 
 } // namespace
 
-TEST_CASE("a scene by its quantities: the scene that it stands for is told, and gives the same") {
+TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and gives the same") {
     const std::string all[] = {
         "pressure --hertz --R 100 --P 120 " + titanium + " --u 1e-3,a/2 --terms 1,2 --digits 20",
         "pressure --cylinder-on-flat --R 1 --a 1 --contact-modulus 1 --x 0",
@@ -43,8 +43,9 @@ TEST_CASE("a scene by its quantities: the scene that it stands for is told, and 
         const Outcome o = run(folder, arguments);
         CAPTURE(o.err);
         REQUIRE(o.code == 0);
-        folder.write("told.toml", o.err);
-        const Outcome again = run(folder, arguments.substr(0, arguments.find(' ')) + " told.toml");
+        folder.write("printed.toml", o.err);
+        const Outcome again =
+            run(folder, arguments.substr(0, arguments.find(' ')) + " printed.toml");
         CAPTURE(again.err);
         CHECK(again.code == 0);
         CHECK(again.err.empty());
@@ -66,7 +67,7 @@ TEST_CASE("the half-width of a pad by hand") {
 }
 
 // p = E* sqrt(a^2 - x^2)/(2 R): 0.15 at x = 0.4, a = 1/2, R = E* = 1.
-TEST_CASE("points on the command line stand for those of the scene's file") {
+TEST_CASE("points on the command line replace those of the scene's file") {
     const Folder folder;
     const std::string contact =
         "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = \"1/2\"\ncontact_modulus = 1\n";
@@ -96,7 +97,7 @@ TEST_CASE("points on the command line stand for those of the scene's file") {
     }
 }
 
-TEST_CASE("quantities that make no scene: one line") {
+TEST_CASE("quantities that do not define a scene: one line") {
     const std::pair<const char*, const char*> all[] = {
         {"pressure", "edgeproof: no scene is given; name its file, - for standard input, or"},
         {"pressure --R 1", "edgeproof: no profile is given; add one of --power-law, --hertz"},

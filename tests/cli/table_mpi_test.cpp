@@ -54,7 +54,7 @@ std::string run_and_kill(const Folder& folder, int ranks, int rank, const std::s
 
 } // namespace
 
-TEST_CASE("table under mpirun: byte for byte what one process makes") {
+TEST_CASE("table under mpirun: the same bytes as from one process") {
     if (!can_run()) {
         return;
     }
@@ -116,7 +116,7 @@ TEST_CASE("table under mpirun: any rank killed, many times" * doctest::test_suit
     }
 }
 
-TEST_CASE("table under mpirun: what is wrong is told once") {
+TEST_CASE("table under mpirun: an error is reported once") {
     if (!can_run()) {
         return;
     }

@@ -29,8 +29,8 @@ inline std::vector<Real> points_of(const NormalContact& contact, Edge edge, int 
     for (const Exact& knot : contact.profile().knots()) {
         const Real at = knot.to<Real>();
         const Real from = edge == Edge::right ? Real(contact.a() - at) : Real(contact.b() + at);
-        for (const char* beside : {"1e-20", "-1e-20"}) {
-            const Real d = from + Real(beside) * length;
+        for (const char* offset : {"1e-20", "-1e-20"}) {
+            const Real d = from + Real(offset) * length;
             if (d > 0 && d < length) {
                 u.push_back(d);
             }

@@ -151,7 +151,7 @@ constexpr int mpmath_digits = 26;
 
 } // namespace
 
-TEST_CASE("slopes of every kind: b, P and p as mpmath has them, with a or P given, and mirrored") {
+TEST_CASE("slopes of every kind: b, P and p agree with mpmath, with a or P given, and mirrored") {
     const Exact u = exact("1/10");
     for (const Case& c : family()) {
         CAPTURE(c.name);
@@ -211,7 +211,7 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
             (void)NormalContact(profile, exact("1"), load, 20);
             FAIL("accepted: ", slope);
         } catch (const InputError& e) {
-            CHECK_MESSAGE(std::string(e.what()).find("is not seen to rise beyond x = ") !=
+            CHECK_MESSAGE(std::string(e.what()).find("could not be shown to rise beyond x = ") !=
                               std::string::npos,
                           e.what());
         }

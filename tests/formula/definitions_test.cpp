@@ -21,7 +21,7 @@ formula::Expr named(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("definitions are put into each other, whatever their order") {
+TEST_CASE("definitions are put into each other, in any order") {
     const auto found = formula::put_into_each_other(
         {{"a", named("b + c")}, {"b", named("2*c")}, {"c", named("d^2")}});
     CHECK(to_text(found.at("a")) == "2*d^2 + d^2");
@@ -30,7 +30,7 @@ TEST_CASE("definitions are put into each other, whatever their order") {
     CHECK(to_text(formula::put_in(found, named("a*d"))) == "(2*d^2 + d^2)*d");
 }
 
-TEST_CASE("definitions that need themselves are refused, with the circle") {
+TEST_CASE("circular definitions are refused, and the circle is named") {
     const auto circle = [](const formula::Definitions& definitions) {
         try {
             (void)formula::put_into_each_other(definitions);
@@ -39,9 +39,9 @@ TEST_CASE("definitions that need themselves are refused, with the circle") {
         }
         return std::string("none");
     };
-    CHECK(circle({{"a", named("a")}}) == "the definitions go round in a circle: a -> a");
+    CHECK(circle({{"a", named("a")}}) == "the definitions are circular: a -> a");
     CHECK(circle({{"a", named("b")}, {"b", named("c + 1")}, {"c", named("2/b")}}) ==
-          "the definitions go round in a circle: b -> c -> b");
+          "the definitions are circular: b -> c -> b");
     CHECK(circle({{"a", named("b")}, {"b", named("c")}}) == "none");
     // The variable of a sum is not a definition.
     CHECK(circle({{"a", named("sum(a, a, 1, 3)")}}) == "none");

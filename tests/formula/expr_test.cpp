@@ -25,7 +25,7 @@ Expr read(std::string_view text) { return parse(text, text_symbols); }
 
 } // namespace
 
-TEST_CASE("text comes out as it would be written by hand") {
+TEST_CASE("expressions are printed as they would be written by hand") {
     // Each of these is already its own shortest text.
     for (const char* text : {
              "0",
@@ -194,7 +194,7 @@ TEST_CASE("edits by path") {
     CHECK_THROWS_AS((void)replace(e, Path{1, 1}, read("1")), InputError);
 }
 
-TEST_CASE("builders refuse what no text could say") {
+TEST_CASE("builders refuse expressions that have no text") {
     CHECK_THROWS_AS((void)Expr::call("sqrt", {}), InputError);
     CHECK_THROWS_AS((void)Expr::call("atan2", {read("1")}), InputError);
     CHECK_THROWS_AS((void)Expr::call("integral", {read("1"), read("2"), read("3"), read("4")}),

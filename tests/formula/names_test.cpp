@@ -18,7 +18,7 @@ FormulaError refusal(const std::string& text, const Symbols& symbols) {
 
 } // namespace
 
-TEST_CASE("a number with a unit is told that there are none") {
+TEST_CASE("a number with a unit is refused: numbers have no units") {
     for (const char* text :
          {"70 GPa", "70GPa", "1e3 Pa", "0.5mm", "2.5e-3 m", "(70 GPa)/2", "3 N/mm^2", "1 kN"}) {
         CAPTURE(text);
@@ -36,7 +36,7 @@ TEST_CASE("a number with a unit is told that there are none") {
     }
 }
 
-TEST_CASE("the near name of a slip of the pen in a formula") {
+TEST_CASE("a misspelled name in a formula: the near name is suggested") {
     const Symbols symbols{"alpha", "gam", "x"};
     const auto instead = [&](const char* text) { return refusal(text, symbols).instead(); };
     CHECK(instead("alhpa*x").find("did you mean alpha? use one of: ") == 0);

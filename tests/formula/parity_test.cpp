@@ -39,7 +39,7 @@ std::optional<Real> value_at(const Expr& e, const Real& x) {
 
 } // namespace
 
-TEST_CASE("even and odd functions are told by their form") {
+TEST_CASE("even and odd functions are recognised by their form") {
     for (const char* text :
          {"3", "Pi", "c", "c^(1/3)", "x^2", "x*x", "x^-4", "x/x", "cos(x)", "abs(x^3)",
           "sqrt(1 + x^2)", "exp(-x^2)", "sinh(x)^2", "gamma(x^2)", "max(x^2, c)", "hypot(x^2, 1)",
@@ -75,10 +75,10 @@ TEST_CASE("an odd function and a constant") {
     }
 }
 
-TEST_CASE("what is told of random formulas is so of their values") {
+TEST_CASE("the parity found for random formulas agrees with their values") {
     std::mt19937_64 random(17);
     const PrecisionScope scope(40);
-    int told = 0;
+    int decided = 0;
     for (int k = 0; k < 6000; ++k) {
         const Expr e = test::random_expr(random, 5, {"x", "c"});
         const Parity p = parity(e, "x");
@@ -93,7 +93,7 @@ TEST_CASE("what is told of random formulas is so of their values") {
             if (!right || !left) {
                 continue;
             }
-            ++told;
+            ++decided;
             CAPTURE(to_text(e));
             const Real size = 1 + abs(*right);
             if (p == Parity::even) {
@@ -106,10 +106,10 @@ TEST_CASE("what is told of random formulas is so of their values") {
             }
         }
     }
-    CHECK(told > 1000);
+    CHECK(decided > 1000);
 }
 
-TEST_CASE("a deep formula is told in one walk") {
+TEST_CASE("the parity of a deep formula is found in one traversal") {
     Expr e = Expr::symbol("x");
     for (int k = 0; k < 500; ++k) {
         e = Expr::call("sin", {pow(e, Expr::number(3))});

@@ -98,7 +98,7 @@ TEST_CASE("names") {
     CHECK(error_of("integral(s, s, 0, 1) + s").offset() == 23);
 }
 
-TEST_CASE("an unknown name is an error that says what may be used") {
+TEST_CASE("an unknown name is an error that lists the names that may be used") {
     const FormulaError e = error_of("a + bb");
     CHECK(e.offset() == 4);
     CHECK(e.problem() == "unknown name 'bb' at column 5");
@@ -202,7 +202,7 @@ TEST_CASE("malformed text is one line of error, with its place") {
     CHECK(error_of("a + \xFF").problem() == "unexpected byte 0xff at column 5");
 }
 
-TEST_CASE("no text makes the parser crash, hang or fill the memory") {
+TEST_CASE("the parser does not crash, hang or fill the memory for any text") {
     for (const std::size_t n : {std::size_t{201}, std::size_t{5000}, std::size_t{9999}}) {
         CHECK_THROWS_AS((void)parse(repeated("(", n) + "1" + repeated(")", n)), FormulaError);
         CHECK_THROWS_AS((void)parse(repeated("-", n) + "1"), FormulaError);

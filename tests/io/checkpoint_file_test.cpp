@@ -55,7 +55,7 @@ std::string all(const CheckpointFile& part) {
 
 } // namespace
 
-TEST_CASE("a part file gives back what was whole in it, wherever it was cut off") {
+TEST_CASE("a part file returns its complete pieces, wherever it was cut off") {
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     {
@@ -77,7 +77,7 @@ TEST_CASE("a part file gives back what was whole in it, wherever it was cut off"
     }
 }
 
-TEST_CASE("a part file drops what is not what was written, and work of another kind") {
+TEST_CASE("a part file drops pieces that were changed, and work of another kind") {
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     { // closed before it is read
@@ -155,7 +155,7 @@ TEST_CASE("a part file takes no file that is not Edgeproof's, and follows no lin
     refused();
 }
 
-TEST_CASE("a part file removes itself, not what has come under its name since") {
+TEST_CASE("a part file removes itself, but not a newer file with its name") {
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     CheckpointFile part(file, 7, 2);
@@ -165,7 +165,7 @@ TEST_CASE("a part file removes itself, not what has come under its name since") 
     CHECK(read_text(file, "file") == "mine");
 }
 
-TEST_CASE("a part file takes nothing but whole pieces that it does not have") {
+TEST_CASE("a part file accepts only complete pieces that it does not have yet") {
     const Folder folder;
     CheckpointFile part(folder.path / "t.part", 7, 2);
     const std::string body = CheckpointFile::body({{0, 1, 0, "zero"}, {2, 1, 1, "two"}});
@@ -177,7 +177,7 @@ TEST_CASE("a part file takes nothing but whole pieces that it does not have") {
     CHECK(part.items() == 2);
 }
 
-TEST_CASE("a part file that is in use, removed, or in no folder is told in one line") {
+TEST_CASE("a part file that is in use, removed, or in no folder is an error in one line") {
     const Folder folder;
     const fs::path file = folder.path / "t.part";
     CheckpointFile part(file, 7, 2);
@@ -209,7 +209,7 @@ TEST_CASE("a file is seen when it is whole, and not before") {
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
 }
 
-TEST_CASE("what a killed run left beside a file is removed, what a living one writes is not") {
+TEST_CASE("temporary files of a killed run are removed, those of a running one are not") {
     const Folder folder;
     const fs::path file = folder.path / "t.csv";
     const pid_t gone = ::fork();

@@ -37,8 +37,7 @@ TEST_CASE("CSV: notes, quotes, blanks, either line end, ragged rows, each with i
     CHECK_THROWS_AS((void)parse_csv("# notes only\n", "f.csv"), InputError);
 }
 
-TEST_CASE(
-    "CSV: what stands beside a quote is a fault of its row, and the rows behind it are read") {
+TEST_CASE("CSV: text next to a quote is an error of its row, and the rows after it are read") {
     struct Bad {
         const char* row;
         const char* fault;
@@ -106,7 +105,7 @@ TEST_CASE("CSV: UTF-16 and lines that end in CR alone are refused with the cause
     CHECK(parse_csv("id,value\r", "f.csv").header.cells == Cells{"id", "value"});
 }
 
-TEST_CASE("CSV: no more rows than asked for") {
+TEST_CASE("CSV: no more rows than requested") {
     const Csv csv = parse_csv("a\n1\n2\n3\n", "f.csv", {.most_rows = 2});
     CHECK(csv.rows.size() == 2);
     CHECK(csv.cut);

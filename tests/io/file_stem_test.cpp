@@ -28,7 +28,7 @@ TEST_CASE("a name of a file: ids of the usual form are their own names") {
     CHECK(FileStem(std::string(120, 'x')).text() == std::string(120, 'x'));
 }
 
-TEST_CASE("a name of a file: no id leads out of the folder or steers what uses the name") {
+TEST_CASE("a name of a file: no id leads out of the folder or is read as an option") {
     for (const std::string id : {"",
                                  ".",
                                  "..",

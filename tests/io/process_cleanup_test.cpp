@@ -52,7 +52,7 @@ pid_t start_shell(const char* command) {
 
 } // namespace
 
-TEST_CASE("clean_up: temporary paths go, those kept stay, and the note is told") {
+TEST_CASE("clean_up: temporary paths are removed, kept ones remain, and the note is printed") {
     const auto folder = own_folder();
     CHECK(in_a_process([&] {
               std::filesystem::create_directories(folder / "scratch" / "deep");
@@ -75,7 +75,7 @@ TEST_CASE("clean_up: temporary paths go, those kept stay, and the note is told")
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("clean_up: a file that is not whole has no name afterwards, one that is stays") {
+TEST_CASE("clean_up: an incomplete file is removed, a complete one remains") {
     const auto folder = own_folder();
     CHECK(in_a_process([&] {
               AtomicFile done(folder / "done");
@@ -95,7 +95,7 @@ TEST_CASE("clean_up: a file that is not whole has no name afterwards, one that i
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("an interrupted process writes no result; a checkpoint it does") {
+TEST_CASE("an interrupted process writes no result, but writes a checkpoint") {
     const auto folder = own_folder();
     request_interruption(SIGTERM);
     {
@@ -136,7 +136,7 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
     ::close(ends[0]);
 }
 
-TEST_CASE("what a program leaves behind ends with it, also in a session of its own") {
+TEST_CASE("processes that a program leaves behind end with it, also in a session of their own") {
     std::array<int, 2> ends{};
     REQUIRE(::pipe(ends.data()) == 0); // all descendants of the program hold it
     const std::filesystem::path folder = own_folder();

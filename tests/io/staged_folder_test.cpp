@@ -61,7 +61,7 @@ const Names whole{"out/", "out/a.csv", "out/figures/", "out/figures/b.svg"};
 
 } // namespace
 
-TEST_CASE("a staged folder: nothing before it is committed, all after it") {
+TEST_CASE("a staged folder: no file is there before the commit, all are there after it") {
     for (const char* name : {"out", "out/", "./out"}) {
         CAPTURE(name);
         const OwnFolder own;
@@ -81,7 +81,7 @@ TEST_CASE("a staged folder: nothing before it is committed, all after it") {
     }
 }
 
-TEST_CASE("a staged folder whose folders above are missing, too: all of them appear as one") {
+TEST_CASE("a staged folder whose parent folders are missing: all of them appear at once") {
     for (const char* name : {"x/y/out", "x/y/out/", "x/../x/./y/out"}) {
         CAPTURE(name);
         const OwnFolder own;
@@ -106,7 +106,7 @@ TEST_CASE("a staged folder whose folders above are missing, too: all of them app
           Names{"x/", "x/mine", "x/out/", "x/out/a.csv", "x/out/figures/", "x/out/figures/b.svg"});
 }
 
-TEST_CASE("a staged folder: an error while it is filled names the folder asked for") {
+TEST_CASE("a staged folder: an error while it is filled names the requested folder") {
     const OwnFolder own;
     const StagedFolder staged(own.path() / "out");
     try {
@@ -119,7 +119,7 @@ TEST_CASE("a staged folder: an error while it is filled names the folder asked f
     }
 }
 
-TEST_CASE("a staged folder, where there is one: what else is in it stays") {
+TEST_CASE("a staged folder that replaces an existing one: the other files in it remain") {
     const OwnFolder own;
     fs::create_directories(own.path() / "out" / "figures");
     write_whole(own.path() / "out" / "a.csv", "old");
@@ -141,7 +141,7 @@ TEST_CASE("a staged folder, where there is one: what else is in it stays") {
     CHECK(own.all() == with_mine);
 }
 
-TEST_CASE("a staged folder: what killed runs left beside it goes, also once it is there") {
+TEST_CASE("a staged folder: temporary folders of killed runs next to it are removed") {
     const OwnFolder own;
     // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
@@ -154,7 +154,7 @@ TEST_CASE("a staged folder: what killed runs left beside it goes, also once it i
     CHECK(own.all() == whole);
 }
 
-TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is removed") {
+TEST_CASE("a staged folder: unchanged by an interruption; files of killed runs are removed") {
     const OwnFolder own;
     // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
@@ -174,7 +174,7 @@ TEST_CASE("a staged folder: interrupted, as it was; what killed runs left is rem
     CHECK_FALSE(fs::exists(own.path() / "out"));
 }
 
-TEST_CASE("a staged folder: errors are told with the name asked for, and before the work") {
+TEST_CASE("a staged folder: errors name the requested folder, and come before the work") {
     const OwnFolder own;
     write_whole(own.path() / "file", "x");
     CHECK_THROWS_AS(StagedFolder(own.path() / "file"), InputError);

@@ -39,7 +39,7 @@ public:
 
 } // namespace
 
-TEST_CASE("read_text: a file whole, and why another one cannot be read") {
+TEST_CASE("read_text: returns a whole file, or the reason why it cannot be read") {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("edgeproof-io-" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
@@ -62,7 +62,7 @@ TEST_CASE("read_text: a file whole, and why another one cannot be read") {
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("at_place: errors of ours get the file, the line and advice; others go on as they are") {
+TEST_CASE("at_place: Edgeproof's errors get the file, the line and advice; others are unchanged") {
     CHECK(at_place("f.toml", 3, [] { return 7; }) == 7);
     CHECK(placed(InputError("a", "b")) == "f.toml:3: a; b");
     CHECK(placed(InputError("a", "b").at("g.toml", 5)) == "g.toml:5: a; b");

@@ -130,7 +130,7 @@ TEST_CASE("work shared by several processes is done once, all of it, by all of t
     CHECK(share(3, 0, slowly, keep_nothing_else).kept.empty());
 }
 
-TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
+TEST_CASE("of several pieces that fail, the first one is reported, from any process") {
     const auto make = [](std::size_t, std::size_t p) {
         if (p % 100 == 37) {
             throw InputError("piece " + std::to_string(p) + " is bad", "correct it");
@@ -147,7 +147,7 @@ TEST_CASE("of several pieces that fail, the least is told, whoever had it") {
     }
 }
 
-TEST_CASE("a stop in any process ends all of them, and so does what cannot be kept") {
+TEST_CASE("a stop in any process ends all of them, and so does a result that cannot be kept") {
     const auto stops = [](std::size_t process, std::size_t p) -> std::string {
         if (process == 1 && p > 20) {
             throw Interrupted("interrupted");
@@ -165,7 +165,7 @@ TEST_CASE("a stop in any process ends all of them, and so does what cannot be ke
     CHECK(full.kept.empty());
 }
 
-TEST_CASE("a process that cannot take part ends the others and is told as such") {
+TEST_CASE("a process that cannot take part ends the others and is reported") {
     const Outcome other_recipe = share(
         3, 100'000, slowly, keep_nothing_else, [](Processes& processes, const MakePiece& make) {
             follow_work(processes, processes.number() == 2 ? "other" : "sign", 1, make);

@@ -24,7 +24,7 @@ struct Squares {
 
 } // namespace
 
-TEST_CASE("a cache keeps no more than it may, and lets go what was not used for the longest") {
+TEST_CASE("a cache keeps no more than its limit, and drops the least recently used value") {
     Squares squares;
     for (const int k : {1, 2, 3}) {
         CHECK(*squares.of(k) == k * k);
@@ -45,7 +45,7 @@ TEST_CASE("a cache keeps no more than it may, and lets go what was not used for 
     }
 }
 
-TEST_CASE("a value that is held outlives its place in the cache") {
+TEST_CASE("a value in use remains valid after the cache drops it") {
     Squares squares;
     const std::shared_ptr<const int> held = squares.of(7);
     for (int k = 10; k < 20; ++k) {
@@ -55,7 +55,7 @@ TEST_CASE("a value that is held outlives its place in the cache") {
     CHECK(squares.of(7) != held);
 }
 
-TEST_CASE("what cannot be made is not kept, and what is made may ask for another value") {
+TEST_CASE("a value whose computation fails is not kept; a computation may request another value") {
     BoundedCache<int, const int> cache(2);
     const auto failing = []() -> std::shared_ptr<const int> { throw DomainError("no"); };
     CHECK_THROWS_AS((void)cache.get(1, failing), DomainError);

@@ -9,7 +9,7 @@
 #include <exception>
 #include <type_traits>
 
-TEST_CASE("an interruption is thrown while it is asked for; its first reason stays") {
+TEST_CASE("an interruption is thrown while it is requested; its first reason remains") {
     CHECK(interruption_requested() == 0);
     CHECK_NOTHROW(check_interruption());
     request_interruption(15);

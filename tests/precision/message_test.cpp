@@ -9,7 +9,7 @@
 #include <array>
 #include <random>
 
-TEST_CASE("nothing that steers a terminal is printable") {
+TEST_CASE("no control sequence of a terminal is printable") {
     struct Case {
         std::string text;
         std::string shown;
@@ -36,7 +36,7 @@ TEST_CASE("nothing that steers a terminal is printable") {
     CHECK(printable_lines("a\nb\tc\r\n\x1b") == "a\nb\tc \n\\x1b");
 }
 
-TEST_CASE("printable: of any bytes, none below a space is left, and text is left as it is") {
+TEST_CASE("printable: no byte below a space remains, and text is unchanged") {
     std::mt19937 random(7);
     for (int round = 0; round < 2000; ++round) {
         std::string text;
@@ -76,7 +76,7 @@ TEST_CASE("shortened: the ends stay, characters stay whole") {
     }
 }
 
-TEST_CASE("the near name of a slip of the pen, and none of another word") {
+TEST_CASE("a near name is found for a misspelled word, and none for another word") {
     const std::array<std::string_view, 8> known{"pressure", "contact_modulus",  "a",   "P",
                                                 "digits",   "flat-and-rounded", "nu1", "nu2"};
     const auto near = [&](std::string_view name) { return near_name(name, known); };

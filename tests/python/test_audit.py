@@ -43,8 +43,8 @@ def ledger(tmp_path):
 
 
 def test_verdicts(ledger):
-    told = []
-    audit = edgeproof.verify(ledger, digits=30, progress=lambda done, of: told.append((done, of)))
+    calls = []
+    audit = edgeproof.verify(ledger, digits=30, progress=lambda done, of: calls.append((done, of)))
     assert audit.ledger == "own" and audit.source == "a test" and audit.digits == 30
     assert [c.id for c in audit] == ["right", "wrong"] and len(audit) == 2
     assert audit["right"].verdict in ("proved", "confirmed") and audit["right"].holds
@@ -53,13 +53,13 @@ def test_verdicts(ledger):
     assert audit["wrong"].correct and audit["wrong"].evidence["kind"] == "value"
     assert audit["wrong"].rests_on == "enclosures" and audit["wrong"].certificate is None
     assert audit.differences is None and "1 refuted" in audit.summary
-    assert told and told[-1][1] == 2
+    assert calls and calls[-1][1] == 2
     with pytest.raises(KeyError):
         audit["other"]
     assert json.loads(json.dumps(audit.to_dict()))["claims"][1]["verdict"] == "refuted"
 
 
-def test_only_and_what_is_recorded(source):
+def test_only_and_recorded_verdicts(source):
     audit = edgeproof.verify(source / "verify/moore-hills.toml", digits=20, only="EQ18")
     assert [c.id for c in audit] == ["EQ18"]
     assert audit.differences == ()

@@ -49,13 +49,13 @@ def test_questions(recipe):
 
 
 def test_a_function_that_is_right(recipe):
-    told = []
+    calls = []
     agreement = edgeproof.check(hertz, recipe=recipe, digits=14,
-                                progress=lambda done, of: told.append(of))
+                                progress=lambda done, of: calls.append(of))
     assert agreement.passed and len(agreement) == 10 and agreement.failures == ()
     assert all(case.digits > 14 and case.state == "number" for case in agreement)
     assert agreement.faults == () and agreement.conventions == () and agreement.estimates == 0
-    assert "pass: 10 answers" in str(agreement) and told
+    assert "pass: 10 answers" in str(agreement) and calls
 
 
 def test_a_function_that_is_wrong(recipe):
@@ -65,7 +65,7 @@ def test_a_function_that_is_wrong(recipe):
     assert agreement.to_dict()["conventions"][0]["relation"] == "2 times ours"
 
 
-def test_answers_of_all_sorts(recipe):
+def test_answers_of_every_type(recipe):
     import numpy as np
 
     answers = iter([None, float("nan"), float("-inf"), "0.1", "many", np.float64(0.25), 3])
@@ -89,7 +89,7 @@ def test_a_command_and_a_file(recipe, tmp_path):
     assert not edgeproof.check(recipe=recipe, command="false").passed
 
 
-def test_what_makes_no_sense(recipe, tmp_path):
+def test_malformed_arguments(recipe, tmp_path):
     for call in (lambda: edgeproof.check(), lambda: edgeproof.check(recipe=recipe),
                  lambda: edgeproof.check(hertz), lambda: edgeproof.check(command="true"),
                  lambda: edgeproof.check(hertz, recipe=recipe, digits=-1),

@@ -17,10 +17,10 @@ def nodes(count, stretch=1.0):
     return x, stretch * np.sqrt(np.maximum(1 - x * x, 0)) / 2
 
 
-def test_data_that_are_right(hertz):
-    told = []
-    c = edgeproof.compare(hertz, nodes(240), progress=lambda done, of: told.append((done, of)))
-    assert c.passed and len(c) == 1 and told[-1] == (1, 1)
+def test_right_data(hertz):
+    calls = []
+    c = edgeproof.compare(hertz, nodes(240), progress=lambda done, of: calls.append((done, of)))
+    assert c.passed and len(c) == 1 and calls[-1] == (1, 1)
     r = c[0]
     assert r.passed and r.nodes == 241 and r.inside + r.outside == 241
     assert r.inside == int((np.abs(nodes(240)[0]) < 1).sum())
@@ -35,7 +35,7 @@ def test_data_that_are_right(hertz):
     assert "pass: 1 file" in str(c) and list(c) == [r] and c.orders == {}
 
 
-def test_data_that_are_wrong(hertz):
+def test_wrong_data(hertz):
     c = edgeproof.compare(hertz, nodes(96, stretch=2.0), tolerance="5%")
     assert not c.passed and c[0].failures and abs(c[0].errors.local - 1) < 1e-12
     assert c[0].causes[0].name == "factor-2" and abs(c[0].causes[0].factor - 2) < 1e-12
@@ -75,7 +75,7 @@ def test_scales_and_columns(hertz, tmp_path):
     assert c.passed and c[0].sign == -1 and c[0].errors.peak < 1e-9
 
 
-def test_what_makes_no_sense(hertz, tmp_path):
+def test_malformed_arguments(hertz, tmp_path):
     bad = tmp_path / "bad.csv"
     bad.write_text("x,p\n0,1\n0.5,nan\n")
     with pytest.raises(edgeproof.InputError) as raised:

@@ -56,16 +56,16 @@ def test_the_best_exponent_is_where_an_extremum_touches(source):
     assert found.reach_shown_at["m"] < found.value and found.gap == "0.000001"
 
 
-def test_a_text_and_what_is_asked_of_it():
-    told = []
+def test_a_scene_as_text_with_options():
+    calls = []
     found = edgeproof.design(text=POWER_LAW, maximise="first_exit", tolerance="2%", edge="both",
                              gap="1/1000", digits=20,
-                             progress=lambda done, of: told.append((done, of)))
+                             progress=lambda done, of: calls.append((done, of)))
     low, high = found.reach.interval()
     assert low <= HERTZ_REACH <= high and high - low < Fraction(1, 10**20)
     assert found.value == 1 and found.proved and found.best == "an end of the range"
     assert found.touches_at is None and found.printed == {} and found.reach_at_printed is None
-    assert told and told[-1][1] == 1000
+    assert calls and calls[-1][1] == 1000
     as_json = json.loads(json.dumps(found.to_dict()))
     assert Fraction(as_json["tolerance"]) == Fraction(found.tolerance) == Fraction(1, 50)
     assert as_json["proof"] == "yes"
@@ -82,7 +82,7 @@ def test_an_estimate_is_called_one():
     assert abs(found.reach.fraction() - HERTZ_REACH) < 1e-6
 
 
-def test_what_is_given_goes_before_what_the_scene_says():
+def test_arguments_override_the_scene():
     text = POWER_LAW + '[design]\nmaximise = "measure"\ntolerance = "50%"\nterms = 3\nedge = "left"\n'
     found = edgeproof.design(text=text, maximise="first_exit", tolerance="2%", terms=1, digits=10)
     assert found.terms == 1 and found.proved
@@ -113,7 +113,7 @@ def test_other_threads_run_meanwhile():
     ({"maximise": "measure", "tolerance": "1%", "digits": 1001}, "digits = 1001"),
     ({"maximise": "slip_load", "tolerance": "1%"}, "nothing slips"),
 ])
-def test_questions_that_make_no_sense(asked, problem):
+def test_malformed_questions(asked, problem):
     with pytest.raises(edgeproof.InputError, match=problem) as raised:
         edgeproof.design(text=POWER_LAW, **asked)
     assert raised.value.advice and "\n" not in str(raised.value)

@@ -6,7 +6,7 @@ import pytest
 import edgeproof
 
 
-def test_what_derives_from_what():
+def test_base_classes():
     assert issubclass(edgeproof.InputError, ValueError)
     assert issubclass(edgeproof.DomainError, ValueError)
     assert issubclass(edgeproof.UndecidedError, ArithmeticError)
@@ -49,14 +49,14 @@ def test_no_file(tmp_path):
     (dict(a=1, contact_modulus=1, Q=1, path="later"), "unknown path"),
     (dict(P=1, M=1, contact_modulus=1), "no tilt"),
 ])
-def test_scenes_that_make_no_sense(given, problem):
+def test_malformed_scenes(given, problem):
     with pytest.raises(edgeproof.InputError, match=problem) as raised:
         edgeproof.Scene(edgeproof.hertz(R=1), **given)
     assert raised.value.file is None and raised.value.line is None
     assert "\n" not in str(raised.value)
 
 
-def test_questions_that_make_no_sense(hertz):
+def test_malformed_questions(hertz):
     for ask in (lambda: hertz.pressure("0"), lambda: hertz.pressure("-1"),
                 lambda: hertz.pressure("2"), lambda: hertz.pressure("3"),
                 lambda: hertz.pressure("0.1", edge="top"), lambda: hertz.pressure("0.1", digits=1),

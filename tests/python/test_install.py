@@ -20,7 +20,7 @@ def installed(prefix, home):
     return environment
 
 
-def test_nothing_set(tmp_path):
+def test_without_environment_variables(tmp_path):
     environment = installed(tmp_path / ".local", tmp_path)
     done = subprocess.run(
         [sys.executable, "-c",

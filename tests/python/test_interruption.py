@@ -94,13 +94,13 @@ def test_ctrl_c_ends_a_computation(profile, work, source):
     (SINH, 100, 299),
     ('power_law(m="1/3", C=1)', 6000, 3),  # in a process of its own
 ])
-def test_a_handler_that_goes_on_goes_on(profile, digits, places):
+def test_a_handler_may_continue_the_computation(profile, digits, places):
     code = SWALLOWED.replace("DIGITS", str(digits)).replace("PLACES", str(places + 1))
     out, err, _ = run(code.replace("PROFILE", profile), after=0.05)
     assert out == f"[2] {places}\n", err
 
 
-def test_nothing_goes_on_unseen(tmp_path):
+def test_no_process_continues_in_the_background(tmp_path):
     """The process that computes many digits ends with its parent, however the parent ends."""
     code = ALONE.replace("PROFILE", 'power_law(m="1/3", C=1)').replace(
         "WORK", "scene.pressure('0.1', digits=100_000)")
@@ -125,14 +125,14 @@ def test_integrals_of_many_digits_end_soon(digits):
     assert seconds < 2.5
 
 
-def test_what_progress_raises_ends_the_work(source):
+def test_an_exception_of_progress_ends_the_work(source):
     code = f"LEDGER = {str(source / 'verify/moore-hills.toml')!r}\n" + RAISED
     done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
                           timeout=300, check=True)
     assert done.stdout == "enough\n"
 
 
-def test_the_handler_is_pythons_again(hertz):
+def test_the_signal_handler_is_restored(hertz):
     before = signal.getsignal(signal.SIGINT)
     hertz.pressure("0.1")
     assert signal.getsignal(signal.SIGINT) is before

@@ -65,7 +65,7 @@ def test_numbers_given(values):
         assert made.a.exact == Fraction(int(mantissa)) * Fraction(2)**int(exponent)
 
 
-def test_errors_come_back_as_they_are(hertz, tmp_path):
+def test_errors_of_the_process_are_raised_unchanged(hertz, tmp_path):
     for u in ("-1", "3", "what"):
         with pytest.raises(edgeproof.InputError) as apart:
             hertz.pressure(u, digits=DIGITS)

@@ -48,13 +48,13 @@ def test_a_long_mpf_keeps_every_digit():
 @pytest.mark.parametrize("given", [float("nan"), float("inf"), Decimal("NaN"), np.float64("nan"),
                                    np.float32("inf"), np.longdouble("nan"), mpmath.mpf("nan"),
                                    mpmath.mpf("-inf")])
-def test_what_is_not_finite_is_refused(given):
+def test_numbers_that_are_not_finite_are_refused(given):
     with pytest.raises(edgeproof.InputError, match="R = .*not a finite number"):
         edgeproof.hertz(R=given)
 
 
 @pytest.mark.parametrize("given", [None, True, np.bool_(False), 1j, [1], object(), b"1"])
-def test_what_is_no_number_is_a_type_error(given):
+def test_other_types_are_a_type_error(given):
     with pytest.raises(TypeError, match="m "):
         edgeproof.power_law(m=given, C=1)
 

@@ -16,7 +16,7 @@ def vanishes(relation, values):
     return eval(left.replace("^", "**")) == 0
 
 
-def test_the_papers_own():
+def test_relations_of_the_paper():
     """The relation L_{I,a} = b' L_{I,b} of Moore and Hills."""
     found = edgeproof.relations(["right.c0", "left.c0", "b1"], 2)
     assert len(found) == 1 and found.complete and found.degree == 2 and found[0].degree == 2
@@ -42,10 +42,10 @@ def test_along_the_power_laws():
     for values in (hertz, shorter, cubic):
         assert vanishes(found[0], values)
     assert not vanishes(found[0], {**cubic, "right.c2": Fraction(30, 32)})
-    told = json.loads(json.dumps(found.to_dict()))
-    assert told["contact"] == "symmetric" and told["complete"] == "yes"
-    assert told["given"] == "P2=m*P1/a, P3=m*(m-1)*P1/a^2"
-    assert told["rows"] == [{"degree": found[0].degree, "relation": found[0].relation}]
+    data = json.loads(json.dumps(found.to_dict()))
+    assert data["contact"] == "symmetric" and data["complete"] == "yes"
+    assert data["given"] == "P2=m*P1/a, P3=m*(m-1)*P1/a^2"
+    assert data["rows"] == [{"degree": found[0].degree, "relation": found[0].relation}]
 
 
 @pytest.mark.parametrize("quantities, asked, problem", [
@@ -57,7 +57,7 @@ def test_along_the_power_laws():
     (["left.c0"], {"given": {"P2": "a*"}}, "given P2=a*"),
     (["sqrt(a)"], {}, "sqrt"),
 ])
-def test_questions_that_make_no_sense(quantities, asked, problem):
+def test_malformed_questions(quantities, asked, problem):
     with pytest.raises(edgeproof.InputError, match=problem) as raised:
         edgeproof.relations(quantities, **asked)
     assert raised.value.advice and "\n" not in str(raised.value)

@@ -146,12 +146,12 @@ def test_scene_files(source):
     assert result.points[0].p == result.points[0].p
     assert result.points[0].p.text == scene.pressure("0.001").text
     assert len(result.points[0].p_local) == 2 and len(result.extents) == 4
-    told = result.to_dict()
-    assert told["points"][1]["p"]["text"] == result.points[1].p.text
-    assert told["contact"]["P"]["text"] == "500.00000000000000000"
+    data = result.to_dict()
+    assert data["points"][1]["p"]["text"] == result.points[1].p.text
+    assert data["contact"]["P"]["text"] == "500.00000000000000000"
     import json
 
-    assert json.loads(json.dumps(told)) == told
+    assert json.loads(json.dumps(data)) == data
     # The text gives the same scene again.
     assert edgeproof.Scene.from_text(scene.text).pressure("0.01").text == scene.pressure("0.01").text
 

@@ -225,8 +225,8 @@ SCENE = "examples/scenes/partial-slip.toml"
     pytest.param(["slip-table", "--terms", "1", "--digits", "4"], marks=pytest.mark.slow),
 ], ids=lambda c: c[0])
 def test_tables_that_are_written(command):
-    told = json.loads(run(*command, "--format", "json"))
-    assert faults("table", told) == [] and told["rows"]
+    data = json.loads(run(*command, "--format", "json"))
+    assert faults("table", data) == [] and data["rows"]
 
 
 @pytest.mark.parametrize("command", [
@@ -235,8 +235,8 @@ def test_tables_that_are_written(command):
     ["bounds", "binary64", "--values", "40", "--json"],
 ], ids=lambda c: " ".join(c[:2]))
 def test_counts_and_relations(command):
-    told = json.loads(run(*command))
-    assert faults("table", told) == [] and told["rows"]
+    data = json.loads(run(*command))
+    assert faults("table", data) == [] and data["rows"]
 
 
 def test_a_reference_table(tmp_path):
@@ -245,8 +245,8 @@ def test_a_reference_table(tmp_path):
                       'profile = {kind = "power-law", m = "1", C = ["1", "2"]}\n'
                       'load = {a = "1", contact_modulus = "1"}\n')
     assert faults("recipe", tomllib.loads(recipe.read_text())) == []
-    told = json.loads(run("table", recipe, "--format", "json"))
-    assert faults("table", told) == [] and len(told["rows"]) == 2
+    data = json.loads(run("table", recipe, "--format", "json"))
+    assert faults("table", data) == [] and len(data["rows"]) == 2
     # The questions that a program receives line by line, and its possible answers.
     program = tmp_path / "program.py"
     program.write_text("import json, pathlib, sys\n"
@@ -271,20 +271,20 @@ def test_verdicts(tmp_path):
         assert faults("verdicts", json.loads(file.read_text())) == []
     ledger.write_text(SMALL_LEDGER)
     run("verify", ledger, "--digits", "20", "--out", tmp_path / "two")
-    told = json.loads((tmp_path / "two" / "verdicts.json").read_text())
-    assert faults("verdicts", told) == [] and len(told["claims"]) == 2
-    told["claims"][0]["verdict"] = "likely"
-    assert faults("verdicts", told)
+    data = json.loads((tmp_path / "two" / "verdicts.json").read_text())
+    assert faults("verdicts", data) == [] and len(data["claims"]) == 2
+    data["claims"][0]["verdict"] = "likely"
+    assert faults("verdicts", data)
 
 
 def test_comparisons():
     folder = ROOT / "examples/compare"
-    told = json.loads(run("compare", folder / "cylinder.toml",
+    data = json.loads(run("compare", folder / "cylinder.toml",
                           *(folder / f"mesh-{n}.csv" for n in (24, 48, 96, 192)), "--json"))
-    assert faults("comparison", told) == [] and len(told["files"]) == 4 and told["limits"]
+    assert faults("comparison", data) == [] and len(data["files"]) == 4 and data["limits"]
 
 
 def test_costs():
-    told = json.loads(run("cost", "examples/scenes/fretting-pad.toml", "--digits", "16", "--points",
+    data = json.loads(run("cost", "examples/scenes/fretting-pad.toml", "--digits", "16", "--points",
                           "1", "--json"))
-    assert faults("cost", told) == [] and told["cells"]
+    assert faults("cost", data) == [] and data["cells"]

@@ -113,10 +113,10 @@ def test_power_laws(m):
 
 
 def test_plain_objects(slipping, source):
-    told = slipping.slip(terms=1, tolerance="1%", digits=10).to_dict()
-    assert json.loads(json.dumps(told)) == told
-    assert told["terms"][0]["terms"] == 1 and told["stick"]["in_proportion"] is True
-    assert told["terms"][0]["load_limit"]["text"] == "0.03960000000"
+    data = slipping.slip(terms=1, tolerance="1%", digits=10).to_dict()
+    assert json.loads(json.dumps(data)) == data
+    assert data["terms"][0]["terms"] == 1 and data["stick"]["in_proportion"] is True
+    assert data["terms"][0]["load_limit"]["text"] == "0.03960000000"
     scene = edgeproof.read_scene(source / "examples/scenes/partial-slip.toml")
     result = scene.run()
     assert [s.edge for s in result.slips] == scene.asked["edges"]
@@ -133,7 +133,7 @@ def test_copies(slipping):
     assert pickle.loads(pickle.dumps(slipping)).slip(terms=1, digits=10).to_dict() == slip.to_dict()
 
 
-def test_what_does_not_slip(hertz):
+def test_scenes_that_do_not_slip(hertz):
     for call in (hertz.slip, lambda: hertz.slip_state("0.1")):
         with pytest.raises(edgeproof.InputError, match="no friction"):
             call()

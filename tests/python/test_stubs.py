@@ -46,10 +46,10 @@ def parameters_of(function):
 
 
 def test_names_and_parameters():
-    told = stubs()
+    declared = stubs()
     public = {n for n in vars(_edgeproof) if not n.startswith("__")}
-    assert public == set(told)
-    for name, node in told.items():
+    assert public == set(declared)
+    for name, node in declared.items():
         if isinstance(node, dict):
             members = {n for n in vars(getattr(_edgeproof, name)) if n not in GIVEN}
             assert members == set(node) - GIVEN, name
@@ -68,7 +68,7 @@ def test_typed():
     assert (PACKAGE / "py.typed").exists()
 
 
-def test_help_is_enough_to_work_by():
+def test_every_name_has_help():
     undocumented = []
     for name in edgeproof.__all__:
         thing = getattr(edgeproof, name)

@@ -33,7 +33,7 @@ std::vector<Known> known_integrals() {
 
 } // namespace
 
-TEST_CASE("a level foreseen to have the digits has them, before the next one shows it") {
+TEST_CASE("a level predicted to have the digits has them, before the next one shows it") {
     for (const unsigned digits : {34U, 70U, 130U}) {
         const PrecisionScope scope(digits);
         for (const Known& known : known_integrals()) {
@@ -59,7 +59,7 @@ TEST_CASE("a level foreseen to have the digits has them, before the next one sho
     }
 }
 
-TEST_CASE("nothing is foreseen of an integrand with a kink inside") {
+TEST_CASE("nothing is predicted for an integrand with a kink inside") {
     const PrecisionScope scope(40);
     const auto kinked = [](const Real& x, const Real&) { return Real(abs(x - Real(1) / 3)); };
     const auto r = tanh_sinh<Real>(kinked, {.last_level = 10, .foresees = true});

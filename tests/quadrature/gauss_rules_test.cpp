@@ -94,7 +94,7 @@ TEST_CASE("enclosed nodes hold the roots of the polynomial, and are narrow") {
     }
 }
 
-TEST_CASE("only so many tables are kept, and one that is held stays") {
+TEST_CASE("a limited number of tables is kept, and one in use remains valid") {
     const auto held = gauss_legendre_balls(5, 100);
     const Ball outermost = held->x[0];
     for (long bits = 101; bits < 101 + 3 * static_cast<long>(most_gauss_legendre_tables); ++bits) {
@@ -205,7 +205,7 @@ TEST_CASE("a product rule's bound holds for a pole beyond the end, and is not fa
     CHECK(std::abs(product_rule_log_error(3, 2, 1, 1) - 1) < 1e-12);
 }
 
-TEST_CASE("the estimate by levels: what converges quadratically is seen to, what does not is not") {
+TEST_CASE("the estimate by levels: quadratic convergence is detected, and only that") {
     const PrecisionScope scope(100);
     LevelEstimate quick;
     double error = 0;

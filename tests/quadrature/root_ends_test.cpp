@@ -74,7 +74,8 @@ TEST_CASE("root ends: another root beyond an end, however near") {
     }
 }
 
-TEST_CASE("root ends: what is no root at an end, or not smooth between, is left to another rule") {
+TEST_CASE("root ends: an end that is not a root, or an interior that is not smooth, is left to "
+          "another rule") {
     const PrecisionScope scope(70);
     std::size_t calls = 0;
     const auto converges = [&](const auto& f) {

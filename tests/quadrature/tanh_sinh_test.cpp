@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("end-point singularities cost no digits", T, double, long dou
     }
 }
 
-TEST_CASE("the one-argument integrand loses half the digits: what the two distances are for") {
+TEST_CASE("the one-argument integrand loses half the digits: the reason for two distances") {
     const PrecisionScope scope(50);
     const auto careless = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
         const Real x = 1 - hi;       // loses the distance from the right end ...

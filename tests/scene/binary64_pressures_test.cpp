@@ -83,7 +83,7 @@ TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
 
 // Edges that are numbers, but are not computed exactly: b = a/3 with sin(pi alpha/2 phi) = 1/2, and
 // a = 1 with P = pi/4 (E* = C = 1).
-TEST_CASE("zero on a far edge, infinite on a corner, where the edge is no known number") {
+TEST_CASE("zero on a far edge, infinite on a corner, where the edge is not a known number") {
     const double inf = std::numeric_limits<double>::infinity();
     const Binary64Pressures wedge(
         parsed(contact_of("kind = \"tilted-wedge\"\nphi = \"1\"\nalpha = \"1/3\"", "a = \"3\"")));
@@ -96,7 +96,7 @@ TEST_CASE("zero on a far edge, infinite on a corner, where the edge is no known 
 
 // p = sqrt(u (2a - u))/2 at u = 2 in a contact of a = 1 + e is sqrt(e), far below the precision of
 // a solved edge.
-TEST_CASE("a place closer to the far edge than 55 digits tell") {
+TEST_CASE("a place closer to the far edge than 55 digits resolve") {
     const auto hertz = [](const std::string& a) {
         return Binary64Pressures(
             parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\nP = \"pi/4*(" +

@@ -79,7 +79,7 @@ TEST_CASE("a curved slope under P, not symmetric: all that follows from both edg
                          "quantities = [\"pressure\", \"coefficients\", \"extent\"]")) == "");
 }
 
-TEST_CASE("a function that is not analytic is still estimated, and said to be") {
+TEST_CASE("a function that is not analytic is estimated, and called an estimate") {
     const std::string fault = faults(text_of("symmetric = true\nslopes = [\"hypot(1, x) - 1\"]",
                                              "a = \"3/4\"", "quantities = [\"coefficients\"]"));
     CHECK(fault.find("beyond the rigorous integration") != std::string::npos);
@@ -87,7 +87,7 @@ TEST_CASE("a function that is not analytic is still estimated, and said to be") 
 }
 
 TEST_CASE(
-    "nothing is proved of a slope that is not proved to rise, and one that falls is refused") {
+    "values are estimates if the slope is not proved to rise; a slope that falls is refused") {
     const std::string ask = "quantities = [\"pressure\", \"coefficients\"]";
     const std::string open = faults(
         text_of("symmetric = true\nslopes = [\"x^3 - 9*x^2/10 + 27*x/100\"]", "a = \"3/4\"", ask));

@@ -99,7 +99,7 @@ TEST_CASE("edges on a knot or a corner, flats with the minimum inside: all is pr
     }
 }
 
-TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is told exactly") {
+TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is found exactly") {
     const SceneResult result =
         run_scene(parsed("[profile]\n" + std::string(curved) +
                          "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n[ask]\nedges = [\"left\"]\n"
@@ -113,7 +113,7 @@ TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is to
     CHECK(overlaps(result.points[0].values.p->value, p));
 }
 
-TEST_CASE("values on a knot and beside a flat, by hand") {
+TEST_CASE("values on a knot and near a flat, by hand") {
     const auto text = [](const BoundedValue& v) {
         return printed(v, {20, Rounding::nearest, false}).text;
     };
@@ -146,7 +146,8 @@ TEST_CASE("values on a knot and beside a flat, by hand") {
 
 // P of flat-and-rounded at a = 1, t = 1/3 is (acos(1/3) - sqrt(8)/9)/2. The algebra does not know
 // that acos(1/3) = atan(sqrt(8)), and no number of bits distinguishes a from 1.
-TEST_CASE("an edge on a knot that nothing proves: an estimate, called so, and it ends") {
+TEST_CASE(
+    "an edge on a knot that cannot be proved: an estimate, called so, after a limited search") {
     const char* const profile = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
                                 "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]";
     const SceneResult known =
@@ -167,7 +168,7 @@ TEST_CASE("an edge on a knot that nothing proves: an estimate, called so, and it
     }
 }
 
-TEST_CASE("no first exit in the part: said so") {
+TEST_CASE("no first exit in the part: the result states it") {
     const Scene scene = parsed(hertz(
         "1",
         "terms = 1\ntolerance = \"1%\"\npart = [\"0\", \"1/100\"]\nquantities = [\"extent\"]\n"));

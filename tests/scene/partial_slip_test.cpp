@@ -63,7 +63,7 @@ TEST_CASE("friction is off unless the scene has it, and is read exactly") {
 
 TEST_CASE("slip scenes that are refused, with the line") {
     const std::string by_P = hertz_under("P = \"1\"");
-    slip_refused(slip_scene(by_P, "Q = \"0.3\""), "slip is asked for and there is no friction");
+    slip_refused(slip_scene(by_P, "Q = \"0.3\""), "slip is requested, but there is no friction");
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nfriction = \"0\""),
                  "scene.toml:10: friction = 0 is not positive");
     slip_refused(slip_scene(by_P, "bulk_tension = \"0.3\"\nfriction = \"0.6\""),
@@ -72,21 +72,21 @@ TEST_CASE("slip scenes that are refused, with the line") {
                  "scene.toml:11: P and Q grow together");
     // Exactly at the limit, with P given, and with the exact form P = pi/4; and beyond the limit.
     slip_refused(slip_scene(by_P, "Q = \"-0.6\"\nfriction = \"0.6\""),
-                 "scene.toml:10: the contact slides: Q = -0.6 against f P = 0.6;");
+                 "scene.toml:10: the contact slides: Q = -0.6, but f P = 0.6;");
     slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"3*pi/20\"\nfriction = \"0.6\""),
                  "scene.toml:10: the contact slides");
     slip_refused(slip_scene(hertz_under("a = \"1\""), "Q = \"0.5\"\nfriction = \"0.6\""),
-                 "scene.toml:10: the contact slides: Q = 0.5 against f P = 0.4712389");
+                 "scene.toml:10: the contact slides: Q = 0.5, but f P = 0.4712389");
     // Hertz, P = 1: a = 2/sqrt(pi); the limit is 2 f a (1 - sqrt(1 - 1/2)) = 0.396593527551...
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"0.4\"\nfriction = \"0.6\""),
-                 "scene.toml:10: bulk_tension = 0.4 draws the stick zone beyond the left edge");
+                 "scene.toml:10: bulk_tension = 0.4 moves the stick zone beyond the left edge");
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"-0.4\"\nfriction = \"0.6\""),
                  "beyond the right edge");
     slip_refused(slip_scene(by_P, "Q = \"0.3\"\nbulk_tension = \"0.4\"\nfriction = \"0.6\""),
                  "between -0.39659353 and 0.39659353");
 }
 
-TEST_CASE("a tension within the bound but not in proportion is told") {
+TEST_CASE("a tension within the bound but not in proportion is noted") {
     const auto result = run_scene(parsed(slip_scene(
         hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.39\"\nfriction = \"0.6\"")));
     CHECK_FALSE(result.stick->in_proportion);
@@ -200,9 +200,9 @@ TEST_CASE("a bulk tension at its bound exactly") {
         return "Q = \"9*pi/80\"\nbulk_tension = \"" + tension + "\"\nfriction = \"0.6\"";
     };
     slip_refused(slip_scene(by_a, shear("0.6")),
-                 "scene.toml:10: bulk_tension = 0.6 draws the stick zone to the left edge");
+                 "scene.toml:10: bulk_tension = 0.6 moves the stick zone to the left edge");
     slip_refused(slip_scene(by_a, shear("-0.6")),
-                 "scene.toml:10: bulk_tension = -0.6 draws the stick zone to the right edge");
+                 "scene.toml:10: bulk_tension = -0.6 moves the stick zone to the right edge");
     slip_refused(slip_scene(by_a, shear("0.6 + 1e-40")), "beyond the left edge");
     const auto within = run_scene(parsed(slip_scene(by_a, shear("0.6 - 6e-41"))));
     // c = 1/2 about -(1/2 - 5e-41)

@@ -98,7 +98,7 @@ TEST_CASE("slip loads of 1e-300 and 1e-1000: d, and what n terms leave out") {
     }
 }
 
-TEST_CASE("0 is printed of what is known to be 0, and of nothing else") {
+TEST_CASE("0 is printed only for values that are known to be 0") {
     const PrecisionScope scope(60);
     const Digits digits{20};
     CHECK(printed({Ball(0, 128), true, "r"}, digits).text == "0");
@@ -127,7 +127,7 @@ TEST_CASE("0 is printed of what is known to be 0, and of nothing else") {
     CHECK(printed(c1("5/8 + 1e-500"), digits).text != "0");
 }
 
-TEST_CASE("a point is shown as it is asked for") {
+TEST_CASE("a point is shown as it was given") {
     const SceneResult result =
         run_scene(parsed(hertz("2", "u = [\"a/2\", \"50%\", \"pi/4\", \"1e-3\"]\nx = [\"a/2\", "
                                     "\"-1/3\"]\n")));

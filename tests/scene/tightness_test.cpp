@@ -31,7 +31,7 @@ const Sampled sampled[] = {
      "\"1\", \"1 - 1e-15\", \"1 - 2e-15\""},
     {"nearly all flat", "kind = \"flat-and-rounded\"\nt = \"1 - 1e-15\"\nR = \"1\"", "a = \"1\"",
      "\"1\", \"1e-15\", \"1.1e-15\""},
-    {"beside a knot", "kind = \"flat-and-rounded\"\nt = \"pi/8\"\nR = \"1\"", "a = \"1\"",
+    {"near a knot", "kind = \"flat-and-rounded\"\nt = \"pi/8\"\nR = \"1\"", "a = \"1\"",
      "\"1 - pi/8\", \"1 - pi/8 + 1e-30\", \"1 - pi/8 - 1e-30\""},
     {"just past the flat", "kind = \"flat-and-rounded\"\nt = \"1\"\nR = \"1\"", "P = \"1e-40\"",
      "\"0.5\""},
@@ -74,7 +74,8 @@ std::string fault(const BoundedValue& v, const Digits& digits) {
         return "not finite";
     }
     if (contains_zero(v.value)) {
-        return parse_decimal(p.bound) < parse_decimal("1e-300") ? "" : "not told from zero";
+        return parse_decimal(p.bound) < parse_decimal("1e-300") ? ""
+                                                                : "not distinguished from zero";
     }
     const Ball unit = abs(v.value) * Ball(parse_decimal("1e-39"), 200);
     return certainly_less(Ball(v.value.radius(), 200), unit) && p.complete ? ""

@@ -208,7 +208,7 @@ TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
     CHECK(printed(result.coefficients[0].c[0], scene.ask.digits).complete);
 }
 
-TEST_CASE("the middle of a power law's contact is told exactly, and proved") {
+TEST_CASE("the middle of a power law's contact is recognised exactly, and proved") {
     // Gauss's theorem gives p(0) = P'/(pi m), and moore-hills.tex line 144 gives P' = 11 (sqrt
     // pi/2) Gamma(6)/Gamma(13/2) a^10 for m = 10, Gamma(13/2) = 10395 sqrt(pi)/64. Hence p(0) = 128
     // a^10/(315 pi) = 0.129344969623889542720108709280519608510544981935101... a^10.
@@ -226,7 +226,7 @@ TEST_CASE("the middle of a power law's contact is told exactly, and proved") {
 
 // x is exactly on a knot, which is a binary number or not: 26 values of the tables once had no
 // proved bound.
-TEST_CASE("on a knot the pressure is proved, and is what it is 1e-60 beside it") {
+TEST_CASE("on a knot the pressure is proved, and equals the one at a distance of 1e-60") {
     const auto flat = [](const std::string& t, const std::string& u) {
         return "[profile]\nkind = \"flat-and-rounded\"\nt = \"" + t +
                "\"\nR = \"1\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n[ask]\nu = " + u + "\n";

@@ -41,7 +41,7 @@ public:
         Rational q = value(scale);
         bits += q == 0 ? 0 : bits_of(q);
         if (bits > max_number_bits) {
-            fail("the numbers are too long, all in all," + at_column(text_, pos_),
+            fail("the numbers are too long in total," + at_column(text_, pos_),
                  "write fewer digits or smaller exponents", pos_);
         }
         return {std::move(q), pos_};

@@ -48,8 +48,8 @@ Replacing::Replacing(std::vector<std::string>& names, const std::string& name) :
         for (auto it = first; it != names.end(); ++it) {
             circle += *it + " -> ";
         }
-        throw InputError("the definitions go round in a circle: " + circle + name,
-                         "define each name by names that do not need it");
+        throw InputError("the definitions are circular: " + circle + name,
+                         "define each name by names that do not depend on it");
     }
     names_.push_back(name);
 }

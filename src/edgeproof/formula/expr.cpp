@@ -185,7 +185,7 @@ Expr::Kind Expr::kind() const noexcept { return node_->kind; }
 
 const Rational& Expr::number() const {
     if (node_->kind != Kind::number) {
-        throw Error("the value of an expression that is not a number was asked for");
+        throw Error("an expression that is not a number has no value");
     }
     return *node_->value;
 }
@@ -196,7 +196,7 @@ std::span<const Expr> Expr::args() const noexcept { return node_->args; }
 
 const Expr& Expr::arg(std::size_t i) const {
     if (i >= node_->args.size()) {
-        throw Error("an argument was asked for that an expression does not have");
+        throw Error("an expression does not have the requested argument");
     }
     return node_->args[i];
 }

@@ -195,9 +195,9 @@ public:
         pieces_.pop_front();
         return p;
     }
-    void tell(std::string text) {
+    void report(std::string text) {
         const std::lock_guard lock(mutex_);
-        to_tell_.push_back(std::move(text));
+        to_report_.push_back(std::move(text));
     }
 
     /// For the thread that handles the messages. Returns true if anything happened.
@@ -206,7 +206,7 @@ public:
         bool wants = false;
         {
             const std::lock_guard lock(mutex_);
-            out.swap(to_tell_);
+            out.swap(to_report_);
             wants = !asked_ && !ended_ && pieces_.size() < want_ / 2 + 1;
         }
         for (const std::string& text : out) {
@@ -230,7 +230,7 @@ public:
     }
     [[nodiscard]] bool ended() {
         const std::lock_guard lock(mutex_);
-        return ended_ && to_tell_.empty();
+        return ended_ && to_report_.empty();
     }
 
 private:
@@ -249,7 +249,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::size_t> pieces_;
-    std::deque<std::string> to_tell_;
+    std::deque<std::string> to_report_;
     bool asked_ = false; ///< used only by the thread that handles the messages
     bool ended_ = false;
 };
@@ -319,15 +319,15 @@ void lead_work(Processes& processes, const std::string& sign, const PieceSource&
 void follow_work(Processes& processes, const std::string& sign, unsigned threads,
                  const MakePiece& make) {
     Follow mine(threads);
-    mine.tell("s" + sign);
+    mine.report("s" + sign);
     follow(processes, mine, [&] {
         work_through([&] { return mine.next(); }, threads,
                      [&](std::size_t p) {
                          std::string text;
                          if (const auto failure = failure_of(p, [&] { text = make(p); })) {
-                             mine.tell(message_of(*failure));
+                             mine.report(message_of(*failure));
                          } else {
-                             mine.tell("r" + std::to_string(p) + " " + text);
+                             mine.report("r" + std::to_string(p) + " " + text);
                          }
                      });
     });
@@ -341,7 +341,7 @@ void dismiss(Processes& processes) {
 
 void follow_failed(Processes& processes, const std::string& why) {
     Follow mine(1);
-    mine.tell(message_of(Failure::of_process(why)));
+    mine.report(message_of(Failure::of_process(why)));
     follow(processes, mine, [&] {
         while (mine.next()) { // pieces that were handed over meanwhile
         }

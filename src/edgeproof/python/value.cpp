@@ -119,7 +119,7 @@ std::string dumped(const Ball& x) {
 Ball loaded(const std::string& text, long bits) {
     Ball x(0, bits);
     if (arb_load_str(x.data(), text.c_str()) != 0) {
-        throw InputError("this is no pickled Value", "");
+        throw InputError("this is not a pickled Value", "");
     }
     return x;
 }
@@ -185,12 +185,12 @@ double Value::nearest() const {
 void bind_value(py::module_& module) {
     py::class_<Value> value(module, "Value", R"(A computed number with how far it is to be trusted.
 
-    text     the value, rounded correctly to the digits asked for (or to those that are certain;
+    text     the value, rounded correctly to the requested digits (or to those that are certain;
              "[lower, upper]" where the rounding of a proved value is undecided)
     bound    text: |text - exact| is at most this
     proved   True: the bound is proved. False: it is what the route estimates of itself
     route    how the value was computed: "closed-form", "series", "given", ...
-    digits   the digits asked for
+    digits   the requested digits
     exact    fractions.Fraction where the value is known to be that rational number, else None
 
 float(v) is the binary64 nearest to the exact value. v.fraction(), v.decimal() and v.mpmath() are
@@ -200,7 +200,7 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
     value
         .def_property_readonly(
             "text", [](const Value& v) { return v.printed().text; },
-            "The value, rounded correctly to the digits asked for.")
+            "The value, rounded correctly to the requested digits.")
         .def_property_readonly(
             "bound", [](const Value& v) { return v.printed().bound; },
             "|text - exact| is at most this; two digits, rounded up.")
@@ -209,10 +209,10 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
             "Whether the bound is proved; else it is an estimate.")
         .def_property_readonly(
             "route", [](const Value& v) { return v.value().route; }, "How it was computed.")
-        .def_property_readonly("digits", &Value::digits, "The digits asked for.")
+        .def_property_readonly("digits", &Value::digits, "The requested digits.")
         .def_property_readonly(
             "complete", [](const Value& v) { return v.printed().complete; },
-            "Whether .text has all the digits asked for.")
+            "Whether .text has all the requested digits.")
         .def_property_readonly(
             "exact",
             [](const Value& v) {

@@ -59,7 +59,7 @@ auto integrate_pieces(const F& f, const std::vector<T>& lengths, const T& beyond
         }
     }
     if (!total) {
-        throw DomainError("an integral over no interval at all");
+        throw DomainError("an integral over an empty interval");
     }
     return std::move(*total);
 }

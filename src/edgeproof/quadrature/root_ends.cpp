@@ -117,7 +117,7 @@ Sum between_ends(const At& f, const Real& length, std::size_t n) {
 /// removes this root and that at r = 0, and w = w_end sin(pi v/2) the root at the other end. f is
 /// called with r and the rest of the length.
 template <class F>
-Sum beside_a_root(const F& f, const Real& length, const Real& beyond, std::size_t n) {
+Sum sum_near_root(const F& f, const Real& length, const Real& beyond, std::size_t n) {
     const Real w_end = asinh(sqrt(Real(length / beyond)));
     Sum sum;
     const auto nodes = mapped_nodes(n);
@@ -151,10 +151,10 @@ public:
     [[nodiscard]] Sum operator()(std::size_t n) const {
         if (near_lo_ && near_hi_) {
             const Real half = length_ / 2;
-            Sum sum = beside_a_root(
+            Sum sum = sum_near_root(
                 [&](const Real& r, const Real& rest) { return f_(r, Real(half + rest)); }, half,
                 beyond_lo_, n);
-            const Sum right = beside_a_root(
+            const Sum right = sum_near_root(
                 [&](const Real& r, const Real& rest) { return f_(Real(half + rest), r); }, half,
                 beyond_hi_, n);
             sum.value += right.value;
@@ -162,10 +162,10 @@ public:
             return sum;
         }
         if (near_lo_) {
-            return beside_a_root(f_, length_, beyond_lo_, n);
+            return sum_near_root(f_, length_, beyond_lo_, n);
         }
         if (near_hi_) {
-            return beside_a_root([&](const Real& r, const Real& rest) { return f_(rest, r); },
+            return sum_near_root([&](const Real& r, const Real& rest) { return f_(rest, r); },
                                  length_, beyond_hi_, n);
         }
         return between_ends(f_, length_, n);

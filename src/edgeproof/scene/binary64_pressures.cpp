@@ -144,7 +144,7 @@ struct Binary64Pressures::Contact {
         try {
             return in_full(edge, u);
         } catch (const InputError&) {
-            if (const auto limit = where_few_bits_tell(edge, u)) {
+            if (const auto limit = near_edge_or_corner(edge, u)) {
                 return *limit;
             }
             throw;
@@ -153,7 +153,7 @@ struct Binary64Pressures::Contact {
 
     /// Returns p at a place that run_scene refuses: closer to the far edge or to a corner than its
     /// bits separate, or exactly on one of them (as far as most_bits decide).
-    [[nodiscard]] std::optional<double> where_few_bits_tell(contact::Edge edge, double u) const {
+    [[nodiscard]] std::optional<double> near_edge_or_corner(contact::Edge edge, double u) const {
         bool on_corner = false;
         for (long bits = 2 * first_bits; solved && bits <= most_bits; bits *= 2) {
             const contact::BallContact closer = solved(bits);

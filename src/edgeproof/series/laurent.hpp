@@ -44,15 +44,15 @@ public:
     /// The coefficient of w^k. Throws DomainError if it is not known.
     [[nodiscard]] T operator[](long k) const {
         if (k >= end()) {
-            throw DomainError("an expansion is not known to the order asked for");
+            throw DomainError("an expansion is not known to the requested order");
         }
         return k < lowest_ ? T(0) : s_[static_cast<std::size_t>(k - lowest_)];
     }
     /// The same series from w^0 on. Throws DomainError if it begins with a negative power.
     [[nodiscard]] Series<T> taylor() const {
         if (lowest_ < 0) {
-            throw DomainError("an expansion that begins with a negative power stands where a "
-                              "function wants a regular one");
+            throw DomainError("a function that needs a regular expansion has one that begins "
+                              "with a negative power");
         }
         std::vector<T> c(static_cast<std::size_t>(lowest_), T(0));
         c.insert(c.end(), s_.coefficients().begin(), s_.coefficients().end());
@@ -115,8 +115,8 @@ public:
 private:
     void want_leading() const {
         if (vanishes(s_[0])) {
-            throw DomainError("an expansion that vanishes to the order known is divided by, or "
-                              "raised to a power");
+            throw DomainError("division by, or a power of, an expansion whose known terms are "
+                              "all zero");
         }
     }
     void drop_zeros() {

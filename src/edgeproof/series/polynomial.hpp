@@ -45,7 +45,7 @@ public:
     /// Division by a constant polynomial only. Throws DomainError otherwise.
     Polynomial& operator/=(const Polynomial& o) {
         if (o.size() != 1) {
-            throw DomainError("a polynomial is divided by constants only");
+            throw DomainError("a polynomial can be divided only by a constant");
         }
         for (T& c : q_) {
             c /= o.q_[0];

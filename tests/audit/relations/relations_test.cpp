@@ -152,9 +152,9 @@ TEST_CASE("relations: circular definitions, and definitions of derived names, ar
         }
         return std::string("none");
     };
-    CHECK(problem({{"P2", "P2"}}) == "the definitions go round in a circle: P2 -> P2");
+    CHECK(problem({{"P2", "P2"}}) == "the definitions are circular: P2 -> P2");
     CHECK(problem({{"P2", "P3 + a"}, {"P3", "b1*P2"}}) ==
-          "the definitions go round in a circle: P2 -> P3 -> P2");
+          "the definitions are circular: P2 -> P3 -> P2");
     CHECK(problem({{"b", "L - a"}}) == "given b=L - a: 'L' follows from others");
     CHECK(problem({{"P1", "right.c0"}}) == "given P1=right.c0: 'right_c0' follows from others");
     CHECK(problem({{"P2", "a"}, {"P2", "b"}}) == "P2 is given twice");

@@ -6,7 +6,7 @@
 
 using namespace edgeproof::test;
 
-TEST_CASE("bounds speed: scenes timed by this program, the slowest written, one asked again") {
+TEST_CASE("bounds speed: scenes are timed, the slowest is written, and one is repeated") {
     const Folder folder;
     const Outcome o = run(folder, "bounds speed --scenes 2 --seed 5 --digits 12,20 --write slow");
     CAPTURE(o.err);

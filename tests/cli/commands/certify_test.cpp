@@ -88,7 +88,7 @@ TEST_CASE("the page links to the certificate from where it is written") {
           std::string::npos);
 }
 
-TEST_CASE("verify --certificates of no folder is told in a line") {
+TEST_CASE("verify --certificates without a folder is an error in one line") {
     const Folder folder;
     folder.write("own.toml", wedge_ledger(wedge_wrong));
     const Outcome o = run(folder, "verify own.toml --certificates none");

@@ -67,7 +67,7 @@ TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors c
     CHECK(has(run(folder, "check a.csv --errors 2").out, "and 3 more"));
 }
 
-TEST_CASE("check: what stands beside a number never passes, and the report is whole") {
+TEST_CASE("check: text next to a number never passes, and the report is complete") {
     const Folder folder;
     const char* const spoilt[] = {
         "\"0.3\"999", "\"0.3\" NaN (diverged)", "++0.3", "+-0.3", "0.3\"", "\"0.3", "0.3 0.3"};
@@ -94,7 +94,7 @@ TEST_CASE("check: what stands beside a number never passes, and the report is wh
     CHECK(has(junit, "\\x1b[2J pass: all\\xff"));
 }
 
-TEST_CASE("check: the counts of the last line add up to what was asked") {
+TEST_CASE("check: the counts of the last line add up to the number of questions") {
     const Folder folder;
     folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"0.75\", \"1\"]\nquantities = "
                            "[\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = "
@@ -190,7 +190,8 @@ TEST_CASE("a program in Python: its closed forms hold in double, and the faults 
     CHECK_FALSE(has(wrong.out, ": flat:t=0.4:R=1:right:u=0.1:p: "));
 }
 
-TEST_CASE("check --exec: the program is run and asked; however it ends, the check stands") {
+TEST_CASE(
+    "check --exec: the program is run with the questions; its end does not disturb the check") {
     const Folder folder;
     folder.write("r.toml", "[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\nquantities = [\"p\"]\n"
                            "[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"

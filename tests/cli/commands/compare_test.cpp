@@ -45,7 +45,7 @@ struct ComparedFiles {
 
 } // namespace
 
-TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
+TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is reported") {
     const ComparedFiles c;
     const Outcome right =
         run(c.folder, "compare scene.toml right.csv --tolerance 1e-9 --tolerance-a "
@@ -136,7 +136,7 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is told") {
     refused("scene.toml", "no result is given");
 }
 
-TEST_CASE("compare: a fitted origin passes only where the user asks for it") {
+TEST_CASE("compare: a fitted origin passes only if the user requests it") {
     const ComparedFiles c;
     for (const double part : {0.018, 0.02, 0.05, 0.1, 0.3, -0.05}) {
         CAPTURE(part);

@@ -39,7 +39,7 @@ TEST_CASE("cost: a scene's own points, in JSON, each with its digits, evaluation
     CHECK(json["machine"].contains("MPFR"));
 }
 
-TEST_CASE("cost: tables to read, and a page with its data beside it") {
+TEST_CASE("cost: tables, and a page with its data in files next to it") {
     const Folder folder;
     folder.write("pad.toml", flat_scene);
     const Outcome o = run(folder, "cost pad.toml --digits 16,20 --points 1 --out here");

@@ -108,7 +108,7 @@ const std::vector<PackLanguage> pack_languages{
 
 } // namespace
 
-TEST_CASE("pack: the committed one is made anew in every byte; an edited one is told") {
+TEST_CASE("pack: the committed one is reproduced in every byte; an edited one is reported") {
     const PackCopy copy;
     CHECK(run(copy.folder, "pack . --check").code == 0);
     copy.edit("cases.csv", ",right,", ",left,");

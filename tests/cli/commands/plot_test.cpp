@@ -58,7 +58,7 @@ TEST_CASE("plot: shear, corners, both edges") {
     CHECK(has(file_text(folder.path() / "w.svg"), "left edge"));
 }
 
-TEST_CASE("plot: what it does not draw, in one line") {
+TEST_CASE("plot: an error in one line for scenes that it does not draw") {
     const Folder folder;
     folder.write("s.toml", drawn_hertz);
     for (const char* arguments : {"plot s.toml --out p.gif", "plot s.toml --out p",

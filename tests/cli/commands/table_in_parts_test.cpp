@@ -52,7 +52,8 @@ std::string interrupt_a_table(const Folder& folder, const std::string& options) 
 
 } // namespace
 
-TEST_CASE("table --out: killed at many moments and begun again, the same bytes in the end") {
+TEST_CASE(
+    "table --out: killed at many moments and restarted, it writes the same bytes in the end") {
     int killed = 0;
     // More contacts, if the machine is too fast for a run to be killed.
     for (int contacts = 40; killed == 0 && contacts < 20000; contacts *= 3) {
@@ -69,7 +70,7 @@ TEST_CASE("table --out: killed at many moments and begun again, the same bytes i
 }
 
 TEST_CASE(
-    "table --out: what a run killed before it removed its part file left, the next one ends") {
+    "table --out: the part file of a run that was killed at its end is removed by the next run") {
     const Folder folder;
     // Make a part file by an interruption, keep it, and put it next to the whole table again.
     REQUIRE_FALSE(interrupt_a_table(folder, "--threads 1").empty());
@@ -95,8 +96,7 @@ TEST_CASE("table --out: killed hundreds of times" * doctest::test_suite("slow"))
     CHECK(killed > 50);
 }
 
-TEST_CASE(
-    "table --out: an interrupt keeps what is done and says so; every format goes on from it") {
+TEST_CASE("table --out: an interrupt keeps the finished rows; every format continues from them") {
     const Folder folder;
     const std::string said = interrupt_a_table(folder, "--threads 1 --format md");
     CHECK(said.find("interrupted: ") == 0);
@@ -109,7 +109,7 @@ TEST_CASE(
     CHECK(file_text(folder.path() / "t.csv") == run(folder, "table r.toml --format md").out);
 }
 
-TEST_CASE("table --out: a full disk is one line, no half file, and the run goes on later") {
+TEST_CASE("table --out: a full disk is one line, no partial file, and the run continues later") {
     const Folder folder;
     folder.write("r.toml", tilted_recipe(20, 40));
     folder.write("t.csv", "old\n");

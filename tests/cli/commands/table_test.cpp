@@ -183,8 +183,8 @@ std::size_t check_reference_tables(const std::string& options) {
     const Folder folder;
     std::size_t rows = 0;
     for (const auto& entry : std::filesystem::directory_iterator(source_dir() / "reference")) {
-        auto beside = entry.path();
-        const bool has_table = std::filesystem::exists(beside.replace_extension(".csv"));
+        auto expected = entry.path();
+        const bool has_table = std::filesystem::exists(expected.replace_extension(".csv"));
         if (entry.path().extension() != ".toml" || !has_table) {
             continue;
         }
@@ -199,10 +199,10 @@ std::size_t check_reference_tables(const std::string& options) {
 
 } // namespace
 
-TEST_CASE("the reference tables: a sample made anew") {
+TEST_CASE("the reference tables: a sample is reproduced") {
     CHECK(check_reference_tables(" --every 7") >= 5000);
 }
 
-TEST_CASE("the reference tables: all rows made anew" * doctest::test_suite("slow")) {
+TEST_CASE("the reference tables: all rows are reproduced" * doctest::test_suite("slow")) {
     CHECK(check_reference_tables("") >= 5000);
 }

@@ -51,7 +51,7 @@ TEST_CASE("verify: the table, the files, and the JSON that other programs read")
           std::string::npos);
 }
 
-TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they differ") {
+TEST_CASE("verify: exit 0 if the verdicts are those recorded, 1 if they differ") {
     const Folder folder;
     folder.write("own.toml", head + right);
     REQUIRE(run(folder, "verify own.toml --record").code == 0);
@@ -64,7 +64,7 @@ TEST_CASE("verify: exit 0 while the verdicts are those recorded, 1 once they dif
     CHECK(run(folder, "verify own.toml").code == 1); // a claim has no recorded verdict
 }
 
-TEST_CASE("verify: what is malformed is named by file and line, with what to write; exit 2") {
+TEST_CASE("verify: malformed text is reported with file, line and correction; exit 2") {
     struct Bad {
         std::string ledger;
         const char* line;

@@ -183,7 +183,7 @@ TEST_CASE("what is wrong with a recipe is told with its own line") {
     const std::string radii = "digits = 20\n[scenes.s]\nquantities = [\"P\"]\n"
                               "[scenes.s.profile]\nkind = \"hertz\"\nR1 = \"1\"\nR2 = \"-1\"\n"
                               "[scenes.s.load]\na = \"1\"\ncontact_modulus = \"1\"\n";
-    CHECK(refusal(radii).starts_with("r.toml:6: the bodies do not part"));
+    CHECK(refusal(radii).starts_with("r.toml:6: the bodies do not separate"));
     CHECK(refusal(replaced(radii, "R2 = \"-1\"", "R = \"1\""))
               .starts_with("r.toml:7: the radius is given twice"));
     CHECK(refusal(grid) == "accepted");
@@ -193,7 +193,7 @@ TEST_CASE("what is wrong with a recipe is told with its own line") {
     CHECK(refusal(replaced(grid, "\"c_1\"", "\"c1\"")).find("did you mean c_1? write p, q, ") !=
           std::string::npos);
     CHECK(refusal(replaced(grid, "\"c_1\"", "\"q\""))
-              .rfind("r.toml:5: q is asked for and there is no shear", 0) == 0);
+              .rfind("r.toml:5: q is requested, but there is no shear", 0) == 0);
     CHECK(refusal(replaced(grid, "m = [\"1\", \"2\"]", "m = [\"1\", \"-2\"]"))
               .rfind("r.toml:8: ", 0) == 0);
     CHECK(refusal(replaced(grid, "kind =", "knid =")).rfind("r.toml:7: unknown key 'knid'", 0) ==

@@ -50,8 +50,8 @@ inline std::vector<HardPoint> hard_points(const Contact& c, int count) {
         }
     }
     for (const Exact& knot : c.profile.knots()) {
-        for (const char* beside : {"1e-30", "-1e-30", "1e-5", "-1e-5", "1e-2", "-1e-2"}) {
-            const Expr u = a - knot.expr() - a * exact(beside).expr();
+        for (const char* offset : {"1e-30", "-1e-30", "1e-5", "-1e-5", "1e-2", "-1e-2"}) {
+            const Expr u = a - knot.expr() - a * exact(offset).expr();
             if (Exact(u).sign() > 0) {
                 add(Edge::right, u);
             }

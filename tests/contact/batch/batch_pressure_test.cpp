@@ -60,7 +60,7 @@ double halved_nodes(unsigned digits, double half, double to_pole) {
 
 } // namespace
 
-TEST_CASE("Gauss-Legendre has its digits beside the enclosures, at every hard point") {
+TEST_CASE("Gauss-Legendre agrees with the enclosures to its digits, at every hard point") {
     const BatchDigits found = worst_of(all_contacts(), Rule::gauss_legendre, 50, 4);
     CAPTURE(found.where);
     CHECK(found.points >= 200);
@@ -129,7 +129,7 @@ TEST_CASE("power laws of every kind of exponent") {
     }
 }
 
-TEST_CASE("what a pressure costs in nodes is what the poles ask for") {
+TEST_CASE("the number of nodes of a pressure follows the distances of the poles") {
     // At an edge of the flat punch (phi_t = 2 acos(t/a) = 2.319): the flat lies between phi_t and 2
     // pi - phi_t, with poles at 0 and 2 pi; the arcs lie between -phi_t and phi_t, with poles of
     // 1/(s + x) at -+2 pi. The number of nodes grows in steps of at most a tenth, or two.
@@ -154,7 +154,7 @@ TEST_CASE("what a pressure costs in nodes is what the poles ask for") {
                    2 * levels(115, 64)) < 8);
 }
 
-TEST_CASE("beside a knot the cost is bounded: the pole is taken out") {
+TEST_CASE("near a knot the cost is bounded: the pole is subtracted") {
     const std::size_t far = nodes_at(Rule::gauss_legendre, 50, "0.3");
     for (const char* u : {"0.59", "0.599999", "0.6", "0.600001", "0.61"}) {
         CAPTURE(u);
@@ -162,7 +162,7 @@ TEST_CASE("beside a knot the cost is bounded: the pole is taken out") {
     }
 }
 
-TEST_CASE("a piece that is singular at its end is left to tanh-sinh, digits and all") {
+TEST_CASE("a piece that is singular at its end is left to tanh-sinh, with all digits") {
     // The same g' as a power law, whose enclosure is a series, and as a user's formula.
     const Symbols x{"x"};
     const Contact own{"x^(3/2)", Profile::piecewise_symmetric({}, {parse("x^(3/2)", x)}),

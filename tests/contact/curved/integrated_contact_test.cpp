@@ -27,7 +27,7 @@ Contact own_tilted() {
 } // namespace
 
 // Compares integrals with logarithms: the two share the arithmetic, but no formula.
-TEST_CASE("rigorous integrals meet the closed forms where there are both") {
+TEST_CASE("rigorous integrals overlap the closed forms where there are both") {
     std::vector<Contact> all = tilted();
     for (const std::size_t i : {0U, 1U, 6U, 7U}) {
         all.push_back(symmetric()[i]);
@@ -165,7 +165,8 @@ TEST_CASE("a force on a symmetric curved contact: its edge enclosed") {
     CHECK(balls.a().relative_accuracy_bits() > 250);
 }
 
-TEST_CASE("on a bend that exact numbers tell, the pressure is enclosed; on a corner it is not") {
+TEST_CASE(
+    "on a bend that exact numbers identify, the pressure is enclosed; on a corner it is not") {
     const Contact c = own_tilted();
     const IntegratedContact balls(c.profile, c.modulus, c.load, integral_bits);
     const NormalContact reals(c.profile, c.modulus, c.load, 40);

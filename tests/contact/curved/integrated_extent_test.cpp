@@ -63,7 +63,7 @@ std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
 }
 
 /// Compares with the scan in Real to 18 digits.
-std::string fault_beside_scan(const Asked& asked) {
+std::string fault_against_scan(const Asked& asked) {
     const EnclosedExtents x = enclosed<IntegratedContact>(asked);
     const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
     const Extents y =
@@ -79,7 +79,7 @@ std::string fault_beside_scan(const Asked& asked) {
 
 /// Compares with pressures in Real: the error is the tolerance at the first exit, and smaller
 /// before it.
-std::string fault_beside_pressures(const Asked& asked) {
+std::string fault_against_pressures(const Asked& asked) {
     const EnclosedExtents x = enclosed<IntegratedContact>(asked);
     const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
     const PrecisionScope scope(50);
@@ -104,7 +104,7 @@ std::string fault_beside_pressures(const Asked& asked) {
 }
 
 /// Compares 2 x^m as a user's formula with the kind that has a closed form.
-std::string fault_beside_power_law(const std::string& m) {
+std::string fault_against_power_law(const std::string& m) {
     const Profile own = Profile::piecewise_symmetric({}, {parse("2*x^(" + m + ")", Symbols{"x"})});
     if (BallContact::has_closed_form(own)) {
         return "no curved formula";
@@ -161,14 +161,14 @@ TEST_CASE("a straight slope in disguise, and a cube as one's own formula") {
     const Ball k(Rational(101, 100), 600);
     CHECK(fault(hertz.first_exit, (k * k - 1) / (k * k) * 3) == "");
     CHECK(hertz.crossings.size() == 1);
-    CHECK(fault_beside_power_law("3") == "");
+    CHECK(fault_against_power_law("3") == "");
 }
 
 // Near the knot of a root there is no Taylor series.
 TEST_CASE("a root at the origin: extents are those of the power law" *
           doctest::test_suite("slow")) {
-    CHECK(fault_beside_power_law("3/2") == "");
-    CHECK(fault_beside_power_law("7/4") == "");
+    CHECK(fault_against_power_law("3/2") == "");
+    CHECK(fault_against_power_law("7/4") == "");
 }
 
 TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
@@ -177,7 +177,7 @@ TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
     const Profile tilted = own_tilted_profile();
     const Load a = Load::right_edge(exact("4/5"));
     const Profile root = Profile::piecewise_symmetric({}, {parse("sqrt(1 + x) - 1", Symbols{"x"})});
-    CHECK(fault_beside_scan({root, a, Edge::right, 2, "1/50"}) == "");
+    CHECK(fault_against_scan({root, a, Edge::right, 2, "1/50"}) == "");
     const std::vector<Asked> all = {{own.profile, own.load, Edge::right, 1, "1/100"},
                                     {own.profile, own.load, Edge::right, 3, "1e-6"},
                                     {tilted, a, Edge::right, 2, "1/20"},
@@ -185,11 +185,11 @@ TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
                                     {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
     for (const Asked& asked : all) {
         CAPTURE(asked.n);
-        CHECK(fault_beside_pressures(asked) == "");
+        CHECK(fault_against_pressures(asked) == "");
     }
 }
 
-TEST_CASE("what is not decided is not guessed: a crossing on the range's end, b on a knot") {
+TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on a knot") {
     const Symbols x{"x"};
     const Profile straight =
         Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
@@ -242,8 +242,8 @@ TEST_CASE("a pressure over an interval holds those at its points, and so do its 
     }
     // The bend at 1/3 is at u = 7/15, the corner at u = 4/5.
     const Ball bend = Ball(Rational(7, 15), 200);
-    const Ball beside = Ball::hull(bend - ball("1e-5"), bend + ball("1e-5"));
-    const Ball p = c.pressure(Edge::right, beside);
+    const Ball near_bend = Ball::hull(bend - ball("1e-5"), bend + ball("1e-5"));
+    const Ball p = c.pressure(Edge::right, near_bend);
     CHECK(contains(p, c.pressure(Edge::right, exact("7/15"))));
     CHECK(p.relative_accuracy_bits() > 6);
     const Ball corner = Ball::hull(ball("0.8") - ball("1e-9"), ball("0.8") + ball("1e-9"));

@@ -83,7 +83,7 @@ TEST_CASE("slopes that rise are proved to") {
     CHECK(course_of({"1 - cos(x)", "x"}, {"2"}, "3").kind == Course::rises);
 }
 
-TEST_CASE("a slope that falls between the points where a profile is sampled is found out") {
+TEST_CASE("a slope that falls between the points where a profile is sampled is detected") {
     // 10/9 cos(1000 x) < -1 on a sixth of the cells.
     const SlopeMonotonicity wave = course_of({"x + sin(1000*x)/900"}, {}, "7/8");
     REQUIRE(wave.kind == Course::falls);
@@ -112,7 +112,7 @@ TEST_CASE("a slope that jumps down between the samples is not taken for one that
     CHECK(course_of({"x + (x - 1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
 }
 
-TEST_CASE("what cannot be decided is said to be open") {
+TEST_CASE("a slope that cannot be decided is reported as undecided") {
     // (x - 3/10)^3 + 27/1000, multiplied out: g'' is a square, but not in this form.
     CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "7/8").kind == Course::open);
     CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "1/4").kind == Course::rises);

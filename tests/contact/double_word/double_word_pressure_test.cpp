@@ -193,7 +193,7 @@ TEST_CASE("in double words: a bound that is made too small is caught by its ball
     CHECK(wrong > 0);
 }
 
-TEST_CASE("in double words: a thread that rounds upwards is left to others") {
+TEST_CASE("in double words: a thread that rounds upwards uses another route") {
     const DoubleWordPressure hertz = Pressed{
         Profile::power_law(given("1"), given("1")),
         {Load::Kind::right_edge,

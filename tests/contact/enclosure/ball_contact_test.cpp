@@ -76,7 +76,7 @@ TEST_CASE("a force for which the search meets a knot on its way") {
     CHECK(certainly_less(Ball(Rational(2, 5), 300), contact.a()));
 }
 
-TEST_CASE("escalation reaches the digits asked in the hard places") {
+TEST_CASE("escalation reaches the requested digits in the hard places") {
     const Contact flat = symmetric()[6];
     // Points at 1e-30 from a knot, on it, and 1e-300 from the edge.
     for (const char* u : {"1.1000000000000000000000000000001", "1.1", "1e-300"}) {

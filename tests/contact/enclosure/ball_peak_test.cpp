@@ -83,7 +83,7 @@ TEST_CASE("the greatest pressure of flat-and-rounded punches, upright and tilted
     }
 }
 
-TEST_CASE("two places as high as each other: an enclosure all the same") {
+TEST_CASE("two equal maxima: the peak is still enclosed") {
     const PrecisionScope scope(70);
     const auto [c, value] = peaks_by_quadrature()[0];
     const BallContact contact(c.profile, c.modulus, c.load, 256);

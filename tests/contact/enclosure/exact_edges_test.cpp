@@ -73,7 +73,7 @@ TEST_CASE("an edge on a knot exactly: a and b are proved by symbols") {
     }
 }
 
-TEST_CASE("zeros that the algebra proves, and what it leaves alone") {
+TEST_CASE("zeros that the algebra proves, and numbers that it does not decide") {
     const auto zero = [](const char* text) { return proved_zero(parse(text, Symbols{"x"})); };
     for (const char* text :
          {"pi/8 - 2*pi/16", "sqrt(8) - 2*sqrt(2)", "sqrt(2)*sqrt(3) - sqrt(6)",
@@ -96,8 +96,8 @@ TEST_CASE("zeros that the algebra proves, and what it leaves alone") {
 }
 
 // Only digits are known here: they do not distinguish whether b is -1e-300 from the knot or on it.
-TEST_CASE(
-    "routes in Real: an edge that no digits tell from a knot is taken to be on it, and said") {
+TEST_CASE("routes in Real: an edge that no digits separate from a knot is taken to be on it, with "
+          "a note") {
     const NormalContact contact(punch("0.1", "0.5", "2"), Exact::parse("1"),
                                 Load::force(Exact::parse("pi*0.005")), 30);
     CHECK(contact.edge_taken_on_knot());
@@ -109,9 +109,9 @@ TEST_CASE(
         CHECK(abs(Real(c[0] - c0)) < Real("1e-30"));
         CHECK(abs(Real(c[1] + c0 * 5 / 4)) < Real("1e-30"));
     }
-    const NormalContact beside(punch("0.1", "0.5", "2"), Exact::parse("1"),
-                               Load::force(Exact::parse("pi*0.005 + 1e-60")), 30);
-    CHECK_FALSE(beside.edge_taken_on_knot());
+    const NormalContact near_knot(punch("0.1", "0.5", "2"), Exact::parse("1"),
+                                  Load::force(Exact::parse("pi*0.005 + 1e-60")), 30);
+    CHECK_FALSE(near_knot.edge_taken_on_knot());
 }
 
 TEST_CASE("the simplest fraction in a ball, also where its continued fraction is long") {

@@ -111,26 +111,26 @@ TEST_CASE("derivatives of the law against the law itself at complex of real step
             }
         }
         const Real z = radius / 10000;
-        const Extent<Real> beside = law.extent(Real(a + z));
+        const Extent<Real> nearby = law.extent(Real(a + z));
         Real b = 0;
         Real rate = 0;
         for (std::size_t k = 25; k-- > 0;) {
             b = b * z + series.b[k];
             rate = rate * z + series.force_rate[k];
         }
-        CHECK(common_digits(b, beside.b) >= 60);
-        CHECK(common_digits(rate, law.force_rate(beside)) >= 60);
+        CHECK(common_digits(b, nearby.b) >= 60);
+        CHECK(common_digits(rate, law.force_rate(nearby)) >= 60);
         // P' is the derivative of P: its antiderivative gives the step of P from a to a + z.
         Real rise = 0;
         for (std::size_t k = 25; k-- > 0;) {
             rise = rise * z + series.force_rate[k] / Real(static_cast<int>(k + 1));
         }
         rise *= z;
-        CHECK(common_digits(rise, law.force(beside) - law.force(e)) >= 50);
+        CHECK(common_digits(rise, law.force(nearby) - law.force(e)) >= 50);
     }
 }
 
-TEST_CASE("b inverts") {
+TEST_CASE("b(a) is inverted") {
     for (const Contact& c : tilted()) {
         CAPTURE(c.name);
         const PrecisionScope scope(60);
@@ -154,7 +154,7 @@ TEST_CASE("a force gives back the width that it came from") {
     }
 }
 
-TEST_CASE("the left edge on a knot, and 1e-25 beside it") {
+TEST_CASE("the left edge on a knot, and 1e-25 from it") {
     // The right edge a is found such that b is on the knot of the tilted punch where its flat
     // begins.
     const PrecisionScope scope(140);
@@ -180,7 +180,7 @@ TEST_CASE("the left edge on a knot, and 1e-25 beside it") {
     CHECK(abs(law.series(outside, 4).b[3] - at.b[3]) > abs(at.b[3]));
 }
 
-TEST_CASE("what has no contact is refused") {
+TEST_CASE("loads without a contact are refused") {
     CHECK_THROWS_AS((void)Profile::power_law(exact("1"), exact("-1/2")), InputError);
     CHECK_THROWS_AS((void)Profile::power_law(exact("0"), exact("1")), InputError);
     CHECK_THROWS_AS((void)Profile::flat_and_rounded(exact("-1"), exact("1")), InputError);

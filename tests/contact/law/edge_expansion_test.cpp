@@ -87,7 +87,7 @@ TEST_CASE("the series sums to the pressure of another route inside its radius") 
     }
 }
 
-TEST_CASE("no terms asked, none given") {
+TEST_CASE("no terms are computed if none are requested") {
     const NormalContact contact(Profile::power_law(exact("1"), exact("1")), exact("1"),
                                 Load::right_edge(exact("1")), 30);
     CHECK(contact.expansion(Edge::right, 0).empty());

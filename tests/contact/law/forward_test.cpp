@@ -101,7 +101,7 @@ void check(const Contact& c) {
 
 } // namespace
 
-TEST_CASE("the pressure put back gives g', P and M again") {
+TEST_CASE("the pressure in the integral equation gives g', P and M again") {
     const auto s = symmetric();
     check(s[0]);
     check(s[6]);
@@ -112,7 +112,7 @@ TEST_CASE("the pressure put back gives g', P and M again") {
 }
 
 TEST_SUITE_BEGIN("slow");
-TEST_CASE("... also where the pressure is itself a quadrature") {
+TEST_CASE("the pressure gives g', P and M again where it is itself a quadrature") {
     check(symmetric()[2]);
     check(own_symmetric());
 }

@@ -13,7 +13,7 @@ using scenes::all_signs;
 using scenes::exact;
 using scenes::ShearCase;
 
-TEST_CASE("full stick: the integral equation gives the tension back, the resultant gives Q") {
+TEST_CASE("full stick: the integral equation gives the tension, the resultant gives Q") {
     const PrecisionScope scope(50);
     for (const Extent<Real>& e :
          {Extent<Real>{Real(3) / 2, Real(3) / 2}, Extent<Real>{Real(7) / 3, Real(1) / 5},
@@ -141,7 +141,7 @@ TEST_CASE("equal signs at both edges, for both signs of Q and of the tension") {
     CHECK_FALSE(same_sign_at_both_edges(D, ShearLoad<Real>{Real(0), Real(1)}));
 }
 
-TEST_CASE("the traction of an exact contact, with what cancels made good") {
+TEST_CASE("the traction of an exact contact, without loss of digits by cancellation") {
     const NormalContact contact(Profile::power_law(exact("1"), exact("1")), exact("1"),
                                 Load::right_edge(exact("1")), 40);
     // K_II at the left edge vanishes except for a relative 1e-45: sigma_0 (a+b) = 8 Q/pi (1 -
@@ -206,7 +206,7 @@ TEST_CASE("P and Q that grow together: the sum of increments is similar to the p
     }
 }
 
-TEST_CASE("the shear depends on nothing of the profile but a and b") {
+TEST_CASE("the shear depends only on a and b of the profile") {
     // A wedge and a punch with the same right edge have different left edges; the traction depends
     // only on a and b.
     for (const auto& c : scenes::tilted()) {

@@ -137,7 +137,7 @@ TEST_CASE("an extremum that barely reaches the tolerance between two points of t
     CHECK(below.crossings.size() == above.crossings.size() + 2);
 }
 
-TEST_CASE("beside a corner the crossing is found however near, and called the corner beyond") {
+TEST_CASE("a crossing near a corner is found, or is the corner if the digits do not resolve it") {
     // A wedge is outside every tolerance at the apex.
     const NormalContact wedge(Profile::power_law(exact("1"), exact("0")), exact("1"),
                               Load::right_edge(exact("1")), 30);
@@ -183,7 +183,7 @@ TEST_CASE("a tolerance of 0, no terms, and a range beyond the contact are refuse
         InputError);
 }
 
-TEST_CASE("two crossings beside an extremum that all but touches the tolerance are found") {
+TEST_CASE("two crossings near an extremum that almost touches the tolerance are found") {
     // The tolerance is 1e-40 below a local maximum of the error, which was found separately
     // (hard-cases.toml).
     const Exact tolerance = exact("10.0150106162079383319964245839524852234540331102059096260117");

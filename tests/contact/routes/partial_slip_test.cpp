@@ -154,7 +154,7 @@ TEST_CASE(
 
 // The strains of both bodies are equal in the stick zone (docs/shear.md): PV of q/(s - x) is pi
 // sigma_0/4 there. In the slip zones |q| = f p. The resultant is Q.
-TEST_CASE("q put back into the integral equation answers for sigma_0 and Q, to 30 digits") {
+TEST_CASE("q in the integral equation gives sigma_0 and Q, to 30 digits") {
     const auto all = size_cases();
     for (const std::size_t i : {1UL, 4UL, 7UL, 9UL}) {
         const SizeCase& c = all[i];

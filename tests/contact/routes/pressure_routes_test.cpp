@@ -86,8 +86,8 @@ TEST_CASE("on a knot, on a corner, and outside") {
     const NormalContact flat(Profile::flat_and_rounded(exact("0.4"), exact("3")), exact("2"),
                              Load::right_edge(exact("3/2")), 50);
     const Real on = flat.pressure(Edge::right, exact("1.1")).value;
-    const Real beside = flat.pressure(Edge::right, exact("1.1000000000000000000000001")).value;
-    CHECK(abs(on - beside) < Real("1e-22"));
+    const Real nearby = flat.pressure(Edge::right, exact("1.1000000000000000000000001")).value;
+    CHECK(abs(on - nearby) < Real("1e-22"));
     CHECK(common_digits(
               on, flat.pressure(Edge::right, exact("1.1"), Route::barber_mossakovskii).value) >=
           50);

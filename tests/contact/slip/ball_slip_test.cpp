@@ -58,7 +58,7 @@ TEST_CASE("Hertz under Q alone, next to no load and next to full sliding") {
 // The zone of a wedge tilted by alpha under L: sqrt(a b) = L/(E* phi), b/a = (1 - s)/(1 + s), s =
 // sin(pi alpha/(2 phi)); the tension reduces alpha by sigma_0/(2 f E*). Newton's first steps pass
 // the corner.
-TEST_CASE("a tension draws the zone of a tilted wedge to one side of its corner") {
+TEST_CASE("a tension moves the stick zone of a tilted wedge to one side of its corner") {
     const Profile wedge = Profile::tilted_wedge(scenes::exact("1/100"), scenes::exact("39/10000"));
     const Ball alpha(Rational(39, 10000), slip_bits);
     const Ball phi(Rational(1, 100), slip_bits);

@@ -46,7 +46,7 @@ TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
     }
 }
 
-TEST_CASE("panels hold the closed form where contacts are similar") {
+TEST_CASE("panels enclose the closed form where contacts are similar") {
     const std::pair<const char*, long> cases[] = {{"Hertz", 2}, {"wedge", 1}};
     for (const auto& [which, power] : cases) {
         const char* const name = which;
@@ -64,7 +64,7 @@ TEST_CASE("panels hold the closed form where contacts are similar") {
 }
 
 // For a small shear tau^3/6 replaces the expression with the logarithm.
-TEST_CASE("the energy goes with the cube of a small shear force") {
+TEST_CASE("the energy is proportional to the cube of a small shear force") {
     const Slipping s = upright("Hertz", "1e-9");
     const Ball P = s.force();
     const Ball cube = P * P * 8 * Ball(Rational(9, 25), energy_bits) / Ball::pi(energy_bits) / 2 *

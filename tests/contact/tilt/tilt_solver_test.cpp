@@ -131,7 +131,7 @@ TEST_CASE("force and moment over extreme ratios: the flat-and-rounded punch") {
     CHECK(upright.profile.kind() == Profile::Kind::tilted_flat_and_rounded);
 }
 
-TEST_CASE("the paper's punch comes back from its force and moment") {
+TEST_CASE("the paper's punch is found again from its force and moment") {
     for (const char* a : {"0.5", "3"}) {
         const NormalContact contact(
             Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")), exact("1"),
@@ -144,7 +144,7 @@ TEST_CASE("the paper's punch comes back from its force and moment") {
     }
 }
 
-TEST_CASE("where no tilt exists, the error says why") {
+TEST_CASE("where no tilt exists, the error gives the reason") {
     const auto fails = [](const TiltedPunch& punch, const char* P, const char* M,
                           const char* words) {
         try {

@@ -98,7 +98,7 @@ TEST_CASE("rational parts are rounded once") {
     CHECK(value<double>("x^(1/3 + 1/6)", values) == std::sqrt(2.0));
 }
 
-TEST_CASE("outside its domain a function throws, and names itself and the part") {
+TEST_CASE("outside its domain a function throws, and the error names it and the argument") {
     Values<double> values{{"x", -1.0}, {"y", 0.0}, {"n", 2.0}};
     for (const char* text :
          {"log(x)",        "log(y)",   "sqrt(x)",   "asin(n)",  "acos(-n)", "acosh(y)",

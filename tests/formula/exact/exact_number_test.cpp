@@ -14,7 +14,7 @@ ExactNumber number(const std::string& text) { return ExactNumber::of(parse(text)
 
 } // namespace
 
-TEST_CASE("exact numbers: what is zero by an identity of roots and of pi") {
+TEST_CASE("exact numbers: zeros by an identity of roots and of pi") {
     for (const char* text : {
              "sqrt(2)*sqrt(3) - sqrt(6)",
              "sqrt(8) - 2*sqrt(2)",
@@ -37,7 +37,8 @@ TEST_CASE("exact numbers: what is zero by an identity of roots and of pi") {
     }
 }
 
-TEST_CASE("exact numbers: what is as good as zero in balls and is not zero") {
+TEST_CASE(
+    "exact numbers: numbers that are not zero, but cannot be distinguished from zero in balls") {
     // Numbers near zero: sqrt(2) minus its first 60 digits; the same for pi; classical sums of
     // roots such as sqrt(10) + sqrt(11) - sqrt(5) - sqrt(18).
     for (const char* text : {
@@ -55,7 +56,7 @@ TEST_CASE("exact numbers: what is as good as zero in balls and is not zero") {
     }
 }
 
-TEST_CASE("exact numbers: rational ones are told, others are not followed") {
+TEST_CASE("exact numbers: rational ones are recognised, others are unknown") {
     CHECK(number("sqrt(2)*sqrt(8)").rational() == Rational(4));
     CHECK(number("(9/4)^(3/2)").rational() == Rational(27, 8));
     CHECK(number("pi*3/(2*pi)").rational() == Rational(3, 2));

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-TEST_CASE("a constant means exactly what it says") {
+TEST_CASE("a constant means exactly the number that is written") {
     CHECK(Exact::parse("0.4").rational() == Rational(2, 5));
     CHECK(Exact::parse(" 3/2 ").rational() == Rational(3, 2));
     CHECK(Exact::parse(" 3/2 ").text() == " 3/2 ");
@@ -26,7 +26,7 @@ TEST_CASE("a constant means exactly what it says") {
     CHECK(Exact::parse("2*pi") == Exact::parse("2 * Pi"));
 }
 
-TEST_CASE("what is no constant is refused") {
+TEST_CASE("text that is not a constant is refused") {
     for (const char* text :
          {"", "a", "0.4.1", "1/0", "sqrt(-1)", "log(0)", "0^-1", "1/(1/3 - 1/3)", "asin(2)", "e",
           "inf", "nan", "1,5", "0,4", "1e999999999", "integral(s, s, 0, 1)", "1 2"}) {
@@ -80,7 +80,7 @@ TEST_CASE("cancellation does not cost digits") {
           5.8209749445923078e-51);
 }
 
-TEST_CASE("however many digits are asked for, there are more to make up for a cancellation") {
+TEST_CASE("for any number of requested digits, more are used to compensate a cancellation") {
     // sqrt(1 + d) - 1 = d/(1 + sqrt(1 + d)) for d = 1e-40; the right side has no cancellation.
     const Exact x = Exact::parse("sqrt(1 + 1e-40) - 1");
     for (const unsigned digits : {50U, 1000U, 1300U, 2500U, 6000U}) {

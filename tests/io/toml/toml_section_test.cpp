@@ -36,7 +36,7 @@ std::string many(const std::string& text, std::size_t times) {
 
 } // namespace
 
-TEST_CASE("a bare number is the text of the file, whatever stands before it on the line") {
+TEST_CASE("a bare number is the text of the file, with any text before it on the line") {
     // Characters of one, two, three and four bytes, a tab, escapes, other numbers.
     const std::vector<std::string> before{
         "",       "\"γ\", ",       "\"γγγγ\", ", "'€ uro', ",       "\"😀\", ",     "\t",
@@ -112,7 +112,7 @@ TEST_CASE("a float that another reader would cut off is refused with its digits,
     }
 }
 
-TEST_CASE("what is missing, or of another kind, is refused with the line") {
+TEST_CASE("a missing key, or one of another kind, is refused with the line") {
     const TomlSection top = parsed("a = 1\nb = [1, 2]\n[c]\nd = \"x\"\n[[e]]\n");
     const auto line_of = [](const auto& f) { return error_of(f).line(); };
     CHECK(line_of([&] { (void)top.text("a"); }) == 1);
@@ -126,7 +126,7 @@ TEST_CASE("what is missing, or of another kind, is refused with the line") {
     CHECK(line_of([&] { (void)top.section("z"); }) == 1);
 }
 
-TEST_CASE("depth: whatever nests deeper than a person writes is refused before it is parsed") {
+TEST_CASE("depth: text that nests too deep is refused before it is parsed") {
     for (const std::size_t deep : {std::size_t{32}, std::size_t{300}, std::size_t{50'000}}) {
         const std::vector<std::string> all{
             many("a.", deep) + "a = 1", "[" + many("a.", deep) + "a]",
@@ -149,7 +149,7 @@ TEST_CASE("depth: whatever nests deeper than a person writes is refused before i
     }
 }
 
-TEST_CASE("depth: dots and brackets in texts and comments are none, and 31 levels are read") {
+TEST_CASE("depth: dots and brackets in strings and comments do not count, and 31 levels are read") {
     const std::string dots = many(".", 200) + many("[{", 100);
     CHECK(parsed("k = \"" + dots + "\"").text("k").size() == 400);
     CHECK(parsed("k = '" + dots + "' # " + dots + "\nl = 1").written("l") == "1");
@@ -165,7 +165,7 @@ TEST_CASE("depth: dots and brackets in texts and comments are none, and 31 level
     CHECK_NOTHROW((void)parsed("k = " + many("[", 32) + many("]", 32)));
 }
 
-TEST_CASE("the line of what nests too deep is that of the bracket") {
+TEST_CASE("text that nests too deep is reported with the line of the bracket") {
     const std::string deep = "k = " + many("[", 40);
     CHECK(refusal("a = '''\n\n\n'''\n" + deep).line() == 5);
     CHECK(refusal("a = \"\"\"\\\n\n\"\"\"\n" + deep).line() == 4);
@@ -188,7 +188,7 @@ TEST_CASE("control characters are refused with their line, as escapes too") {
     CHECK(parsed("k = \"a\\tb\\nγ\\u00a0\"").text("k") == "a\tb\nγ\u00a0");
 }
 
-TEST_CASE("what is no TOML is refused in one line with its place") {
+TEST_CASE("text that is not TOML is refused in one line with its place") {
     for (const char* text : {"[a\n", "a = \n", "a = 1\na = 2", "= 1", "a = 'x", "a = \"\\q\"",
                              "a = 99999999999999999999", "a = 1 b = 2", "\xff", "a.b = 1\na = 2"}) {
         CAPTURE(text);

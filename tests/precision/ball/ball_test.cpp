@@ -85,7 +85,7 @@ TEST_CASE("2F1 at known values") {
     }
 }
 
-TEST_CASE("arithmetic encloses, and says only what is certain") {
+TEST_CASE("arithmetic encloses, and comparisons state only what is certain") {
     const Ball third(Rational(1, 3), 100);
     CHECK(contains(third, Rational(1, 3)));
     CHECK_FALSE(third.is_exact());
@@ -133,7 +133,7 @@ TEST_CASE("two threads, two precisions") {
     CHECK(fine.relative_accuracy_bits() > 980);
 }
 
-TEST_CASE("escalation doubles until it is enough, and says when it never is") {
+TEST_CASE("escalation doubles the bits until they suffice, and fails at the limit") {
     int calls = 0;
     // The terms cancel except for 2^-400, which is invisible at 128 and 256 bits.
     const Rational small(Integer(1), Integer(Integer(1) << 400));

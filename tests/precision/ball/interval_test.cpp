@@ -128,7 +128,7 @@ TEST_CASE("an interval keeps the ends that it has exactly, and its sign with the
     CHECK(whole_ends(-2, -1).negative());
 }
 
-TEST_CASE("an interval without an end says so, and does not lose the other") {
+TEST_CASE("an interval that is unbounded at one end is marked so, and keeps the other end") {
     const Interval one = whole_ends(1, 1);
     const Interval far = one / whole_ends(0, 2);
     CHECK(far.lower().midpoint() == 0.5);

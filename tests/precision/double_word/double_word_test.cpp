@@ -69,7 +69,7 @@ rest_of_square(double x, double rounded) {
 
 } // namespace
 
-TEST_CASE("products are not joined with sums, on a processor that could") {
+TEST_CASE("products and sums are not fused, on a processor that could do so") {
 #if defined(__x86_64__) && defined(__GNUC__)
     if (__builtin_cpu_supports("fma") == 0) {
         return;
@@ -81,7 +81,7 @@ TEST_CASE("products are not joined with sums, on a processor that could") {
     CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
 }
 
-TEST_CASE("the root of a double word that is not told from zero holds those of its numbers") {
+TEST_CASE("the root of a double word that may be zero encloses the roots of its numbers") {
     Drawn draw;
     for (int i = 0; i < 1000; ++i) {
         DoubleWord x = draw.word(60);
@@ -166,7 +166,7 @@ TEST_CASE("the nearest binary64 of a double word: one, or none where there are s
     CHECK_FALSE(nearest_binary64(DoubleWord{1, 0, std::numeric_limits<double>::quiet_NaN()}));
 }
 
-TEST_CASE("nothing is known of a quotient by what may be zero, or of the root of it") {
+TEST_CASE("the quotient by a double word that may be zero is unknown, and so is its root") {
     const DoubleWord zero{0x1p-30, 0, 0x1p-30};
     CHECK(std::isinf((DoubleWord{1, 0, 0} / zero).radius));
     CHECK(std::isinf(sqrt(zero).radius));
@@ -184,7 +184,7 @@ TEST_CASE("a ball as a double word") {
     CHECK(std::isinf(to_double_word(Ball(Rational(1), 64) / pow(Ball(10, 64), 400)).radius));
 }
 
-TEST_CASE("a number in two parts keeps the digits of a difference with one beside it") {
+TEST_CASE("a number in two parts keeps the digits of a difference with a number close to it") {
     Drawn draw;
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
@@ -192,17 +192,17 @@ TEST_CASE("a number in two parts keeps the digits of a difference with one besid
         const Ball number = sqrt(Ball(Rational(std::fabs(draw.number(90))), 180));
         const PreciseWord parts = to_precise_word(number);
         REQUIRE(std::fabs(parts.rest.high) <= 0x1p-106 * parts.first.high);
-        double beside = parts.first.high;
+        double nearby = parts.first.high;
         for (int steps = i % 3; steps > 0; --steps) {
-            beside = std::nextafter(beside, i % 2 == 0 ? 0 : 1e300);
+            nearby = std::nextafter(nearby, i % 2 == 0 ? 0 : 1e300);
         }
-        const DoubleWord difference = DoubleWord{beside, 0, 0} - parts;
-        const Ball exact = Ball(Rational(beside), word_bits) - number.with_bits(word_bits);
+        const DoubleWord difference = DoubleWord{nearby, 0, 0} - parts;
+        const Ball exact = Ball(Rational(nearby), word_bits) - number.with_bits(word_bits);
         // The word's radius includes that of the ball.
         REQUIRE(certainly_less(abs(exactly(difference) - exact) * Ball(Rational(99, 100), 64),
                                Ball(Rational(difference.radius), word_bits)));
         REQUIRE(difference.radius <= 0x1p-70 * std::fabs(difference.high));
-        REQUIRE((parts - DoubleWord{beside, 0, 0}).high == -difference.high);
+        REQUIRE((parts - DoubleWord{nearby, 0, 0}).high == -difference.high);
     }
     const PreciseWord exact = to_precise_word(Ball(Rational(3, 8), 192));
     CHECK((DoubleWord{0.375, 0, 0} - exact).high == 0);

@@ -115,7 +115,7 @@ TEST_CASE("a number of more digits than the thread's keeps them") {
     CHECK(mpfr_get_prec(arc_tangent(x).backend().data()) == mpfr_get_prec(x.backend().data()));
 }
 
-TEST_CASE("threads with different digits are not in each other's way") {
+TEST_CASE("threads with different digits do not affect each other") {
     const auto work = [](unsigned digits) {
         const PrecisionScope scope(digits);
         int unlike = 0;

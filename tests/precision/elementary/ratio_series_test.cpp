@@ -108,7 +108,7 @@ TEST_CASE("neighbours share what a thread keeps, and have their own sums") {
     }
 }
 
-TEST_CASE("of more series than a thread keeps, each has its own sum") {
+TEST_CASE("with more series than a thread keeps, each has its own sum") {
     const Ball x(Real(1) / 16, 120);
     for (int round = 0; round < 2; ++round) {
         for (long b = 3; b < 803; b += 2) {
@@ -121,7 +121,7 @@ TEST_CASE("of more series than a thread keeps, each has its own sum") {
     }
 }
 
-TEST_CASE("of a ball the series holds the values at all its numbers") {
+TEST_CASE("the series at a ball encloses the values at all its numbers") {
     const Gauss f{2, 1, 5, 3};
     for (const double at : {0.001, 0.3, 0.9, 0.99}) {
         for (const int exponent : {-300, -60, -25}) {
@@ -138,7 +138,7 @@ TEST_CASE("of a ball the series holds the values at all its numbers") {
     }
 }
 
-TEST_CASE("a series that words do not sum is left to others") {
+TEST_CASE("a series that cannot be summed in words is left to other methods") {
     const Gauss f{2, 1, 3, 3};
     const auto none = [](const Gauss& of, const Ball& x) { return !of.series().sum(x, 200); };
     CHECK(none(f, Ball(Rational(9995, 10000), 200)));

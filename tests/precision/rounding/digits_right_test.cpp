@@ -14,7 +14,7 @@ TEST_CASE("digits that are right: against the worst number of the ball") {
     CHECK(digits_proved(Ball::around(Real(2), pow(Real(10), -9), 200)) == 9);
 }
 
-TEST_CASE("digits are those of the true error, and no more than the enclosure tells") {
+TEST_CASE("digits are those of the true error, and no more than the enclosure proves") {
     const PrecisionScope scope(60);
     const Real one(1);
     const Ball narrow = Ball::around(one, pow(Real(10), -50), 200);

@@ -11,7 +11,7 @@ namespace {
 Rational halved(unsigned times) { return Rational(Integer(1), Integer(Integer(1) << times)); }
 } // namespace
 
-TEST_CASE("a decimal means exactly what it says") {
+TEST_CASE("a decimal means exactly the number that is written") {
     CHECK(parse_decimal("0.4") == Rational(2, 5));
     CHECK(parse_decimal("-1.25e2") == -125);
     CHECK(parse_decimal("1e-3") == Rational(1, 1000));
@@ -120,7 +120,7 @@ TEST_CASE("a ball is printed only as far as every number in it agrees") {
     CHECK(e.upper.value() == Rational(66667, 100000));
 }
 
-TEST_CASE("a printed number comes with the number that its text says") {
+TEST_CASE("a printed number comes with the value of its text") {
     std::mt19937_64 seeded(29);
     std::uniform_int_distribution<int> whole(-1'000'000, 1'000'000);
     std::uniform_int_distribution<int> place(-40, 40);
@@ -151,7 +151,7 @@ TEST_CASE("a printed number comes with the number that its text says") {
     CHECK_THROWS_AS((void)(Decimal{false, "1", 10000001}.value()), InputError);
 }
 
-TEST_CASE("whether all of a ball rounds alike, at a glance") {
+TEST_CASE("a quick test whether all numbers of a ball round alike") {
     const std::vector<Rounding> modes{Rounding::nearest, Rounding::down, Rounding::up};
     // rounds_alike may be true only if round_ball is complete: wide balls, and balls around ties,
     // whole units and powers of ten.

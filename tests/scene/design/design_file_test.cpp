@@ -84,7 +84,7 @@ TEST_CASE("a design scene of a slip load") {
     CHECK(why.find("no closed form") != std::string::npos);
 }
 
-TEST_CASE("a design scene: what is wrong, with its line") {
+TEST_CASE("a design scene: errors have their line") {
     CHECK(problem_of(pad_design("kind = \"flat-and-rounded\"\nt = \"0\"\nR = \"10\"\n", ""))
               .find("0 numbers of the scene are ranges") != std::string::npos);
     CHECK(
@@ -106,15 +106,15 @@ TEST_CASE("a design scene: what is wrong, with its line") {
               .find("there is no parameter R") != std::string::npos);
 }
 
-TEST_CASE("a design scene asked otherwise than it says") {
+TEST_CASE("a design scene with options in place of its own values") {
     using edgeproof::scene::DesignObjective;
     const auto asked = [](const std::string& text, const edgeproof::scene::DesignQuestion& q) {
         return edgeproof::scene::parse_design(text, "pad.toml", q);
     };
     const std::string text = pad_design(flat_of_range, "terms = 2\nedge = \"left\"\n");
-    const auto as_it_says = asked(text, {});
-    CHECK(as_it_says.terms == 2);
-    CHECK(as_it_says.edges == std::vector{edgeproof::contact::Edge::left});
+    const auto as_written = asked(text, {});
+    CHECK(as_written.terms == 2);
+    CHECK(as_written.edges == std::vector{edgeproof::contact::Edge::left});
     const auto otherwise = asked(text, {"measure", "1/100", "both", 3});
     CHECK(otherwise.objective == DesignObjective::measure);
     CHECK(otherwise.tolerance.rational() == Rational(1, 100));

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-TEST_CASE("the bound beside a printed value holds, and is no wider than two digits make it") {
+TEST_CASE("the bound printed with a value holds, and is as small as two digits allow") {
     std::mt19937_64 seeded(47);
     std::uniform_real_distribution<double> uniform(-60, 60);
     std::size_t complete = 0;

@@ -181,7 +181,7 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
     CHECK(scale_of({Quantity::alpha}, 6, 4) == 1);
 }
 
-TEST_CASE("a name that is no quantity: how to write one, and which one was likely meant") {
+TEST_CASE("a name that is not a quantity: how to write one, and which one was likely meant") {
     const std::string all = "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
                             "extent_1, measure_1, slip, stick_a, stick_b, p_max or cycle_energy";
     CHECK(quantity_advice("temperature") == all);
@@ -219,7 +219,7 @@ TEST_CASE("a value in words") {
     CHECK(text_of({Quantity::residual, 20, Edge::left, u}) ==
           "residual of 20 terms at u = 1e-40 from the left edge");
     CHECK(text_of({.quantity = Quantity::tilt_difference, .u = u}) ==
-          "p less that without tilt at u = 1e-40 from the right edge");
+          "p minus p without tilt at u = 1e-40 from the right edge");
     CHECK(text_of({Quantity::b}) == "b");
     CHECK(edge_named("left") == Edge::left);
     CHECK_FALSE(edge_named("top"));
@@ -229,11 +229,12 @@ TEST_CASE("what a scene lacks for a quantity") {
     const Scene plain = parsed(hertz("1", "terms = 1\n"));
     CHECK_FALSE(lack_of(plain, {Quantity::p}));
     CHECK_FALSE(lack_of(sheared_hertz(), {Quantity::s, 2}));
-    CHECK(lack_of(plain, {Quantity::s, 2})->problem == "s_2 is asked for and there is no shear");
+    CHECK(lack_of(plain, {Quantity::s, 2})->problem == "s_2 is requested, but there is no shear");
     CHECK(lack_of(plain, {Quantity::s, 2})->instead == "add Q or bulk_tension, or leave s_2 out");
-    CHECK(lack_of(plain, {Quantity::alpha})->problem == "alpha is asked for and is not unknown");
+    CHECK(lack_of(plain, {Quantity::alpha})->problem ==
+          "alpha is requested, but is not an unknown of the scene");
     CHECK_FALSE(lack_of(loaded_wedge("0"), {Quantity::alpha}));
     CHECK(lack_of(sheared_hertz(), {Quantity::slip})->problem ==
-          "slip is asked for and there is no friction");
+          "slip is requested, but there is no friction");
     CHECK_FALSE(lack_of(slipping_hertz_scene(), {Quantity::stick_a}));
 }

@@ -50,7 +50,7 @@ TEST_CASE("every kind of entry is written as TOML") {
     CHECK(make_scene(entries).title == "a \"b\" \\ c");
 }
 
-TEST_CASE("what is refused names no file and no line") {
+TEST_CASE("a refusal names no file and no line") {
     SceneEntries bad = wedge_entries();
     bad.load[0].value = "-2";
     try {

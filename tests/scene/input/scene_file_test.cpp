@@ -69,7 +69,7 @@ TEST_CASE("tolerances: 1%, 0.01 and 1/100 are one") {
     }
 }
 
-TEST_CASE("whatever is malformed is refused with its line") {
+TEST_CASE("malformed scenes are refused with their line") {
     const Bad all[] = {
         {profile_text + "[load]\na = \"1\"\nP = \"1\"\ncontact_modulus = \"1\"\n", 7,
          "both a and P"},

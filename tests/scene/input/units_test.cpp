@@ -49,7 +49,7 @@ TEST_CASE("units: names, prefixes and factors") {
     CHECK_FALSE(unit_named("N/m"));
 }
 
-TEST_CASE("units of a scene are labels, and go together") {
+TEST_CASE("units of a scene are labels, and must be consistent") {
     const Scene scene = parsed(with_units("length = \"mm\"\nforce = \"N\"\npressure = \"MPa\"\n"));
     REQUIRE(scene.units);
     CHECK(scene.units->text() == "lengths in mm, P in N/mm, M in N, pressures in MPa");
@@ -101,5 +101,5 @@ TEST_CASE("the flat by its length, the contact by its width") {
                        "[load]\nwidth = \"2\"\n" +
                        bodies)
                    .second,
-               "unlike distances"));
+               "different distances from the origin"));
 }

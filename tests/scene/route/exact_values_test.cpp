@@ -199,7 +199,7 @@ TEST_CASE("ties: extents that end on a short decimal") {
     }
 }
 
-TEST_CASE("ties: where no exact form is known the enclosure is printed, and it is said") {
+TEST_CASE("ties: where no exact form is known the enclosure is printed, with a note") {
     // log(4)/log(2) is 2, by an identity that is unknown to exact numbers.
     Scene scene = parsed(power_law("1", "1/32", "a = \"5\"",
                                    "contact_modulus = \"log(4)/log(2)\"\n"

@@ -97,7 +97,7 @@ std::string all_text(const SceneResult& r, const Digits& digits) {
 
 } // namespace
 
-TEST_CASE("what is done is what was planned, and no more than the scene calls for") {
+TEST_CASE("the run follows the plan, and does no more than the scene needs") {
     for (const Counted& c : counted()) {
         CAPTURE(c.name);
         const Scene scene = parsed(c.text);
@@ -135,7 +135,7 @@ TEST_CASE("the examples are done as planned") {
     }
 }
 
-TEST_CASE("leaving an effect out changes no digit of the others") {
+TEST_CASE("the omission of an effect changes no digit of the others") {
     const std::string asked = std::string(points) + both;
     for (const std::string& load : {std::string(shear), std::string(together)}) {
         const Scene whole =

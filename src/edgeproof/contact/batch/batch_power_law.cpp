@@ -65,7 +65,7 @@ BatchPowerLaw::BatchPowerLaw(const formula::Exact& m, const Real& rate, const Re
       inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * std::numbers::ln10),
       rule_(rule), power_(exponent_of_integrand(m)) {
     if (!(m_double_ < 1e15)) {
-        throw DomainError("a power law of so large an exponent has no batch route");
+        throw DomainError("a power law with an exponent as large as this has no batch route");
     }
     const Real half = floor(Real(m_ / 2));
     steps_ = static_cast<unsigned long>(half);
@@ -259,7 +259,7 @@ BatchPowerLaw::Share BatchPowerLaw::powers_by_rule(double q) {
         }
     }
     if (share.nodes == 0) {
-        throw BudgetError("a power law of this exponent asks for too many nodes here");
+        throw BudgetError("a power law of this exponent needs too many nodes here");
     }
     add_powers(share.value, power_nodes(share.nodes));
     share.value *= root_;

@@ -155,8 +155,8 @@ private:
     [[nodiscard]] const Disk* disk_at_edge(Edge edge) const;
     /// Returns the integral over theta from one side of a knot to the other, for x within half of
     /// that range.
-    [[nodiscard]] Ball beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
-                                   const Ball& width) const;
+    [[nodiscard]] Ball near_knot(std::size_t knot, const Ball& lo, const Ball& hi,
+                                 const Ball& width) const;
     /// Returns I over a ball that contains a knot. `least`: a lower bound is returned where I is
     /// infinite.
     [[nodiscard]] Ball over_knot(const Ball& x, bool least) const;

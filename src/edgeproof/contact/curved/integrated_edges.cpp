@@ -21,7 +21,7 @@ struct Between {
 };
 
 /// Returns the numbers middle -+ 2^-bits |middle|.
-Between beside(const Ball& middle, long bits) {
+Between narrow_range(const Ball& middle, long bits) {
     const Ball slack =
         abs(middle) * Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits)), middle.bits());
     return {Ball(Ball(middle - slack).lower(), middle.bits()),
@@ -34,7 +34,7 @@ Between beside(const Ball& middle, long bits) {
 /// left edge moves outwards (docs/curved-slopes.md, "Edges").
 std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball& start) const {
     for (long narrow = bits_ - spent_on_signs; narrow > 8; narrow -= bits_ / 8) {
-        const Between trial = beside(start, narrow);
+        const Between trial = narrow_range(start, narrow);
         if (certainly_positive(trial.lo) && certainly_positive(slope_integral(a, trial.lo, 0)) &&
             certainly_negative(slope_integral(a, trial.hi, 0))) {
             return Ball::hull(trial.lo, trial.hi);
@@ -112,7 +112,7 @@ void IntegratedContact::enclose_edges(const formula::Exact& contact_modulus) {
     // of each is enclosed (docs/curved-slopes.md, "Edges").
     for (long narrow = bits_ - spent_on_signs - (symmetric ? 0 : spent_on_both); narrow > 8;
          narrow -= bits_ / 8) {
-        const Between a = beside(near.a, narrow);
+        const Between a = narrow_range(near.a, narrow);
         std::optional<Between> b = a;
         if (!symmetric) {
             const auto left_of = [&](const Ball& x) {

@@ -237,8 +237,8 @@ Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
 /// derivative of g' by w is at most L. Since |w_s - w_x| <= |s - x|^(1/n), the quotient, which is
 /// not negative, is at most the sum over both sides of L |s - x|^(1/n - 1) (docs/curved-slopes.md,
 /// "What is integrated").
-Ball IntegratedContact::beside_knot(std::size_t knot, const Ball& lo, const Ball& hi,
-                                    const Ball& width) const {
+Ball IntegratedContact::near_knot(std::size_t knot, const Ball& lo, const Ball& hi,
+                                  const Ball& width) const {
     const Ball& v = knots_[knot];
     const Ball before = series_of_slope(knot, Ball::hull(lo, v), 2)[1];
     const Ball after = series_of_slope(knot + 1, Ball::hull(v, hi), 2)[1];
@@ -302,7 +302,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     }
     Ball inner(0, bits_);
     if (!profile_.has_corner(i)) {
-        inner = beside_knot(i, lo, hi, to - from);
+        inner = near_knot(i, lo, hi, to - from);
     }
     // x is on one side of the knot or on the other.
     std::optional<Ball> either;

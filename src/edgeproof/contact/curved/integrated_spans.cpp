@@ -39,12 +39,13 @@ const IntegratedContact::Roots& IntegratedContact::roots() const {
             std::array<Roots::Root, 2> sides;
             for (const std::size_t side : {0U, 1U}) {
                 const SlopePiece& piece = profile_.pieces()[i + side];
-                auto beside = piece.linear ? std::nullopt
-                                           : slope_at_root(piece.slope, profile_.knots()[i].expr(),
-                                                           side == 1);
-                if (beside) {
-                    sides.at(side) = {found.formulas.size(), beside->root};
-                    found.formulas.push_back(std::move(beside->slope));
+                auto root_form =
+                    piece.linear
+                        ? std::nullopt
+                        : slope_at_root(piece.slope, profile_.knots()[i].expr(), side == 1);
+                if (root_form) {
+                    sides.at(side) = {found.formulas.size(), root_form->root};
+                    found.formulas.push_back(std::move(root_form->slope));
                 }
             }
             found.of_knots.push_back(sides);

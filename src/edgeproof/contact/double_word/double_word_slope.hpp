@@ -28,7 +28,7 @@ struct DoubleWordSlope {
 
     /// (v - x) G where v - x is nearly 0: G <= ln(1 + 4 D/|v - x|), and r ln(1 + 4 D/r) increases
     /// with r, D < 2^100 (docs/double-words.md, lemma 6).
-    static DoubleWord moment_beside(const DoubleWord& offset) {
+    static DoubleWord moment_near_knot(const DoubleWord& offset) {
         const double r = std::fabs(offset.high) + std::fabs(offset.low) + offset.radius;
         return {0, 0, 400 * std::fmax(r, 0x1p-400)};
     }
@@ -79,7 +79,7 @@ struct DoubleWordSlope {
                 if (!double_word::well_known(offset)) {
                     on_corner =
                         on_corner || (knot.corner && offset.high == 0 && offset.radius == 0);
-                    return Green{double_word::unknown(), moment_beside(offset)};
+                    return Green{double_word::unknown(), moment_near_knot(offset)};
                 }
                 return green(knot, offset, x, w_x);
             });

@@ -28,7 +28,7 @@ Rational power_of_two(long k) {
 /// An interval with a decision: all on one side, a root of f = level (f monotone), or undecided. It
 /// is not in the anonymous namespace because BallExtentSearch::Search, which has such members, is
 /// not.
-struct ToldPiece {
+struct DecidedPiece {
     Rational lo;
     Rational hi;
     Side from;
@@ -60,27 +60,27 @@ private:
         }
     }
     void scan();
-    void tell(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
-              std::vector<ToldPiece>& pieces);
+    void decide(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
+                std::vector<DecidedPiece>& pieces);
     bool roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
-                       std::vector<ToldPiece>& pieces);
-    [[nodiscard]] Ball refine(const RelativeError& f, const ToldPiece& piece);
+                       std::vector<DecidedPiece>& pieces);
+    [[nodiscard]] Ball refine(const RelativeError& f, const DecidedPiece& piece);
 
     Contact contact_;
     Edge edge_;
     std::size_t n_;
     formula::Exact tolerance_;
     ExtentRange range_;
-    int most_doublings_ = 5;        ///< of the bits of the scan, before it gives up
-    std::vector<ToldPiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
+    int most_doublings_ = 5;           ///< of the bits of the scan, before it gives up
+    std::vector<DecidedPiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
 };
 
 namespace {
 
 /// Joins undecided pieces that are adjacent.
-void merge_unknown(std::vector<ToldPiece>& pieces) {
-    std::vector<ToldPiece> merged;
-    for (ToldPiece& piece : pieces) {
+void merge_unknown(std::vector<DecidedPiece>& pieces) {
+    std::vector<DecidedPiece> merged;
+    for (DecidedPiece& piece : pieces) {
         const bool unknown = piece.from == Side::unknown;
         if (!merged.empty() && unknown && merged.back().from == Side::unknown) {
             merged.back().hi = piece.hi;
@@ -118,7 +118,7 @@ void BallExtentSearch::Search::scan() {
             while (lo < end) {
                 Rational hi = exact_value(Ball(Rational(lo * Rational(5, 4)), 24).midpoint());
                 hi = hi >= end ? end : hi;
-                tell(f, lo, hi, narrowest, pieces_);
+                decide(f, lo, hi, narrowest, pieces_);
                 lo = hi;
             }
             merge_unknown(pieces_);
@@ -132,7 +132,8 @@ void BallExtentSearch::Search::scan() {
 }
 
 bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Rational& lo,
-                                             const Rational& hi, std::vector<ToldPiece>& pieces) {
+                                             const Rational& hi,
+                                             std::vector<DecidedPiece>& pieces) {
     const Side from = f.side(f.at(lo));
     const Side to = f.side(f.at(hi));
     if (from == Side::unknown || to == Side::unknown) {
@@ -151,8 +152,9 @@ bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Ratio
     return false;
 }
 
-void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, const Rational& hi,
-                                    long finest, std::vector<ToldPiece>& pieces) {
+void BallExtentSearch::Search::decide(const RelativeError& f, const Rational& lo,
+                                      const Rational& hi, long finest,
+                                      std::vector<DecidedPiece>& pieces) {
     count(f);
     const RelativeError::Over over = f.over(lo, hi);
     if (over.side != Side::unknown) {
@@ -167,13 +169,13 @@ void BallExtentSearch::Search::tell(const RelativeError& f, const Rational& lo, 
         return;
     }
     const Rational m = middle(lo, hi);
-    tell(f, lo, m, finest, pieces);
-    tell(f, m, hi, finest, pieces);
+    decide(f, lo, m, finest, pieces);
+    decide(f, m, hi, finest, pieces);
 }
 
 /// The place where f is equal to a level, f being monotone from lo to hi. Newton's method finds it
 /// and proves nothing; then two places with opposite signs enclose it (docs/extents.md).
-Ball BallExtentSearch::Search::refine(const RelativeError& f, const ToldPiece& piece) {
+Ball BallExtentSearch::Search::refine(const RelativeError& f, const DecidedPiece& piece) {
     const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
     const bool rises = piece.from < piece.to;
     Rational lo = piece.lo;
@@ -226,10 +228,10 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
     }
     const RelativeError f = error(bits);
     // The pieces that the scan did not decide are examined again at this number of bits.
-    std::vector<ToldPiece> pieces;
-    for (const ToldPiece& piece : pieces_) {
+    std::vector<DecidedPiece> pieces;
+    for (const DecidedPiece& piece : pieces_) {
         if (piece.from == Side::unknown) {
-            tell(f, piece.lo, piece.hi, bits - kept_bits, pieces);
+            decide(f, piece.lo, piece.hi, bits - kept_bits, pieces);
         } else {
             pieces.push_back(piece);
         }
@@ -256,7 +258,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         found.first_exit = start;
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const ToldPiece& piece = pieces[i];
+        const DecidedPiece& piece = pieces[i];
         Ball place(0, bits);
         if (piece.root) {
             place = refine(f, piece);

@@ -112,7 +112,7 @@ Rational RelativeError::safe_distance() const {
         }
         u /= 2;
     }
-    throw BudgetError("the edge lies on a knot, as far as " + std::to_string(bits_) + " bits tell");
+    throw BudgetError(std::to_string(bits_) + " bits do not separate the edge from a knot");
 }
 
 Ball RelativeError::local(const Ball& u) const {

@@ -50,7 +50,7 @@ private:
     [[nodiscard]] static int side(const formula::Expr& e) {
         const auto sign = decided_sign(e);
         if (!sign) {
-            throw BudgetError("a knot is not told from an edge");
+            throw BudgetError("a knot cannot be separated from an edge");
         }
         return *sign;
     }

@@ -62,10 +62,10 @@ void Profile::find_forms_at_knots() {
             continue;
         }
         if (i > 0) {
-            piece.from_left = slope_beside_zero(piece.slope, knots_[i - 1].expr());
+            piece.from_left = slope_near_zero(piece.slope, knots_[i - 1].expr());
         }
         if (i < knots_.size()) {
-            piece.from_right = slope_beside_zero(piece.slope, knots_[i].expr());
+            piece.from_right = slope_near_zero(piece.slope, knots_[i].expr());
         }
     }
 }

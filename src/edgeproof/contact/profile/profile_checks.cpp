@@ -90,7 +90,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
             } catch (const DomainError&) {
                 throw InputError("g' = " + to_text(piece.slope) +
                                      " has no value at x = " + short_text(x),
-                                 "give an expression that holds on its whole piece");
+                                 "give an expression that has values on its whole piece");
             }
             if (k > 0 && g < previous) {
                 not_convex("near x = " + short_text(x) + " (" + to_text(piece.slope) + ")");
@@ -185,7 +185,7 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
         if (!g.value(from_rational<Real>(*bad))) {
             throw InputError("g' = " + to_text(piece.slope) +
                                  " has no value at x = " + short_text(x),
-                             "give an expression that holds beside the knot of its piece");
+                             "give an expression that has values near the knot of its piece");
         }
         not_convex("near x = " + short_text(x) + " (" + to_text(piece.slope) + ")");
     }
@@ -228,11 +228,12 @@ void check_reach(const Profile& profile, const Ball& a, const Ball& b) {
             const formula::Expr& slope = right ? profile.pieces()[profile.pieces().size() - 2].slope
                                                : profile.pieces()[1].slope;
             const PrecisionScope scope(check_digits);
-            throw InputError("the contact would reach x = " +
-                                 short_text(right ? a.midpoint() : Real(-b.midpoint())) +
-                                 ", and g' = " + to_text(slope) +
-                                 " is not seen to rise beyond x = " + short_text(limit->to<Real>()),
-                             "give a smaller load, or the slope further out");
+            throw InputError(
+                "the contact would reach x = " +
+                    short_text(right ? a.midpoint() : Real(-b.midpoint())) +
+                    ", and g' = " + to_text(slope) +
+                    " could not be shown to rise beyond x = " + short_text(limit->to<Real>()),
+                "give a smaller load, or the slope further out");
         }
     }
 }

@@ -43,7 +43,7 @@ public:
     };
     /// A place on a piece that is near the knot at one end of it; the distance from this knot has
     /// more digits than x.
-    struct Beside {
+    struct NearKnot {
         std::size_t knot;
         T away; ///< x - knot
     };
@@ -101,13 +101,13 @@ public:
         }
         return quotient_of(p.expression, x, s, delta);
     }
-    /// value() of a piece that begins or ends at the knot of `beside`.
-    [[nodiscard]] T value(std::size_t piece, const T& x, const Beside& beside) const {
-        const formula::Expr* form = form_at(piece, beside.knot);
+    /// value() of a piece that begins or ends at the knot of `place`.
+    [[nodiscard]] T value(std::size_t piece, const T& x, const NearKnot& place) const {
+        const formula::Expr* form = form_at(piece, place.knot);
         const auto lift = [](const T& c) { return c; };
         return form == nullptr
                    ? value(piece, x)
-                   : evaluate<T>(*form, SlopeEnvironment<T, T, decltype(lift)>(beside.away, lift));
+                   : evaluate<T>(*form, SlopeEnvironment<T, T, decltype(lift)>(place.away, lift));
     }
     /// rate() of a piece that begins or ends at the knot; x is a number or a series, away = x -
     /// knot.
@@ -116,14 +116,14 @@ public:
         const formula::Expr* form = form_at(piece, knot);
         return form == nullptr ? rate(piece, x) : rate_of(*form, away);
     }
-    /// quotient() of a piece that begins or ends at the knot of `beside`, which gives s - knot.
+    /// quotient() of a piece that begins or ends at the knot of `place`, which gives s - knot.
     [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta,
-                             const Beside& beside) const {
-        const formula::Expr* form = form_at(piece, beside.knot);
+                             const NearKnot& place) const {
+        const formula::Expr* form = form_at(piece, place.knot);
         if (form == nullptr) {
             return quotient(piece, x, s, delta);
         }
-        return quotient_of(*form, T(x - knots_[beside.knot]), beside.away, delta);
+        return quotient_of(*form, T(x - knots_[place.knot]), place.away, delta);
     }
     /// The piece that contains x; at a knot, the one to its right.
     [[nodiscard]] std::size_t piece_at(const T& x) const {

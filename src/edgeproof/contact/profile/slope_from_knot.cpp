@@ -166,8 +166,8 @@ formula::Expr slope_from_knot(const formula::Expr& slope, const formula::Expr& k
     return moved_to(knot, slope, false, &vanishes);
 }
 
-std::optional<formula::Expr> slope_beside_zero(const formula::Expr& slope,
-                                               const formula::Expr& knot) {
+std::optional<formula::Expr> slope_near_zero(const formula::Expr& slope,
+                                             const formula::Expr& knot) {
     if (const Rational* q = knot.rational(); q != nullptr && *q == 0) {
         return std::nullopt;
     }

@@ -14,7 +14,7 @@ namespace edgeproof::contact {
 /// Returns the same function with polynomials of rational coefficients multiplied out. Returns
 /// nothing where no part of the slope vanishes at the knot, or where the knot is 0: then x itself
 /// has all digits.
-[[nodiscard]] std::optional<formula::Expr> slope_beside_zero(const formula::Expr& slope,
-                                                             const formula::Expr& knot);
+[[nodiscard]] std::optional<formula::Expr> slope_near_zero(const formula::Expr& slope,
+                                                           const formula::Expr& knot);
 
 } // namespace edgeproof::contact

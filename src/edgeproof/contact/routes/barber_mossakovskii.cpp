@@ -82,7 +82,7 @@ RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>&
     }
     const auto integrand = [&](std::size_t i, const T& lo, const T&) {
         const T from_x = offsets[i] + lo;
-        const MoreDigits<T> beside_the_kink(i > 0 ? digits_lost(starts[i], lo) : 0);
+        const MoreDigits<T> near_the_kink(i > 0 ? digits_lost(starts[i], lo) : 0);
         const T s = starts[i] + lo;
         const Extent<T> then = law.extent(s);
         const T rate = law.force_rate(then);

@@ -28,8 +28,8 @@ public:
     [[nodiscard]] Crossing crossing(const ErrorSample& l, const ErrorSample& r,
                                     const Real& level) const {
         if (l.pole || r.pole) {
-            return l.pole ? beside_pole(*l.pole, r.u, true, level)
-                          : beside_pole(*r.pole, l.u, false, level);
+            return l.pole ? near_pole(*l.pole, r.u, true, level)
+                          : near_pole(*r.pole, l.u, false, level);
         }
         const auto rough = root(coarse_, l.u, l.f, r.u, r.f, level, 12);
         const PrecisionScope scope(fine_.working());
@@ -64,8 +64,8 @@ private:
     /// A crossing near a corner or the far edge, where f behaves like a logarithm or a root of the
     /// distance d: the search is in log d. If the crossing is nearer than the digits show, it is
     /// the corner or edge itself.
-    [[nodiscard]] Crossing beside_pole(std::size_t pole, const Real& other, bool to_its_right,
-                                       const Real& level) const {
+    [[nodiscard]] Crossing near_pole(std::size_t pole, const Real& other, bool to_its_right,
+                                     const Real& level) const {
         const PrecisionScope scope(fine_.working());
         const Real at = marks_.at(pole).u;
         const Real bounded_value = power_of_ten(-static_cast<int>(digits_));

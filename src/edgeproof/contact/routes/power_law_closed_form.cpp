@@ -69,7 +69,7 @@ void PowerLawIntegralInReal::times_less_m(Real& x, long k) const {
     }
 }
 
-PowerLawIntegralInReal::Value PowerLawIntegralInReal::beside_edge(const Real& y) const {
+PowerLawIntegralInReal::Value PowerLawIntegralInReal::near_edge(const Real& y) const {
     // The sizes of the series' terms add up to at most (1 + y)^((m-1)/2), and the sum is about
     // 1/(m y) if that is small.
     const double m = about_m_;
@@ -130,7 +130,7 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
         return {Real(1 / m_), Real(0)};
     }
     if (2 * y <= 1) {
-        return beside_edge(y);
+        return near_edge(y);
     }
     const PrecisionScope scope(working_digits() + digits_of_m()); // for the digits that h^m loses
     // q/h = 2^(-halvings/2): h = 2q needs fewer terms, but for q >= 1/2 only h = sqrt(2) q is below
@@ -138,7 +138,7 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
     const long halvings = 2 * q < 1 ? 2 : 1;
     auto& at_cut = at_cut_[static_cast<std::size_t>(halvings - 1)];
     if (!at_cut) {
-        at_cut = beside_edge(Real(1 - ldexp(Real(1), static_cast<int>(-halvings))));
+        at_cut = near_edge(Real(1 - ldexp(Real(1), static_cast<int>(-halvings))));
     }
     const Real square = at_working_precision(q) * at_working_precision(q);
     const Real log_h = log(ldexp(square, static_cast<int>(halvings))) / 2;

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] Value operator()(const Real& q, const Real& y);
 
 private:
-    [[nodiscard]] Value beside_edge(const Real& y) const;
+    [[nodiscard]] Value near_edge(const Real& y) const;
     [[nodiscard]] Value by_gauss(const Real& y, unsigned more_digits) const;
     [[nodiscard]] Value by_euler(const Real& y) const;
 

@@ -21,7 +21,7 @@ BallSlip::BallSlip(const ProvedPressure& contact, const ZoneSolver& zones, const
     if (certainly_positive(left)) {
         stick_ = stick ? *stick : zones_.zone(force_ * left, tilt_at(ratio_), whole_);
     } else if (contains_zero(left) && !left.is_exact()) {
-        throw BudgetError("so few bits do not tell |Q| from f P");
+        throw BudgetError("too few bits to distinguish |Q| from f P");
     }
 }
 
@@ -95,7 +95,7 @@ Ball BallSlip::tension_limit(Edge edge) const {
             return direction_ * tilt * friction_ * zones_.modulus() * 2;
         }
     }
-    throw BudgetError("so few bits do not enclose the limit of the bulk tension");
+    throw BudgetError("too few bits to enclose the limit of the bulk tension");
 }
 
 SlipState BallSlip::state(Edge edge, const Ball& u) const {

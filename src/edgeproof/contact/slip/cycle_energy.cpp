@@ -45,7 +45,7 @@ public:
         const Inner lo = at(Ball(inner_.a.upper(), bits_));
         const Inner hi = at(Ball(outer_.a.lower(), bits_));
         if (!certainly_less(lo.a, hi.a)) {
-            throw BudgetError("so few bits do not tell the stick zone from the contact");
+            throw BudgetError("too few bits to distinguish the stick zone from the contact");
         }
         Ball sum = between_ends(inner_, lo) + between_ends(hi, outer_);
         std::vector<std::pair<Inner, Inner>> panels{{lo, hi}};

@@ -248,7 +248,7 @@ EnclosedReach SlipReachSearch::at(long bits) {
             return {Ball::hull(f.ball(left), f.ball(right)), true};
         }
     }
-    throw BudgetError("so few bits do not enclose where the tolerance is left");
+    throw BudgetError("too few bits to enclose the load at which the tolerance is exceeded");
 }
 
 } // namespace edgeproof::contact

@@ -19,9 +19,9 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contac
                           const formula::Exact& P, const formula::Exact& M, long bits) {
     const auto digits = static_cast<unsigned>(bits * 3 / 10) - lost_digits;
     SolvedTilt found = solve_tilt(punch, contact_modulus, P, M, digits);
-    if (!found.beside) {
+    if (!found.neighbour) {
         if (!found.certain) {
-            throw BudgetError("the tilt is not told from zero");
+            throw BudgetError("the tilt cannot be distinguished from zero");
         }
         return {Ball(0, bits), std::move(found.profile), true};
     }
@@ -33,8 +33,8 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contac
             return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
         };
     for (unsigned k = digits; k >= fewest_tilt_digits; k -= digits / 8 + 1) {
-        formula::Exact lo = found.beside(k, -1);
-        formula::Exact hi = found.beside(k, 1);
+        formula::Exact lo = found.neighbour(k, -1);
+        formula::Exact hi = found.neighbour(k, 1);
         if (formula::Exact(hi.expr() - lo.expr()).sign() < 0) {
             std::swap(lo, hi);
         }

@@ -145,11 +145,11 @@ SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near
     const Real v = solver.solve(branch, target(branch), full);
     const formula::Exact found = decimal(v, full + 5);
     const formula::Exact alpha = branch.tilt(found);
-    const auto beside = [found, tilt = branch.tilt](unsigned k, int sense) {
+    const auto neighbour = [found, tilt = branch.tilt](unsigned k, int sense) {
         const Rational part(sense, pow(Integer(10), k));
         return tilt(formula::Exact::of(Rational(found.rational() * (1 + part))));
     };
-    return {alpha, punch.at(alpha), solver.contacts(), beside};
+    return {alpha, punch.at(alpha), solver.contacts(), neighbour};
 }
 
 SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const formula::Exact& modulus,

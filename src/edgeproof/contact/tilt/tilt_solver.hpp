@@ -27,7 +27,7 @@ struct SolvedTilt {
     std::size_t contacts = 0; ///< number of contacts solved
     /// Returns the tilt with its distance from the nearer end of its range changed by the factor
     /// 1 + sense 10^-k. Empty for the exact tilt 0.
-    std::function<formula::Exact(unsigned k, int sense)> beside = {};
+    std::function<formula::Exact(unsigned k, int sense)> neighbour = {};
     bool certain = true; ///< false: the tilt is 0 only as far as the digits show
 };
 

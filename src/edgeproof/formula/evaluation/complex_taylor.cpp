@@ -146,7 +146,7 @@ private:
         }
         if (meets_cut(x)) {
             if (real_ && exponent != nullptr) {
-                power_beside_zero(r, x, *exponent);
+                power_near_zero(r, x, *exponent);
             } else {
                 nowhere(r);
             }
@@ -160,7 +160,7 @@ private:
     }
     /// x^q for a real ball that contains 0: bounds binomial(q, k) x^(q - k) (DLMF 4.6.7) for q > k
     /// by an upper bound of |x|.
-    void power_beside_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
+    void power_near_zero(acb_poly_struct* r, acb_poly_struct* x, const Rational& q) const {
         AcbValue z;
         acb_poly_get_coeff_acb(z, x, 0);
         Ball most(0, bits_);
@@ -201,7 +201,7 @@ private:
         case Builtin::sqrt:
         case Builtin::log:
             if (meets_cut(x) && real_ && e.builtin() == Builtin::sqrt) {
-                power_beside_zero(r, x, Rational(1, 2));
+                power_near_zero(r, x, Rational(1, 2));
             } else if (meets_cut(x)) {
                 nowhere(r);
             } else if (e.builtin() == Builtin::sqrt) {

@@ -19,7 +19,7 @@ namespace edgeproof::formula {
 template <Arithmetic T> [[nodiscard]] T number_of(const Rational& q) {
     const T x = from_rational<T>(q);
     if ((x == 0 && q != 0) || x - x != 0) {
-        throw DomainError("a number beyond the range of the arithmetic asked for");
+        throw DomainError("a number beyond the range of the requested arithmetic");
     }
     return x;
 }

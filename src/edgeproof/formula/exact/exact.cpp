@@ -101,7 +101,7 @@ template <class T> T rounded_to(const Real& x) {
 
 template <class T> void check_range(const T& rounded, const Real& x) {
     if (rounded - rounded != 0 || (rounded == 0 && x != 0)) {
-        throw DomainError("a number beyond the range of the arithmetic asked for");
+        throw DomainError("a number beyond the range of the requested arithmetic");
     }
 }
 
@@ -176,7 +176,7 @@ int Exact::sign() const {
             }
         }
     }
-    throw BudgetError("4096 bits do not tell '" + text_ + "' from zero");
+    throw BudgetError("4096 bits do not distinguish '" + text_ + "' from zero");
 }
 
 } // namespace edgeproof::formula

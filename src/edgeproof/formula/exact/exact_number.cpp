@@ -364,7 +364,7 @@ ExactNumber angle_of_cosine(const ExactNumber& c) {
     const auto in_its_quadrant = [&](const ExactNumber& first) {
         return *sign < 0 ? ExactNumber::pi() - first : first;
     };
-    const auto told = [&](const ExactNumber& cosine) -> std::optional<Rational> {
+    const auto known_part = [&](const ExactNumber& cosine) -> std::optional<Rational> {
         const auto square = ExactNumber(cosine * cosine).rational();
         for (const Known& known : table) {
             if (square && *square == known.square) {
@@ -373,11 +373,11 @@ ExactNumber angle_of_cosine(const ExactNumber& c) {
         }
         return {};
     };
-    if (const auto part = told(c)) {
+    if (const auto part = known_part(c)) {
         return in_its_quadrant(ExactNumber(*part) * ExactNumber::pi());
     }
     const ExactNumber twice = c * c * 2 - 1;
-    const auto part = told(twice);
+    const auto part = known_part(twice);
     const auto side = twice.sign();
     if (!part || !side) {
         return ExactNumber::unknown();

@@ -95,7 +95,7 @@ DesignObjective objective_named(const std::string& maximise) {
         return DesignObjective::slip_load;
     }
     if (maximise != "first_exit") {
-        throw InputError("nothing is known of '" + maximise + "'", one_of(maximise, names));
+        throw InputError("unknown objective '" + maximise + "'", one_of(maximise, names));
     }
     return DesignObjective::first_exit;
 }
@@ -249,11 +249,11 @@ DesignScene parse_design(std::string_view text, const std::string& file,
     const Scene one = design.at(lo);
     (void)design.at(hi);
     if (design.objective == DesignObjective::slip_load && !one.slips()) {
-        top.reject(line, "slip_load is asked for and nothing slips",
+        top.reject(line, "slip_load is requested, but nothing slips",
                    "add [shear] with Q and friction");
     }
     if (design.shear && !one.shear) {
-        top.reject(line, "shear is asked for and there is no [shear]",
+        top.reject(line, "shear is requested, but there is no [shear]",
                    "add [shear] with Q or bulk_tension");
     }
     return design;

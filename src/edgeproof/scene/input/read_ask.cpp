@@ -132,11 +132,11 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
         for (const std::string& name : ask.texts("quantities")) {
             const GroupRow& group = group_of(ask, name);
             if (group.shear && !scene.shear) {
-                ask.reject("quantities", name + " is asked for and there is no [shear]",
+                ask.reject("quantities", name + " is requested, but there is no [shear]",
                            "add [shear] with Q or bulk_tension");
             }
             if (group.friction && !scene.slips()) {
-                ask.reject("quantities", name + " is asked for and there is no friction",
+                ask.reject("quantities", name + " is requested, but there is no friction",
                            "add friction = \"0.6\" to [shear]");
             }
             result.quantities.insert(group.group);

@@ -43,10 +43,10 @@ public:
     [[nodiscard]] AskedPoint point(const io::TomlSection::Written& item) const {
         if (from_ == Place::From::edge && !has_names(item.text)) {
             return inside(
-                {told(item, [&] { return formula::Exact::parse(item.text); }), item.line});
+                {with_line(item, [&] { return formula::Exact::parse(item.text); }), item.line});
         }
-        const Place place = told(item, [&] { return Place::parse(item.text, from_, names_); });
-        const auto number = told(item, [&] { return place.number(); });
+        const Place place = with_line(item, [&] { return Place::parse(item.text, from_, names_); });
+        const auto number = with_line(item, [&] { return place.number(); });
         return from_ == Place::From::edge && number
                    ? inside({*number, item.line, {}, item.text})
                    : AskedPoint{formula::Exact(), item.line, place};
@@ -57,11 +57,11 @@ public:
             return section_.exact(end);
         }
         const auto number =
-            told(item, [&] { return Place::parse(item.text, from_, names_).number(); });
+            with_line(item, [&] { return Place::parse(item.text, from_, names_).number(); });
         if (!number) {
             section_.reject(item.line,
                             std::string(end) + " = " + item.text +
-                                " is no number as long as a and b are none",
+                                " is not a number: it depends on a and b, which are unknown",
                             "give a number, or a list of places");
         }
         return *number;
@@ -76,7 +76,8 @@ public:
 
 private:
     template <class Read>
-    auto told(const io::TomlSection::Written& item, const Read& read) const -> decltype(read()) {
+    auto with_line(const io::TomlSection::Written& item, const Read& read) const
+        -> decltype(read()) {
         try {
             return read();
         } catch (const InputError& error) {

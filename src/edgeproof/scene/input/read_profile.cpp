@@ -57,9 +57,9 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
     const formula::Exact C(sum);
     const char* const key = !pair ? "R" : section.has("R1") ? "R1" : "R2";
     if (io::at_place(section.file(), section.line(key), [&] { return C.sign(); }) <= 0) {
-        section.reject(key,
-                       "the bodies do not part beside the contact: 1/R1 + 1/R2 is not positive",
-                       "give a positive radius, or a hollow that is flatter than what lies in it");
+        section.reject(
+            key, "the bodies do not separate outside the contact: 1/R1 + 1/R2 is not positive",
+            "give a positive radius, or a hollow with a larger radius than the body in it");
     }
     return contact::Profile::power_law(C, formula::Exact(whole(1)));
 }

@@ -118,7 +118,8 @@ void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) 
 /// A contact that ends on the flat carries no load; half the width is an edge only if b = a.
 void check_reach(const io::TomlSection& load, const Scene& scene) {
     if (load.has("width") && !scene.symmetric()) {
-        load.reject("width", "the width is given of a contact whose edges are at unlike distances",
+        load.reject("width",
+                    "the width is given, but the edges are at different distances from the origin",
                     "give a (the right edge) or P");
     }
     if (scene.load.kind != contact::Load::Kind::right_edge || !scene.profile ||
@@ -130,7 +131,7 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
         load.reject(load.has("a") ? "a" : "width",
                     "the half-width a = " + scene.load.value.text() +
                         " does not reach beyond the flat, t = " + t.text(),
-                    "give a > t: any load at all takes in the whole flat");
+                    "give a > t: under any load the whole flat is in contact");
     }
 }
 
@@ -163,7 +164,7 @@ void read_friction(const io::TomlSection& shear, contact::ShearSpec& spec, Scene
     }
     if (sign_of(shear, "Q", spec.Q) == 0) {
         shear.reject("friction",
-                     "without a shear force Q both edges slip outwards, the one against the other",
+                     "without a shear force Q the two edges slip in opposite directions, outwards",
                      "give Q that is not zero, or leave friction out: nothing slips then");
     }
 }
@@ -209,7 +210,7 @@ void read_shear(const io::TomlSection& shear, const Materials& materials, Scene&
         shear.reject(
             "bulk_tension",
             "a bulk tension strains bodies of different stiffness differently, so that the "
-            "difference of their tensions does not tell the mismatch",
+            "difference of their tensions does not determine the mismatch",
             "give both bodies the same E and nu, or bulk_tension = \"0\"");
     }
     scene.shear = spec;

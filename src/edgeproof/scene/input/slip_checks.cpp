@@ -6,7 +6,7 @@
 namespace edgeproof::scene {
 namespace {
 
-constexpr int told_digits = 8;
+constexpr int shown_digits = 8;
 
 } // namespace
 
@@ -14,7 +14,7 @@ void refuse_sliding(const Scene& scene, const Real& force) {
     const contact::ShearSpec& shear = *scene.shear;
     const Real most = force * shear.friction->to<Real>();
     throw InputError("the contact slides: Q = " + shear.Q.text() +
-                         " against f P = " + most.str(told_digits),
+                         ", but f P = " + most.str(shown_digits),
                      "give a smaller Q, or a greater friction, so that |Q| < f P")
         .at(scene.file, scene.friction_line);
 }
@@ -22,12 +22,12 @@ void refuse_sliding(const Scene& scene, const Real& force) {
 void refuse_tension(const Scene& scene, contact::Edge edge, bool reached, const Real& least,
                     const Real& most) {
     throw InputError("bulk_tension = " + scene.shear->bulk_tension.text() +
-                         " draws the stick zone " + (reached ? "to the " : "beyond the ") +
+                         " moves the stick zone " + (reached ? "to the " : "beyond the ") +
                          edge_name(edge) +
-                         (reached ? " edge, where nothing slips then, as far as all digits tell"
-                                  : " edge, which would slip against Q"),
-                     "give a bulk_tension between " + least.str(told_digits) + " and " +
-                         most.str(told_digits) + ", the bounds for this Q")
+                         (reached ? " edge to within all digits, so that nothing slips there"
+                                  : " edge, which would slip in the direction opposite to Q"),
+                     "give a bulk_tension between " + least.str(shown_digits) + " and " +
+                         most.str(shown_digits) + ", the bounds for this Q")
         .at(scene.file, scene.tension_line);
 }
 

@@ -165,12 +165,12 @@ Units read_units(const io::TomlSection& section) {
     if (units.length && units.force && units.pressure &&
         units.pressure->factor * units.length->factor * units.length->factor !=
             units.force->factor) {
-        section.reject(section.line("pressure"),
-                       units.pressure->name + " times " + units.length->name + " squared is not " +
-                           units.force->name +
-                           ": a force, a length and a pressure of the scene would not go together",
-                       "write units that do, such as mm, N and MPa, or m, N and Pa; or leave one "
-                       "of them out");
+        section.reject(
+            section.line("pressure"),
+            units.pressure->name + " times " + units.length->name + " squared is not " +
+                units.force->name + ": the units of force, length and pressure are not consistent",
+            "write consistent units, such as mm, N and MPa, or m, N and Pa; or leave one "
+            "of them out");
     }
     return units;
 }

@@ -31,7 +31,7 @@ public:
             [&](long bits) -> const contact::ProvedPressure& {
                 BallLevel* level = balls_.at_level(bits);
                 if (level == nullptr) {
-                    throw BudgetError("so few bits do not enclose the edges");
+                    throw BudgetError("too few bits to enclose the edges");
                 }
                 return level->proved_pressure();
             },

@@ -81,8 +81,8 @@ void BallPlaces::refuse_outside_by_edges(contact::Edge edge, const Distance& u) 
             return;
         }
     }
-    throw DomainError(outside ? "the point is on an edge, or cannot be told from it"
-                              : "the point is on a corner, or cannot be told from it");
+    throw DomainError(outside ? "the point is on an edge, or cannot be distinguished from it"
+                              : "the point is on a corner, or cannot be distinguished from it");
 }
 
 void BallPlaces::refuse_corner_at(const Distance& u) const {

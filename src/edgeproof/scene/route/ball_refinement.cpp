@@ -45,12 +45,12 @@ std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
             continue;
         }
         best = Found{std::move(x)};
-        const bool told = has_digits(best->value, digits);
-        if (!looked && may_be_a_limit(best->value, digits, told)) {
+        const bool all_digits = has_digits(best->value, digits);
+        if (!looked && may_be_a_limit(best->value, digits, all_digits)) {
             looked = true;
             best->exactly = exact_value(exactly, *level, best->value);
         }
-        if (best->exactly || told || (contains_zero(best->value) && bits >= zero_from)) {
+        if (best->exactly || all_digits || (contains_zero(best->value) && bits >= zero_from)) {
             break;
         }
     }

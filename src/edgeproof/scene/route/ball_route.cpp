@@ -189,7 +189,7 @@ public:
             values.most_tension =
                 slips_.tension_limit(forwards ? contact::Edge::left : contact::Edge::right);
         }
-        values.cycle_energy = cycle_energy_beside(*this, scene_, plan_);
+        values.cycle_energy = cycle_energy_of(*this, scene_, plan_);
         return values;
     }
 

@@ -172,7 +172,7 @@ void BallSlips::find_reach(contact::Edge edge, SlipTerms& t) {
         [&](long bits) -> const contact::BallSlip& {
             BallLevel* level = balls_.at_level(bits);
             if (level == nullptr || level->slip() == nullptr) {
-                throw BudgetError("so few bits do not enclose the stick zone");
+                throw BudgetError("too few bits to enclose the stick zone");
             }
             return *level->slip();
         },

@@ -40,11 +40,11 @@ void check(const Scene& scene) {
                "add u = [\"1e-3\", \"0.1\"] (distances from the edge) to [ask]");
     }
     if (const auto* row = first([&](const GroupRow& r) { return r.shear && !scene.shear; })) {
-        reject(scene, std::string(row->name) + " is asked for and there is no [shear]",
+        reject(scene, std::string(row->name) + " is requested, but there is no [shear]",
                "add [shear] with Q or bulk_tension");
     }
     if (const auto* row = first([&](const GroupRow& r) { return r.friction && !scene.slips(); })) {
-        reject(scene, std::string(row->name) + " is asked for and there is no friction",
+        reject(scene, std::string(row->name) + " is requested, but there is no friction",
                "add friction = \"0.6\" to [shear]");
     }
     if (ask.wants(QuantityGroup::slip) && ask.most_terms() > most_slip_terms) {

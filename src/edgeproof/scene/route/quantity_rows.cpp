@@ -211,7 +211,7 @@ constexpr std::array quantity_table{
         .place = Row::Place::point,
         .force_power = 1,
         .length_power = -1,
-        .label = "p less that without tilt"},
+        .label = "p minus p without tilt"},
     Row{.quantity = Quantity::p_max,
         .symbol = "p_max",
         .name = "peak-pressure",
@@ -233,7 +233,7 @@ constexpr std::array quantity_table{
         .needs = Row::Needs::friction_alone,
         .force_power = 1,
         .length_power = 1,
-        .meaning = "the energy that friction takes in a cycle of Q",
+        .meaning = "the energy dissipated by friction in a cycle of Q",
         .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
         .exact = no_exact_form_of,
         .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
@@ -246,7 +246,7 @@ constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::coefficients,
              .name = "coefficients",
              .terms = true,
-             .incomplete = "coefficients are asked for and no number of terms",
+             .incomplete = "coefficients are requested, but no number of terms",
              .instead = "add terms = 3 to [ask]"},
     GroupRow{.group = QuantityGroup::shear, .name = "shear", .points = true, .shear = true},
     GroupRow{.group = QuantityGroup::extent,
@@ -295,7 +295,7 @@ double scale_of(const AskedValue& asked, double force, double length) {
     return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
 }
 
-bool tells_cycle_energy(const Scene& scene) {
+bool has_cycle_energy(const Scene& scene) {
     return scene.shear->bulk_tension.sign() == 0 &&
            (scene.punch || scene.profile->has_closed_form());
 }
@@ -307,31 +307,31 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         break;
     case QuantityRow::Needs::shear:
         if (!scene.shear) {
-            return Lack{symbol + " is asked for and there is no shear",
+            return Lack{symbol + " is requested, but there is no shear",
                         "add Q or bulk_tension, or leave " + symbol + " out"};
         }
         break;
     case QuantityRow::Needs::friction:
         if (!scene.slips()) {
-            return Lack{symbol + " is asked for and there is no friction",
+            return Lack{symbol + " is requested, but there is no friction",
                         "add friction, or leave " + symbol + " out"};
         }
         break;
     case QuantityRow::Needs::friction_alone:
         if (!scene.slips() || scene.shear->bulk_tension.sign() != 0) {
-            return Lack{symbol + " is asked for and there is " +
+            return Lack{symbol + " is requested, but there is " +
                             (scene.slips() ? "a bulk tension" : "no friction"),
                         scene.slips() ? "leave bulk_tension out, or leave " + symbol + " out"
                                       : "add friction, or leave " + symbol + " out"};
         }
-        if (!tells_cycle_energy(scene)) {
-            return Lack{symbol + " is asked for and is not computed for curved slopes",
+        if (!has_cycle_energy(scene)) {
+            return Lack{symbol + " is requested, but is not computed for curved slopes",
                         "leave " + symbol + " out"};
         }
         break;
     case QuantityRow::Needs::unknown_tilt:
         if (!scene.punch) {
-            return Lack{symbol + " is asked for and is not unknown",
+            return Lack{symbol + " is requested, but is not an unknown of the scene",
                         "give P and M and no " + symbol + ", or leave " + symbol +
                             " out of the quantities"};
         }

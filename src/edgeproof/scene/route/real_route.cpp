@@ -61,7 +61,7 @@ public:
         }
         const ByEdges place = by_edges(u);
         PointValues values = at_number(edge, place.near, p, q);
-        const PointValues beside = at_number(edge, place.end, p, q);
+        const PointValues at_end = at_number(edge, place.end, p, q);
         values.x = place.x;
         values.u = place.u;
         const auto widen = [](BoundedValue& value, const BoundedValue& other) {
@@ -75,13 +75,13 @@ public:
             }
         };
         if (p) {
-            widen(*values.p, *beside.p);
+            widen(*values.p, *at_end.p);
         }
         if (q) {
-            widen(*values.q, *beside.q);
+            widen(*values.q, *at_end.q);
         }
-        widen_all(values.p_local, beside.p_local);
-        widen_all(values.q_local, beside.q_local);
+        widen_all(values.p_local, at_end.p_local);
+        widen_all(values.q_local, at_end.q_local);
         return values;
     }
 
@@ -139,7 +139,7 @@ public:
             Real(level.contact().a() + level.contact().b()),
             contact::ShearLoad<Real>{scene_.shear->Q.to<Real>(),
                                      scene_.shear->bulk_tension.to<Real>()});
-        values.cycle_energy = cycle_energy_beside(*this, scene_, plan_);
+        values.cycle_energy = cycle_energy_of(*this, scene_, plan_);
         return values;
     }
 

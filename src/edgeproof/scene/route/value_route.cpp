@@ -40,9 +40,9 @@ ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& 
     return values;
 }
 
-std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& scene,
-                                                const Plan& plan) {
-    if (!plan.slip || !tells_cycle_energy(scene)) {
+std::optional<BoundedValue> cycle_energy_of(ValueRoute& route, const Scene& scene,
+                                            const Plan& plan) {
+    if (!plan.slip || !has_cycle_energy(scene)) {
         return {};
     }
     try {

@@ -77,7 +77,7 @@ struct StickValues {
     /// contact: the least and the greatest that are allowed.
     std::optional<BoundedValue> least_tension;
     std::optional<BoundedValue> most_tension;
-    /// cycle_energy_beside(): the energy per unit length dissipated by friction in a cycle from -Q
+    /// cycle_energy_of(): the energy per unit length dissipated by friction in a cycle from -Q
     /// to Q and back at constant P.
     std::optional<BoundedValue> cycle_energy;
     /// True if |sigma_0 (a + b)/Q| < 8/pi: both edges slip in the direction of Q from the beginning
@@ -123,12 +123,12 @@ public:
 
 /// True if the cycle_energy is given together with the stick zone: without a bulk tension, and not
 /// for a curved g', where a quadrature over contacts that are quadratures takes minutes.
-[[nodiscard]] bool tells_cycle_energy(const Scene& scene);
+[[nodiscard]] bool has_cycle_energy(const Scene& scene);
 
-/// Returns that energy, if tells_cycle_energy() and it is found. The stick zone is valid without
+/// Returns that energy, if has_cycle_energy() and it is found. The stick zone is valid without
 /// it, so a quadrature that fails only leaves the energy out.
-[[nodiscard]] std::optional<BoundedValue> cycle_energy_beside(ValueRoute& route, const Scene& scene,
-                                                              const Plan& plan);
+[[nodiscard]] std::optional<BoundedValue> cycle_energy_of(ValueRoute& route, const Scene& scene,
+                                                          const Plan& plan);
 
 /// The values of the contact itself that a plan contains.
 [[nodiscard]] ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan);

@@ -203,7 +203,7 @@ TEST_CASE("no data to speak of: failures, not crashes") {
         table(even_places(-4, 4, 128), [](double x) { return p(2 * (std::abs(x) - 2)); });
     const FileComparison file = compared(two);
     CHECK_FALSE(file.passes());
-    CHECK(has_finding(file, "falls to nothing at 1 place inside"));
+    CHECK(has_finding(file, "falls to zero at 1 place inside"));
     // The data are in other units, which are not stated.
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x / 1000; })).passes());
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x * 1000; })).passes());

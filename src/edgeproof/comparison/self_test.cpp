@@ -180,7 +180,7 @@ private:
                 said += (said.empty() ? "" : ", ") + name;
             }
             result_.misses.push_back(fmt::format(
-                "{} in {}, noise {:g}: {} (it moves {} by {:.2g}, {:.2g} are left)",
+                "{} in {}, noise {:g}: {} (it changes {} by {:.2g}, {:.2g} are unexplained)",
                 right ? "right data" : mistake.name, tested.name, noise,
                 said.empty() ? "nothing is named" : "named " + said, mistake.of_shear ? "q" : "p",
                 effect.by, diagnosis ? diagnosis->unexplained : 0));

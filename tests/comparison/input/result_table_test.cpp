@@ -133,7 +133,7 @@ TEST_CASE("results: units that a file says are converted, exactly") {
     }
     CHECK(found(parsed_result("x [m],p [Pa]\n0,1\n1,2\n", in_mm_and_MPa()),
                 "converted from m to mm"));
-    CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene says no units"));
+    CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene states no units"));
     CHECK(found(parsed_result("x [furlong],p\n0,1\n1,2\n", in_mm_and_MPa()), "'furlong'"));
     CHECK(begins(refusal("x [MPa],p\n0,1\n1,2\n", in_mm_and_MPa()), "r.csv:1: x is in MPa"));
 }
@@ -173,7 +173,7 @@ TEST_CASE("results that cannot be read: one line, with the place") {
     CHECK(begins(refusal("x,p\n1,2\n2,3,4\n3,1\n"), "r.csv:3: the row has 3 cells"));
     CHECK(begins(refusal("x,p\n1,2\n2,1e999\n3,1\n"), "r.csv:3: '1e999' is beyond"));
     CHECK(begins(refusal("1 2 3\n4 5 6\n"), "r.csv: the rows have 3 columns and no header"));
-    CHECK(begins(refusal("n,u,v\n1,2,3\n4,5,6\n"), "r.csv:1: no column is called x"));
+    CHECK(begins(refusal("n,u,v\n1,2,3\n4,5,6\n"), "r.csv:1: no column has the name x"));
     CHECK(
         begins(refusal("x,p,pressure\n1,2,3\n4,5,6\n"), "r.csv:1: columns 2 and 3 may both be p"));
     CHECK(begins(refusal("x,p\n0,5,1,5\n1,5,1,0\n"), "r.csv:1: the header names 2 columns"));

@@ -67,7 +67,7 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
     }
     const double single = units_of_binary32 * std::ldexp(exact.scale().value, -24);
     if (digits.binary32 && explains(data, exact, [single](const Node&) { return single; })) {
-        return Cause{"binary32", "p is of binary32 numbers, about 7 digits", 1, 0, {}};
+        return Cause{"binary32", "p consists of binary32 numbers, about 7 digits", 1, 0, {}};
     }
     return {};
 }

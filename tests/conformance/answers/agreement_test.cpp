@@ -172,8 +172,9 @@ TEST_CASE(
     CHECK(echoed_answers(parse_csv("# questions: 3\n" + agreement_header + "1" + hertz_cells +
                                        "p,right,0.2,0.3\n",
                                    "a.csv"))
-              .faults == Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe says "
-                                "which are missing)"});
+              .faults ==
+          Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe lists "
+                 "those that are missing)"});
     CHECK(echoed_answers(parse_csv(agreement_header + "1" + hertz_cells + "p,right,0.2,0.3\n1" +
                                        hertz_cells + "p,right,0.2,0.3\n",
                                    "a.csv"))

@@ -168,7 +168,7 @@ TEST_CASE("a count stopped is gone on with: the same result; a contact with a fi
     CountState other = whole;
     other.seed = 2;
     CHECK(message_of(text, other).find("s:1: the state is not one of") == 0);
-    CHECK(message_of(text.substr(0, text.size() - 4), whole).find("ends in the middle") !=
+    CHECK(message_of(text.substr(0, text.size() - 4), whole).find("the state is incomplete") !=
           std::string::npos);
     CHECK(message_of("edgeproof bounds count, seed 1, values 150, digits 20\n0 x:3\nend\n", whole)
               .find("s:2: a contact's counts are malformed") == 0);

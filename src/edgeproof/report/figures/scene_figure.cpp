@@ -112,7 +112,7 @@ private:
                                         : std::nullopt);
             told.push_back(e.leaves ? head + "up to u = " + printed(e.first_exit, {6}).text +
                                           (e.first_exit.proved ? "" : " (estimate)")
-                                    : head + "all over the part that is looked at");
+                                    : head + "everywhere in the part considered");
         }
     }
     [[nodiscard]] static Real sum(const std::vector<Real>& c, std::size_t n, const Real& u) {

@@ -134,10 +134,11 @@ std::string figure_html(const DrawnFigure& figure) {
                       escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
     for (const DrawnFigure::Panel& panel : figure.panels) {
         const std::string id = escape_html(panel.id);
-        out += "<div class=\"panel\">" +
-               (panel.svg.empty() ? "<p>" + escape_html(panel.title) + "</p>" : panel.svg) +
-               "<p class=\"data\"><a href=\"figures/" + id +
-               ".csv\">Data (CSV)</a><span class=\"soft\"> beside this page</span></p></div>\n";
+        out +=
+            "<div class=\"panel\">" +
+            (panel.svg.empty() ? "<p>" + escape_html(panel.title) + "</p>" : panel.svg) +
+            "<p class=\"data\"><a href=\"figures/" + id +
+            ".csv\">Data (CSV)</a><span class=\"soft\"> in the folder figures</span></p></div>\n";
     }
     out += "</div>\n<figcaption>" + escape_html(figure.caption) + "</figcaption>\n";
     if (!figure.problem.empty()) {
@@ -202,8 +203,8 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"section_options", section_options},
          {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
                         " digits: " + escape_html(program_line()) +
-                        ". The page needs no network; the figures' data stand in the folder "
-                        "figures beside it."}});
+                        ". The page needs no network; the data of the figures are in the folder "
+                        "figures next to it."}});
 }
 
 } // namespace edgeproof::report

@@ -83,14 +83,15 @@ const std::vector<Injected> injected{
     {"shifted-origin", [](HertzInputs& h, const BodyConstants&) { h.shift = 0.03 * h.a(); }},
 };
 
-struct Told {
+struct InjectedOutcome {
     bool named = false; ///< it is among the causes that the data do not distinguish
     bool wrong = false; ///< other causes are named, and this one is not
     bool nothing = false;
     std::size_t alike = 0;
 };
 
-Told told(const Injected& cause, const BodyConstants& bodies, double noise, std::uint64_t seed) {
+InjectedOutcome outcome_of(const Injected& cause, const BodyConstants& bodies, double noise,
+                           std::uint64_t seed) {
     static SuspectContacts like_suspects(parse_scene(like.scene_text(), "s.toml"));
     static SuspectContacts unlike_suspects(parse_scene(unlike.scene_text(), "s.toml"));
     static const ExactContact like_exact(like_suspects.scene());
@@ -116,7 +117,7 @@ Told told(const Injected& cause, const BodyConstants& bodies, double noise, std:
     strict.pressure = 1e-9;
     const FileComparison file =
         compare_file(parse_result(text, "r"), exact, strict, Rational(0), &suspects);
-    Told result;
+    InjectedOutcome result;
     if (!file.diagnosis || file.diagnosis->causes.empty()) {
         result.nothing = true;
         return result;
@@ -137,7 +138,7 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
     for (const BodyConstants* bodies : {&like, &unlike}) {
         for (const Injected& cause : injected) {
             for (const double noise : {0.0, 1e-6, 1e-4, 1e-2}) {
-                const Told result = told(cause, *bodies, noise, 11);
+                const InjectedOutcome result = outcome_of(cause, *bodies, noise, 11);
                 CAPTURE(cause.name);
                 CAPTURE(noise);
                 CAPTURE(bodies == &like);
@@ -145,7 +146,7 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
                 named += result.named ? 1 : 0;
                 ++all;
                 if (result.nothing) {
-                    MESSAGE("not told from the noise: ", cause.name, " at ", noise);
+                    MESSAGE("not distinguished from the noise: ", cause.name, " at ", noise);
                 }
             }
         }
@@ -156,7 +157,7 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
 TEST_CASE("causes: what data cannot tell apart is said to be so") {
     // If materials are equal and P is given, E/(1 - nu^2) of one body is twice E*, and p depends on
     // E*/R.
-    const Told modulus = told(injected[7], like, 0, 3);
+    const InjectedOutcome modulus = outcome_of(injected[7], like, 0, 3);
     CHECK(modulus.named);
     CHECK(modulus.alike >= 2);
     const Scene scene = parse_scene(like.scene_text(), "s.toml");

@@ -48,8 +48,8 @@ TEST_CASE("q in a stick zone on a corner that no algebra tells is held against b
     CHECK(found.findings.empty());
     Binary64Options wrong = options(11, 10'000);
     wrong.changed = [](DoubleWord& word) { word.high = std::nextafter(word.high, 1e300); };
-    const std::vector<std::string> told = count_binary64_contact(wrong, 7969, 10'000).findings;
-    CHECK(std::ranges::any_of(told, [](const std::string& finding) {
+    const std::vector<std::string> findings = count_binary64_contact(wrong, 7969, 10'000).findings;
+    CHECK(std::ranges::any_of(findings, [](const std::string& finding) {
         return finding.find("q, partial slip") != std::string::npos &&
                finding.find("at u = 0x1.4p+2 from the left edge") != std::string::npos;
     }));

@@ -309,7 +309,7 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     file.shear = measure_shear(file.data, exact, file.contact, tolerances.zone);
     sum_shear(file);
     file.distances = by_distance(file.data, exact);
-    file.knots = beside_knots(file.data, exact, file.contact);
+    file.knots = errors_near_knots(file.data, exact, file.contact);
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         constexpr double elements_smeared = 2;
         const double leave_out = std::max(tolerances.zone.at(edge, file.contact),

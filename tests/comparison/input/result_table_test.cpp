@@ -206,16 +206,16 @@ TEST_CASE("results: blanks separate, and a name has several words") {
                               "A 9 0.5 1\n"));
     // A title of words is not a header: in a table with a header, and in one without.
     check_three(parsed_result("Contact Pressure over x\nNode Label x p\n" + rows));
-    const auto told = [&](const std::string& header) {
+    const auto is_refused = [&](const std::string& header) {
         const std::string line = refusal(header + "\n" + rows);
         CAPTURE(line);
         return begins(line, "r.csv:1: the header names 4 columns, and the rows have 3") &&
                contains_text(line, "Node_Label") && contains_text(line, "--columns x=1,p=2");
     };
-    CHECK(told("Contact Pressure over x"));
-    CHECK(told("Gauge Name x p"));
+    CHECK(is_refused("Contact Pressure over x"));
+    CHECK(is_refused("Gauge Name x p"));
     // This may mean Coord X | Pos | p, or Coord | X Pos | p.
-    CHECK(told("Coord X Pos p"));
+    CHECK(is_refused("Coord X Pos p"));
     // The advice of the message works.
     check_three(parsed_result("Gauge Name x p\n" + rows, with_columns("x=2,p=3")));
     check_three(parsed_result("Gauge_Name x p\n" + rows));

@@ -107,8 +107,8 @@ private:
                 return;
             }
             const bool blanks = separator_ == Separator::blank;
-            const bool told = blanks && reading_.columns.x && reading_.columns.p;
-            if (both && !lines_[i].comment && names.size() > 1 && !told) {
+            const bool chosen_columns = blanks && reading_.columns.x && reading_.columns.p;
+            if (both && !lines_[i].comment && names.size() > 1 && !chosen_columns) {
                 reject(lines_[i].number,
                        fmt::format("the header names {} columns, and the rows have {}",
                                    names.size(), size_),

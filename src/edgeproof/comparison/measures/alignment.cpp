@@ -159,8 +159,8 @@ private:
         const Real step = here.nearer() == contact::Edge::right ? Real(half) : Real(-half);
         const double value_here = *value(x, here);
         double most = 0;
-        for (const Real& beside : {Real(x + step), Real(x - step)}) {
-            const auto moved = value(beside, exact_.at(beside));
+        for (const Real& neighbour : {Real(x + step), Real(x - step)}) {
+            const auto moved = value(neighbour, exact_.at(neighbour));
             most = std::max(most, moved ? std::abs(*moved - value_here) : 0.0);
         }
         return most;

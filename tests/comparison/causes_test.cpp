@@ -132,7 +132,7 @@ InjectedOutcome outcome_of(const Injected& cause, const BodyConstants& bodies, d
 
 } // namespace
 
-TEST_CASE("causes: each is named under noise, or nothing is; never another one flatly") {
+TEST_CASE("causes: under noise the right one is named or none, never only others") {
     std::size_t named = 0;
     std::size_t all = 0;
     for (const BodyConstants* bodies : {&like, &unlike}) {
@@ -154,7 +154,7 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
     CHECK(named >= all * 95 / 100);
 }
 
-TEST_CASE("causes: what data cannot tell apart is said to be so") {
+TEST_CASE("causes: those that the data do not distinguish are listed together") {
     // If materials are equal and P is given, E/(1 - nu^2) of one body is twice E*, and p depends on
     // E*/R.
     const InjectedOutcome modulus = outcome_of(injected[7], like, 0, 3);
@@ -181,7 +181,7 @@ TEST_CASE("causes: what data cannot tell apart is said to be so") {
     CHECK(std::ranges::find(names, "radius-as-diameter") != names.end());
 }
 
-TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake") {
+TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mistake") {
     const Scene scene = parse_scene(unlike.scene_text(), "s.toml");
     const ExactContact exact(scene);
     SuspectContacts suspects(scene);
@@ -247,7 +247,7 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
     CHECK_FALSE(diagnosed([&](double x) { return right.p(x); }).diagnosis);
 }
 
-TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for the pressure") {
+TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead of the pressure") {
     const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"\n"
                              "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
     const Scene scene = parse_scene(text, "s.toml");

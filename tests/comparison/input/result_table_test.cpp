@@ -120,7 +120,7 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
     CHECK(*shear.rows[1].q == Rational(1, 2));
 }
 
-TEST_CASE("results: units that a file says are converted, exactly") {
+TEST_CASE("results: units that a file states are converted, exactly") {
     for (const std::string text : {
              "x [m],p [kPa]\n-0.0005,1000\n0,1500\n0.0005,1000\n",
              "x_um;p_Pa\n-500;1e6\n0;1,5e6\n500;1e6\n",
@@ -184,7 +184,7 @@ TEST_CASE("results that cannot be read: one line, with the place") {
         contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=1")), "one column is taken"));
 }
 
-TEST_CASE("results: blanks separate, and a name has several words") {
+TEST_CASE("results: blanks separate the columns, and a name has several words") {
     const std::string rows = "7 -0.5 1\n3 0 1.5\n9 0.5 1\n";
     for (const std::string header : {
              "Node Label  COORD1  CPRESS",

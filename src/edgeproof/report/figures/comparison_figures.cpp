@@ -295,7 +295,7 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
         figures.push_back({"convergence",
                            "Several meshes",
                            "Errors against the mean width of an element; a straight line of slope "
-                           "s is an error that goes like its s-th power.",
+                           "s is an error proportional to its s-th power.",
                            {convergence_plot(report)}});
     }
     return figures;

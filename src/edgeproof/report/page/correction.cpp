@@ -247,7 +247,7 @@ std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
                 "Then " +
                     math(tex_of(text_in(*c, "of"), claim, source) + " = " +
                          number_tex(text_in(*c, "value")) + "\\dots") +
-                    ", where print has " + math(text_in(*c, "claimed_value")) + "."};
+                    ", but the printed value is " + math(text_in(*c, "claimed_value")) + "."};
     }
     const std::string power = text_in(*c, "coefficient_of");
     return {"Take " + values_tex(*nested_at(*c, "with"), claim, source) + "." +

@@ -34,7 +34,7 @@ std::string_view meaning(audit::Verdict verdict) {
     case audit::Verdict::imprecise:
         return "off by one unit in the last quoted place, or true under one reading only";
     case audit::Verdict::refuted:
-        return "different: by disjoint enclosures, or by estimates where the evidence says so";
+        return "different: by disjoint enclosures, or by estimates where the evidence states so";
     case audit::Verdict::underspecified:
         return "cannot be evaluated as printed";
     case audit::Verdict::undecided:
@@ -153,7 +153,7 @@ std::string figures_html(const std::vector<DrawnFigure>& figures, const std::str
     for (const DrawnFigure& figure : figures) {
         out += figure_html(figure);
     }
-    return out.empty() ? "<p>None are known for this ledger.</p>\n" : out;
+    return out.empty() ? "<p>No figures are defined for this ledger.</p>\n" : out;
 }
 
 std::string option(const std::string& value, const std::string& text) {

@@ -118,7 +118,7 @@ std::string weight_words(Weight weight) {
     case Weight::slip:
         break;
     }
-    return "slip of print";
+    return "misprint";
 }
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {

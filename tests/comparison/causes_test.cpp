@@ -83,14 +83,15 @@ const std::vector<Injected> injected{
     {"shifted-origin", [](HertzInputs& h, const BodyConstants&) { h.shift = 0.03 * h.a(); }},
 };
 
-struct Told {
+struct InjectedOutcome {
     bool named = false; ///< it is among the causes that the data do not distinguish
     bool wrong = false; ///< other causes are named, and this one is not
     bool nothing = false;
     std::size_t alike = 0;
 };
 
-Told told(const Injected& cause, const BodyConstants& bodies, double noise, std::uint64_t seed) {
+InjectedOutcome outcome_of(const Injected& cause, const BodyConstants& bodies, double noise,
+                           std::uint64_t seed) {
     static SuspectContacts like_suspects(parse_scene(like.scene_text(), "s.toml"));
     static SuspectContacts unlike_suspects(parse_scene(unlike.scene_text(), "s.toml"));
     static const ExactContact like_exact(like_suspects.scene());
@@ -116,7 +117,7 @@ Told told(const Injected& cause, const BodyConstants& bodies, double noise, std:
     strict.pressure = 1e-9;
     const FileComparison file =
         compare_file(parse_result(text, "r"), exact, strict, Rational(0), &suspects);
-    Told result;
+    InjectedOutcome result;
     if (!file.diagnosis || file.diagnosis->causes.empty()) {
         result.nothing = true;
         return result;
@@ -131,13 +132,13 @@ Told told(const Injected& cause, const BodyConstants& bodies, double noise, std:
 
 } // namespace
 
-TEST_CASE("causes: each is named under noise, or nothing is; never another one flatly") {
+TEST_CASE("causes: under noise the right one is named or none, never only others") {
     std::size_t named = 0;
     std::size_t all = 0;
     for (const BodyConstants* bodies : {&like, &unlike}) {
         for (const Injected& cause : injected) {
             for (const double noise : {0.0, 1e-6, 1e-4, 1e-2}) {
-                const Told result = told(cause, *bodies, noise, 11);
+                const InjectedOutcome result = outcome_of(cause, *bodies, noise, 11);
                 CAPTURE(cause.name);
                 CAPTURE(noise);
                 CAPTURE(bodies == &like);
@@ -145,7 +146,7 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
                 named += result.named ? 1 : 0;
                 ++all;
                 if (result.nothing) {
-                    MESSAGE("not told from the noise: ", cause.name, " at ", noise);
+                    MESSAGE("not distinguished from the noise: ", cause.name, " at ", noise);
                 }
             }
         }
@@ -153,10 +154,10 @@ TEST_CASE("causes: each is named under noise, or nothing is; never another one f
     CHECK(named >= all * 95 / 100);
 }
 
-TEST_CASE("causes: what data cannot tell apart is said to be so") {
+TEST_CASE("causes: those that the data do not distinguish are listed together") {
     // If materials are equal and P is given, E/(1 - nu^2) of one body is twice E*, and p depends on
     // E*/R.
-    const Told modulus = told(injected[7], like, 0, 3);
+    const InjectedOutcome modulus = outcome_of(injected[7], like, 0, 3);
     CHECK(modulus.named);
     CHECK(modulus.alike >= 2);
     const Scene scene = parse_scene(like.scene_text(), "s.toml");
@@ -180,7 +181,7 @@ TEST_CASE("causes: what data cannot tell apart is said to be so") {
     CHECK(std::ranges::find(names, "radius-as-diameter") != names.end());
 }
 
-TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake") {
+TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mistake") {
     const Scene scene = parse_scene(unlike.scene_text(), "s.toml");
     const ExactContact exact(scene);
     SuspectContacts suspects(scene);
@@ -246,7 +247,7 @@ TEST_CASE("causes: what is none of them is not named, and a mesh is no mistake")
     CHECK_FALSE(diagnosed([&](double x) { return right.p(x); }).diagnosis);
 }
 
-TEST_CASE("causes: a tilted punch seen in a mirror, rows moved by one, terms for the pressure") {
+TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead of the pressure") {
     const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"\n"
                              "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
     const Scene scene = parse_scene(text, "s.toml");

@@ -88,7 +88,7 @@ TEST_CASE("pressure outside the contact is an error") {
     CHECK(file.errors.peak == doctest::Approx(0.1).epsilon(1e-9));
 }
 
-TEST_CASE("digits that are written explain errors of their size, and no others") {
+TEST_CASE("the rounding of written digits explains errors of its size, and no larger ones") {
     const auto rounded = [](double value, int digits) {
         char text[40];
         std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
@@ -191,7 +191,7 @@ TEST_CASE("noise: c_0 within its spread, a and b within an element") {
     CHECK(near >= 16);
 }
 
-TEST_CASE("no data to speak of: failures, not crashes") {
+TEST_CASE("data without a usable pressure: failures, not crashes") {
     CHECK_FALSE(compared(table(mesh, [](double) { return 0.0; })).passes());
     CHECK(has_finding(compared(table(mesh, [](double) { return 0.0; })),
                       "every pressure of the data is zero"));
@@ -203,7 +203,7 @@ TEST_CASE("no data to speak of: failures, not crashes") {
         table(even_places(-4, 4, 128), [](double x) { return p(2 * (std::abs(x) - 2)); });
     const FileComparison file = compared(two);
     CHECK_FALSE(file.passes());
-    CHECK(has_finding(file, "falls to nothing at 1 place inside"));
+    CHECK(has_finding(file, "falls to zero at 1 place inside"));
     // The data are in other units, which are not stated.
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x / 1000; })).passes());
     CHECK_FALSE(compared(table(mesh, p, [](double x) { return x * 1000; })).passes());
@@ -231,7 +231,7 @@ TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
     CHECK(file.errors.nodes == 50); // all but the one at the apex
 }
 
-TEST_CASE("the peak of a flat-and-rounded punch lies inside, beside the ends of the flat") {
+TEST_CASE("the peak of a flat-and-rounded punch lies inside, near the ends of the flat") {
     const Scene scene =
         parse_scene("[profile]\nkind = \"flat-and-rounded\"\nt = \"0.8\"\nR = \"1\"\n"
                     "[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
@@ -279,7 +279,7 @@ TEST_CASE("meshes that smear the edge: orders, limits, and their agreement") {
     CHECK(*of("l2").order > 0.5);
 }
 
-TEST_CASE("convergence of sequences that are known") {
+TEST_CASE("convergence of known sequences") {
     const auto sequence = [](double limit, double C, double order) {
         std::vector<MeshValue> values;
         for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, without a fixed ratio

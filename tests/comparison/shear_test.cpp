@@ -60,7 +60,7 @@ TEST_CASE("shear: full stick by the textbook, in either direction of q; its erro
     const FileComparison turned =
         shear_held(shear, shear_rows([&](double x) { return -q(x); }), shear_within(1e-10));
     CHECK(turned.passes());
-    CHECK(has_finding(turned, "q counts the other way"));
+    CHECK(has_finding(turned, "q has the opposite sign"));
     // An error of 0.01 at one node, relative to |Q|/2 + |sigma_0|/4 = 0.125.
     const FileComparison off = shear_held(
         shear, shear_rows([&](double x) { return q(x) + (std::abs(x) < 1e-9 ? 0.01 : 0); }),

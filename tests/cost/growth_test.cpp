@@ -19,7 +19,7 @@ CostCell cell(const std::string& route, const std::string& arithmetic, unsigned 
 
 } // namespace
 
-TEST_CASE("a power law is found again, and not where there is none") {
+TEST_CASE("a power law is recovered, and too few or zero values give none") {
     std::vector<std::pair<double, double>> points;
     for (const double d : {16.0, 50.0, 100.0, 1000.0}) {
         points.emplace_back(d, 3e-6 * std::pow(d, 1.75));
@@ -34,7 +34,7 @@ TEST_CASE("a power law is found again, and not where there is none") {
     CHECK_FALSE(power_law_fit({{50, 0}, {100, 0}}));
 }
 
-TEST_CASE("growth is told route by route, of medians over the points") {
+TEST_CASE("growth is fitted route by route, to medians over the points") {
     const std::vector<CostCell> cells{
         cell("a", "MPFR", 50, 1e-5, 60), cell("a", "MPFR", 100, 4e-5, 110),
         cell("a", "double", 16, 1e-7, 15), cell("b", "MPFR", 50, 1e-5, 60),
@@ -64,7 +64,7 @@ TEST_CASE("a proof is compared with the fastest bare route that has its digits")
     CHECK(costs[0].rounded_seconds == doctest::Approx(8e-5));
 }
 
-TEST_CASE("a cell counts what failed and keeps it out of the rest") {
+TEST_CASE("a cell counts failed values and leaves them out of the other results") {
     CostCell c = cell("a", "MPFR", 50, 1e-5, 60);
     c.points.push_back({3, 0, {}, 0, 0, "no value"});
     CHECK(c.failed() == 1);
@@ -73,7 +73,7 @@ TEST_CASE("a cell counts what failed and keeps it out of the rest") {
     CHECK(c.total_evaluations() == 300);
 }
 
-TEST_CASE("an effect adds what it should and nothing else") {
+TEST_CASE("an effect adds its own operations and no others") {
     const auto costs = effect_costs(20, false, {});
     const auto counts = [&](const std::string& effect) {
         for (const EffectCost& e : costs) {

@@ -132,7 +132,7 @@ TEST_CASE(
     CHECK(cells > 100);
 }
 
-TEST_CASE("machine arithmetic has the digits that it has, and no more") {
+TEST_CASE("machine arithmetic reaches its own number of digits, and no more") {
     const auto cells = counted({usual("flat-and-rounded")}, {50}, 6);
     const std::map<std::string, std::pair<double, double>> expected{
         {"double", {14, 17.5}}, {"long double", {17.3, 21}}, {"__float128", {32, 36.5}}};

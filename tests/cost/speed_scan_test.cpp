@@ -21,7 +21,7 @@ TEST_CASE("scenes to be timed: the same for a seed, readable, of all kinds") {
     CHECK(kinds["piecewise (curved)"] >= 60);
 }
 
-TEST_CASE("a speed scan lists first what takes longer than its neighbours") {
+TEST_CASE("a speed scan lists first the scenes that take longer than their neighbours") {
     SpeedOptions options;
     options.seed = 3;
     options.scenes = 40;

@@ -107,7 +107,7 @@ TEST_CASE("pack: rows are the textbook's values at binary64 numbers") {
     }
 }
 
-TEST_CASE("pack: hard cases keep their reasons, and leave out what no column names") {
+TEST_CASE("pack: hard cases keep their reasons; those that the columns cannot state are left out") {
     const std::string one =
         "class = \"u = 1e-40 a\"\nreason = \"lost\"\nquantity = \"pressure\"\nedge = \"right\"\n"
         "u = \"1e-40\"\nprofile = { kind = \"power-law\", m = \"1\", C = \"1\" }\n"

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a formula of no source: nothing that is written names its lines") {
+TEST_CASE("a formula without a source: no output states its lines") {
     using small_ledger::audit_of;
     const std::string hertz = "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n"
                               "says = \"Es*C*sqrt(a^2 - x^2)\"\n";

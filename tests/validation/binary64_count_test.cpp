@@ -42,14 +42,15 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("q in a stick zone on a corner that no algebra tells is held against both sides of it") {
+TEST_CASE(
+    "q in a stick zone on a corner that algebra cannot recognise is compared with both sides") {
     // A tilted wedge with b = 5 only enclosed; five of its places are u = 5, the apex.
     const Binary64Contact found = count_binary64_contact(options(11, 10'000), 7969, 10'000);
     CHECK(found.findings.empty());
     Binary64Options wrong = options(11, 10'000);
     wrong.changed = [](DoubleWord& word) { word.high = std::nextafter(word.high, 1e300); };
-    const std::vector<std::string> told = count_binary64_contact(wrong, 7969, 10'000).findings;
-    CHECK(std::ranges::any_of(told, [](const std::string& finding) {
+    const std::vector<std::string> findings = count_binary64_contact(wrong, 7969, 10'000).findings;
+    CHECK(std::ranges::any_of(findings, [](const std::string& finding) {
         return finding.find("q, partial slip") != std::string::npos &&
                finding.find("at u = 0x1.4p+2 from the left edge") != std::string::npos;
     }));
@@ -69,7 +70,7 @@ TEST_CASE("a value that is off by more than its bound is counted as wrong") {
     CHECK(count.findings.size() == count.total.wrong);
 }
 
-TEST_CASE("a count in double words goes on from its state") {
+TEST_CASE("a count in double words continues from its state") {
     Binary64State state;
     Binary64Options o = options(6, 20'000);
     std::string kept;

@@ -80,7 +80,7 @@ TEST_CASE("the same seed draws the same contacts, another seed others; every val
     }
 }
 
-TEST_CASE("one value held to a second: excluded, wrong, wide, undecided are told apart") {
+TEST_CASE("a value compared with a second one: excluded, wrong, wide or undecided") {
     const PrecisionScope scope(60);
     const Real third = Real(1) / 3;
     CountCell good;
@@ -126,7 +126,7 @@ TEST_CASE("values drawn: all enclosed, rounded correctly and tight, on one threa
     CHECK(cells_text(count_values(options, again)) == cells_text(two));
 }
 
-TEST_CASE("a wrong second value is counted, in its cell, with what it takes to see it again") {
+TEST_CASE("a wrong second value is counted, in its cell, with the data that reproduce it") {
     CountOptions options = small(50);
     options.second = [](const SampledValue& v, Real& x) {
         if (v.asked.quantity == Quantity::b) {
@@ -150,7 +150,8 @@ TEST_CASE("a wrong second value is counted, in its cell, with what it takes to s
     CHECK(found.findings.front().scene.find("[profile]") == 0);
 }
 
-TEST_CASE("a count stopped is gone on with: the same result; a contact with a finding is redone") {
+TEST_CASE(
+    "a stopped count continues to the same result; a contact with a finding is counted again") {
     const CountOptions options = small(150);
     CountState whole;
     const CountResult at_once = count_values(options, whole);
@@ -168,7 +169,7 @@ TEST_CASE("a count stopped is gone on with: the same result; a contact with a fi
     CountState other = whole;
     other.seed = 2;
     CHECK(message_of(text, other).find("s:1: the state is not one of") == 0);
-    CHECK(message_of(text.substr(0, text.size() - 4), whole).find("ends in the middle") !=
+    CHECK(message_of(text.substr(0, text.size() - 4), whole).find("the state is incomplete") !=
           std::string::npos);
     CHECK(message_of("edgeproof bounds count, seed 1, values 150, digits 20\n0 x:3\nend\n", whole)
               .find("s:2: a contact's counts are malformed") == 0);

@@ -146,7 +146,7 @@ TEST_CASE("hard cases: one of each class, by ball and by two routes") {
     }
 }
 
-TEST_CASE("hard cases: what is malformed is told with its line") {
+TEST_CASE("hard cases: malformed input is reported with its line") {
     CHECK(message_of("[cases]\n").find("cases.toml:1: the file has no cases; add a case") == 0);
     CHECK(message_of("[cases.x]\nclass = \"c\"\n").find("cases.toml:1: there is no reason") == 0);
     CHECK(message_of("[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"heat\"\n"

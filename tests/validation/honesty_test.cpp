@@ -29,7 +29,7 @@ const HonestyRow& row_of(const std::vector<HonestyRow>& rows, const std::string&
 } // namespace
 
 TEST_CASE(
-    "honesty: ours hold; plain tanh-sinh understates at the edge; a made-up claim is caught") {
+    "honesty: our bounds hold; plain tanh-sinh understates at the edge; a false claim is caught") {
     const auto points = of_profile("Hertz", "u < a"); // p = sqrt(u (2 - u))/2
     REQUIRE(points.size() == 3);
     const PrecisionScope scope(60);

@@ -74,7 +74,7 @@ private:
     void pressure() {
         const Errors& errors = file_.errors;
         if (errors.nodes == 0) {
-            fail("the edge zones leave no node");
+            fail("all nodes lie in the edge zones");
             return;
         }
         const auto counted = static_cast<std::size_t>(
@@ -82,7 +82,8 @@ private:
                 return node.exact.inside() && is_counted(node, tolerances_.zone, file_.contact);
             }));
         if (counted < fewest_inside && file_.inside >= fewest_inside) {
-            fail(fmt::format("the edge zones leave {} of {} nodes inside: too few to judge by",
+            fail(fmt::format("{} of {} nodes inside the contact lie outside the edge zones: too "
+                             "few for a comparison",
                              counted, file_.inside));
         }
         digits();
@@ -150,7 +151,7 @@ private:
     void edge(const char* name, const std::optional<double>& data,
               const std::optional<double>& of_exact, double exact) {
         if (!data) {
-            fail(fmt::format("{} is not known: the data press nowhere", name));
+            fail(fmt::format("{} is not known: no pressure of the data is greater than 0", name));
             return;
         }
         const double error = off(*data, of_exact.value_or(exact), exact);
@@ -190,7 +191,7 @@ private:
         const double error = off(fit->c0.value, of_exact, exact);
         if (!fit->own_edge && !(off(of_exact, exact, exact) <= most_of_rule)) {
             fail(fmt::format("{} is not determined: the same fit of the exact pressure at these "
-                             "nodes gives {:.6g}, and it is {:.6g}",
+                             "nodes gives {:.6g}, but the exact value is {:.6g}",
                              name, of_exact, exact));
         }
         if (!(error <= *tolerances_.c0)) {
@@ -241,7 +242,7 @@ void sum_shear(FileComparison& file) {
 void find_more(FileComparison& file, const ExactContact& exact) {
     auto& findings = file.data.findings;
     if (exact.shear() == nullptr && file.table.rows.front().q) {
-        findings.emplace_back("q is not held against anything: the scene has no [shear]");
+        findings.emplace_back("q is not compared: the scene has no [shear]");
     }
     if (exact.shear() != nullptr && !file.table.rows.front().q) {
         findings.emplace_back("the scene has shear, and the data have no q (CSHEAR1, or "
@@ -250,12 +251,13 @@ void find_more(FileComparison& file, const ExactContact& exact) {
     if (file.outside > 0) {
         findings.push_back(fmt::format(
             "{} of {} nodes lie outside the exact contact{}", file.outside, file.data.nodes.size(),
-            file.pressing_outside > 0 ? fmt::format("; {} of them press", file.pressing_outside)
-                                      : ", where p is 0"));
+            file.pressing_outside > 0
+                ? fmt::format("; {} of them have a pressure", file.pressing_outside)
+                : ", where p is 0"));
     }
     if (file.contact.gaps > 0) {
         findings.push_back(fmt::format(
-            "the pressure of the data falls to nothing at {} inside",
+            "the pressure of the data falls to zero at {} inside",
             file.contact.gaps == 1 ? "1 place" : fmt::format("{} places", file.contact.gaps)));
     }
     const auto corners = std::ranges::count_if(
@@ -307,7 +309,7 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     file.shear = measure_shear(file.data, exact, file.contact, tolerances.zone);
     sum_shear(file);
     file.distances = by_distance(file.data, exact);
-    file.knots = beside_knots(file.data, exact, file.contact);
+    file.knots = errors_near_knots(file.data, exact, file.contact);
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         constexpr double elements_smeared = 2;
         const double leave_out = std::max(tolerances.zone.at(edge, file.contact),

@@ -42,7 +42,7 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
         });
         if (!any) {
             throw InputError(
-                fmt::format("the edge zones leave none of the {} nodes inside", file.inside),
+                fmt::format("all {} nodes inside the contact lie in the edge zones", file.inside),
                 "write a narrower --edge-zone, or give a finer mesh")
                 .at(file.table.file, 0);
         }
@@ -63,12 +63,12 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
                     file.inside == 2 ? "lie" : "lies", -b + file.data.origin, a + file.data.origin);
     if (file.inside > 0 &&
         static_cast<std::size_t>(std::ranges::count_if(nodes, pressing)) < fewest_inside) {
-        throw InputError(none + ": too few to judge by",
+        throw InputError(none + ": too few for a comparison",
                          "give a finer mesh: three nodes or more inside")
             .at(file.table.file, 0);
     }
     if (first == nodes.end()) {
-        throw InputError(none + ", and none presses",
+        throw InputError(none + ", and every pressure is zero",
                          "give the nodes of the contact, with their pressures")
             .at(file.table.file, 0);
     }
@@ -92,10 +92,11 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
         instead =
             fmt::format("write --scale x={:.6g} if x is in another unit than the scene's", *unit);
     } else {
-        instead = "write --scale x=... if x is in another unit than the scene's, --origin if it "
-                  "counts from elsewhere";
+        instead = "write --scale x=... if x is in another unit than the scene's, --origin if it is "
+                  "measured from another place";
     }
-    throw InputError(fmt::format("{}: the data press from x = {:.6g} to {:.6g}", none, from, to),
+    throw InputError(fmt::format("{}: the pressures of the data extend from x = {:.6g} to {:.6g}",
+                                 none, from, to),
                      instead)
         .at(file.table.file, 0);
 }

@@ -16,7 +16,7 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr int elements = 120;
-constexpr double told_from_noise = 5;
+constexpr double above_noise = 5;
 constexpr double no_effect = 1e-9;
 
 struct Data {
@@ -162,7 +162,7 @@ private:
         const bool misled = mistake.of_shear && !names_in(file.diagnosis).empty();
         const bool named =
             right ? names.empty() : std::ranges::find(names, mistake.name) != names.end();
-        const bool hidden = !right && effect.by < told_from_noise * noise * effect.noise;
+        const bool hidden = !right && effect.by < above_noise * noise * effect.noise;
         SelfTestCount& count = row(mistake.name).at[level];
         count.cases += hidden ? 0 : 1;
         count.beyond += hidden ? 1 : 0;
@@ -180,7 +180,7 @@ private:
                 said += (said.empty() ? "" : ", ") + name;
             }
             result_.misses.push_back(fmt::format(
-                "{} in {}, noise {:g}: {} (it moves {} by {:.2g}, {:.2g} are left)",
+                "{} in {}, noise {:g}: {} (it changes {} by {:.2g}, {:.2g} are unexplained)",
                 right ? "right data" : mistake.name, tested.name, noise,
                 said.empty() ? "nothing is named" : "named " + said, mistake.of_shear ? "q" : "p",
                 effect.by, diagnosis ? diagnosis->unexplained : 0));

@@ -85,8 +85,8 @@ std::vector<CostCase> usual_cases() {
 
 CostCase case_of(const scene::Scene& scene) {
     if (!scene.profile) {
-        throw InputError("the cost of a scene of P and M is not told: its tilt is found once, and "
-                         "its pressures cost what those of the tilted profile do",
+        throw InputError("the cost of a scene with P and M is not measured: its tilt is found "
+                         "once, and its pressures cost as much as those of the tilted profile",
                          "give alpha, and a or P")
             .at(scene.file, scene.load_line);
     }
@@ -98,7 +98,7 @@ CostCase case_of(const scene::Scene& scene) {
     for (const scene::AskedPoint& point : scene.ask.u) {
         const auto u = point.distance(c.edge).number();
         if (!u) {
-            throw InputError(point.text() + " is no number as long as a is none",
+            throw InputError(point.text() + " has no numerical value, because a has none",
                              "give a, or u as numbers")
                 .at(scene.file, point.line);
         }

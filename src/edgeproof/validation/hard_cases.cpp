@@ -66,12 +66,12 @@ scene::AskedValue read_asked(const io::TomlSection& section, const scene::Scene&
         asked.k = section.count("n", row.index == Index::terms ? 1 : 0, most_asked_terms);
     }
     if (row.of_shear() && !scene.shear) {
-        section.reject(section.line(), "a shear is asked for and there is none",
+        section.reject(section.line(), "a quantity of the shear is requested and there is no shear",
                        "add shear = { Q = \"...\" }");
     }
     if (!scene.profile) {
         section.reject("load", "the tilt is not given",
-                       "give alpha: what is solved for by an estimate proves nothing");
+                       "give alpha: a tilt that is found as an estimate proves nothing");
     }
     return asked;
 }

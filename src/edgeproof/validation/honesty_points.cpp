@@ -19,7 +19,7 @@ struct Asked {
 struct Family {
     const char* name;
     const char* profile;
-    std::array<const char*, 3> beside; ///< u of points near the knot or the apex
+    std::array<const char*, 3> near_knot; ///< u of points near the knot or the apex
     /// K, m, t, gamma; K empty: no integral.
     std::array<const char*, 4> integral;
 };
@@ -65,7 +65,7 @@ std::vector<HonestyPoint> honesty_points() {
         const std::array<Asked, 4> asked{{{"u < 1e-12 a", {"1e-30", "1e-20", "1e-13"}},
                                           {"u < 1e-3 a", {"1e-9", "1e-6", "1e-4"}},
                                           {"u < a", {"1/20", "1/5", "1/2"}},
-                                          {"by a knot or the apex", f.beside}}};
+                                          {"by a knot or the apex", f.near_knot}}};
         for (const Asked& a : asked) {
             for (const char* u : a.u) {
                 HonestyPoint p;

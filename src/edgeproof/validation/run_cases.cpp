@@ -54,7 +54,7 @@ CaseSecondRoute held(const SecondRoute& o, const Ball& exact, unsigned digits) {
 
 std::string fault_of(const HardCase& c, const CaseOutcome& outcome, unsigned digits) {
     if (!c.undecided.empty() && outcome.proved) {
-        return "there is an enclosure after all: take the key `undecided` away";
+        return "there is an enclosure: remove the key `undecided`";
     }
     if (!outcome.proved && c.undecided.empty()) {
         return "no enclosure: " + outcome.route;

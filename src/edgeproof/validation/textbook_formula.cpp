@@ -88,7 +88,7 @@ template <Arithmetic T>
 TextbookFormula<T>::TextbookFormula(const scene::Scene& scene)
     : scene_(scene), modulus_(scene.contact_modulus.template to<T>()) {
     if (!scene.profile) {
-        throw DomainError("no formula in print holds for an unknown tilt");
+        throw DomainError("no published formula holds for an unknown tilt");
     }
     const contact::Profile& profile = *scene.profile;
     if (profile.kind() == contact::Profile::Kind::power_law) {
@@ -100,7 +100,7 @@ TextbookFormula<T>::TextbookFormula(const scene::Scene& scene)
         for (std::size_t i = 0; i < slope.pieces().size(); ++i) {
             const auto& p = slope.pieces()[i];
             if (!p.linear) {
-                throw DomainError("no formula in print holds for a curved g'");
+                throw DomainError("no published formula holds for a curved g'");
             }
             const bool first = i == 0;
             const bool last = i == slope.knots().size();
@@ -355,7 +355,7 @@ template <Arithmetic T> T TextbookFormula<T>::value(const scene::AskedValue& ask
     default:
         break;
     }
-    throw DomainError("no formula in print gives a " + std::string(row_of(asked.quantity).name));
+    throw DomainError("no published formula gives a " + std::string(row_of(asked.quantity).name));
 }
 
 #define EDGEPROOF_INSTANTIATE(T) template class TextbookFormula<T>;

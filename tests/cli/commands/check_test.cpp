@@ -105,8 +105,8 @@ TEST_CASE("check: the counts of the last line add up to the number of questions"
                           "h:right:u=1:p,0.5\nh:right:u=7:p,1\n");
     const Outcome o = run(folder, "check a.csv --recipe r.toml");
     CHECK(o.code == 1);
-    CHECK(
-        has(o.out, "2 rows stand in another order than asked: their ids tell what they answer\n"));
+    CHECK(has(o.out, "2 rows are not in the order of the questions: "
+                     "their ids state what they answer\n"));
     CHECK(lines(o.out).back() ==
           "FAIL: 3 answers, 2 failures, 1 missing, 2 faults of the rows or the program");
     folder.write("b.csv", header + "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells +
@@ -211,7 +211,7 @@ TEST_CASE(
     // The ids identify the answers.
     const Outcome turned = check("sh good.sh >all; head -n 1 all; tail -n 3 all | sort -r");
     CHECK(turned.code == 0);
-    CHECK(has(turned.out, "2 rows stand in another order than asked"));
+    CHECK(has(turned.out, "2 rows are not in the order of the questions"));
     struct Bad {
         const char* command;
         const char* said;

@@ -86,26 +86,29 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is reported")
     const std::string none = " nodes lies inside the contact, ";
     refused("scene.toml right.csv --origin 100",
             "right.csv: none of the 65" + none +
-                "98.5 < x < 101.5: the data press from x = -1.4375 to 1.4375; write --origin 0");
+                "98.5 < x < 101.5: the pressures of the data extend from x = -1.4375 to 1.4375; "
+                "write --origin 0");
     c.folder.write("odd.csv", compared_rows(63));
     refused("scene.toml odd.csv --scale x=1000", "write --scale x=0.001");
     refused("scene.toml odd.csv --scale x=5000", "write --scale x=... if");
     c.folder.write("still.csv", "x,p\n5,0\n6,0\n7,0\n");
-    refused("scene.toml still.csv", "none of the 3" + none + "-1.5 < x < 1.5, and none presses");
+    refused("scene.toml still.csv",
+            "none of the 3" + none + "-1.5 < x < 1.5, and every pressure is zero");
     refused("scene.toml right.csv still.csv --json --html none.html", "still.csv: none of the 3");
     CHECK_FALSE(std::filesystem::exists(c.folder.path() / "none.html"));
     // Too few nodes inside: the mesh is too coarse, or the unit differs; or the zones leave none of
     // them, although nodes outside are left.
     c.folder.write("coarse.csv", "x,p\n-3,0\n-1,0.8385\n1,0.8385\n3,0\n");
     refused("scene.toml coarse.csv",
-            "coarse.csv: 2 of the 4 nodes lie inside the contact, -1.5 < x < 1.5: too few to judge "
-            "by; give a finer mesh");
+            "coarse.csv: 2 of the 4 nodes lie inside the contact, -1.5 < x < 1.5: too few for a "
+            "comparison; give a finer mesh");
     c.folder.write("one.csv", "x,p\n-3,0\n0,1.125\n3,0\n");
     refused("scene.toml one.csv --tolerance 1e-9", "one.csv: 1 of the 3 nodes lies inside");
     refused("scene.toml odd.csv --scale x=25.4", "2 of the 64 nodes lie inside the contact, -1.5 < "
-                                                 "x < 1.5: the data press from");
+                                                 "x < 1.5: the pressures of the data extend from");
     refused("scene.toml odd.csv --scale x=25.4", "write --scale x=0.0393701 if x is in another");
-    refused("scene.toml right.csv --edge-zone 1.6", "the edge zones leave none of the 47 nodes");
+    refused("scene.toml right.csv --edge-zone 1.6",
+            "all 47 nodes inside the contact lie in the edge zones");
     CHECK(run(c.folder, "compare scene.toml right.csv --edge-zone 1.4").code == 0);
     c.folder.write("three.csv", "x,p\n-3,0\n-1,0.83853\n0,1.125\n1,0.83853\n3,0\n");
     const Outcome three = run(c.folder, "compare scene.toml three.csv");

@@ -120,7 +120,7 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
     CHECK(*shear.rows[1].q == Rational(1, 2));
 }
 
-TEST_CASE("results: units that a file says are converted, exactly") {
+TEST_CASE("results: units that a file states are converted, exactly") {
     for (const std::string text : {
              "x [m],p [kPa]\n-0.0005,1000\n0,1500\n0.0005,1000\n",
              "x_um;p_Pa\n-500;1e6\n0;1,5e6\n500;1e6\n",
@@ -133,7 +133,7 @@ TEST_CASE("results: units that a file says are converted, exactly") {
     }
     CHECK(found(parsed_result("x [m],p [Pa]\n0,1\n1,2\n", in_mm_and_MPa()),
                 "converted from m to mm"));
-    CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene says no units"));
+    CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene states no units"));
     CHECK(found(parsed_result("x [furlong],p\n0,1\n1,2\n", in_mm_and_MPa()), "'furlong'"));
     CHECK(begins(refusal("x [MPa],p\n0,1\n1,2\n", in_mm_and_MPa()), "r.csv:1: x is in MPa"));
 }
@@ -173,7 +173,7 @@ TEST_CASE("results that cannot be read: one line, with the place") {
     CHECK(begins(refusal("x,p\n1,2\n2,3,4\n3,1\n"), "r.csv:3: the row has 3 cells"));
     CHECK(begins(refusal("x,p\n1,2\n2,1e999\n3,1\n"), "r.csv:3: '1e999' is beyond"));
     CHECK(begins(refusal("1 2 3\n4 5 6\n"), "r.csv: the rows have 3 columns and no header"));
-    CHECK(begins(refusal("n,u,v\n1,2,3\n4,5,6\n"), "r.csv:1: no column is called x"));
+    CHECK(begins(refusal("n,u,v\n1,2,3\n4,5,6\n"), "r.csv:1: no column has the name x"));
     CHECK(
         begins(refusal("x,p,pressure\n1,2,3\n4,5,6\n"), "r.csv:1: columns 2 and 3 may both be p"));
     CHECK(begins(refusal("x,p\n0,5,1,5\n1,5,1,0\n"), "r.csv:1: the header names 2 columns"));
@@ -184,7 +184,7 @@ TEST_CASE("results that cannot be read: one line, with the place") {
         contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=1")), "one column is taken"));
 }
 
-TEST_CASE("results: blanks separate, and a name has several words") {
+TEST_CASE("results: blanks separate the columns, and a name has several words") {
     const std::string rows = "7 -0.5 1\n3 0 1.5\n9 0.5 1\n";
     for (const std::string header : {
              "Node Label  COORD1  CPRESS",
@@ -206,16 +206,16 @@ TEST_CASE("results: blanks separate, and a name has several words") {
                               "A 9 0.5 1\n"));
     // A title of words is not a header: in a table with a header, and in one without.
     check_three(parsed_result("Contact Pressure over x\nNode Label x p\n" + rows));
-    const auto told = [&](const std::string& header) {
+    const auto is_refused = [&](const std::string& header) {
         const std::string line = refusal(header + "\n" + rows);
         CAPTURE(line);
         return begins(line, "r.csv:1: the header names 4 columns, and the rows have 3") &&
                contains_text(line, "Node_Label") && contains_text(line, "--columns x=1,p=2");
     };
-    CHECK(told("Contact Pressure over x"));
-    CHECK(told("Gauge Name x p"));
+    CHECK(is_refused("Contact Pressure over x"));
+    CHECK(is_refused("Gauge Name x p"));
     // This may mean Coord X | Pos | p, or Coord | X Pos | p.
-    CHECK(told("Coord X Pos p"));
+    CHECK(is_refused("Coord X Pos p"));
     // The advice of the message works.
     check_three(parsed_result("Gauge Name x p\n" + rows, with_columns("x=2,p=3")));
     check_three(parsed_result("Gauge_Name x p\n" + rows));

@@ -33,7 +33,7 @@ Answer::State state(const std::string& text) { return read_answer(text).state; }
 
 } // namespace
 
-TEST_CASE("what counts as a number, and what is said of anything else") {
+TEST_CASE("which answers are numbers, and how others are classified") {
     CHECK(read_answer("-1.5e-3").value == Rational(-3, 2000));
     CHECK(read_answer("+0.25").value == Rational(1, 4));
     CHECK(read_answer("1.5D-01").value == Rational(3, 20)); // Fortran
@@ -172,15 +172,16 @@ TEST_CASE(
     CHECK(echoed_answers(parse_csv("# questions: 3\n" + agreement_header + "1" + hertz_cells +
                                        "p,right,0.2,0.3\n",
                                    "a.csv"))
-              .faults == Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe says "
-                                "which are missing)"});
+              .faults ==
+          Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe lists "
+                 "those that are missing)"});
     CHECK(echoed_answers(parse_csv(agreement_header + "1" + hertz_cells + "p,right,0.2,0.3\n1" +
                                        hertz_cells + "p,right,0.2,0.3\n",
                                    "a.csv"))
               .faults == Faults{"a.csv:3: 1 is answered twice, first in line 2"});
 }
 
-TEST_CASE("a question that is none is bad input, with its line") {
+TEST_CASE("a malformed question is bad input, with its line") {
     const auto refusal = [](const std::string& rows) {
         try {
             const Answers answers = answered(rows);
@@ -231,7 +232,7 @@ TEST_CASE("a point outside the contact is a row without a reference, and the oth
         InputError);
 }
 
-TEST_CASE("the same answers in the dress of a spreadsheet are the same answers") {
+TEST_CASE("answers in the format of a spreadsheet are read like the original ones") {
     for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
         for (const std::string point : {".", ","}) {
             for (const char separator : {';', '\t'}) {
@@ -259,7 +260,7 @@ TEST_CASE("the same answers in the dress of a spreadsheet are the same answers")
         InputError);
 }
 
-TEST_CASE("a row that repeats another contact, u or tolerance than was asked is a fault") {
+TEST_CASE("a row with a contact, u or tolerance other than that of the question is a fault") {
     const Questions asked =
         answered("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n").questions;
     const auto faults = [&](const std::string& rows) {
@@ -308,7 +309,7 @@ template <class F> std::vector<Convention> conventions_of(const F& f) {
 
 } // namespace
 
-TEST_CASE("another convention is recognised and said, with how far it holds") {
+TEST_CASE("another convention is recognised and reported, with its accuracy") {
     const double pi = std::acos(-1.0);
     const auto only = [](const std::vector<Convention>& found) {
         REQUIRE(found.size() == 1);
@@ -428,7 +429,7 @@ TEST_CASE("answers read in blocks are those read at once, and no more than a blo
     }
 }
 
-TEST_CASE("of rows that fail a bounded number is kept, with its own contacts") {
+TEST_CASE("a bounded number of failing rows is kept, with their own contacts") {
     const Answers answers =
         answered("1" + hertz_cells + "p,right,0.2,0.6\n2" + hertz_cells + "p,right,0.4,0.4\n3" +
                  hertz_cells + "p,left,0.4,0.8\n4" + hertz_cells + "p,left,0.3,0.7\n");

@@ -184,7 +184,7 @@ TEST_CASE(
     CHECK(still_right > 500); // the test has both kinds
 }
 
-TEST_CASE("answers: a corrupted right row passes only where what is left is a right row") {
+TEST_CASE("answers: a corrupted right row passes only if it is still a right row") {
     const Csv alone = parse_csv("id,kind,m,C,a,contact_modulus,quantity,value\n"
                                 "h,power-law,1,1,1,1,P,1\n",
                                 "q.csv");

@@ -71,7 +71,8 @@ TEST_CASE("a program asked: every question is answered, in one batch or in many"
     }
 }
 
-TEST_CASE("a program asked: the questions that end a program are found, and none other suffers") {
+TEST_CASE(
+    "a program asked: the questions that end a program are found, and the others are answered") {
     struct Bad {
         std::string command;
         std::string said;
@@ -149,9 +150,8 @@ Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string&
 
 } // namespace
 
-TEST_CASE(
-    "a program asked: the questions that end a program are found wherever they stand, whatever "
-    "it had written by then") {
+TEST_CASE("a program asked: the questions that end a program are found wherever they stand, "
+          "whether or not it had written something") {
     struct Way {
         const char* what;
         std::string begin;
@@ -203,7 +203,7 @@ TEST_CASE("a program asked: what a run writes is bounded in rows and in bytes") 
     }
 }
 
-TEST_CASE("a program: nothing that it leaves behind runs on, or is waited for") {
+TEST_CASE("a program: nothing that it leaves behind continues to run, or is waited for") {
     // The child keeps the output open; the program writes the child's process id.
     for (const char* left : {"sleep 1000 & echo $!", "(sleep 1000 & echo $!)",
                              "(sleep 1000 </dev/null >/dev/null 2>&1 & echo $!)",
@@ -250,7 +250,7 @@ TEST_CASE("a program: its standard error is handed on or dropped, and never stop
     CHECK_THROWS_AS((void)run_program(call), Error);
 }
 
-TEST_CASE("JSON lines: a value given twice is garbage, and only the object's own count") {
+TEST_CASE("JSON lines: a value given twice is garbage, and only keys of the object itself count") {
     const auto cells = [](const std::string& line) {
         return parse_json_lines(line + "\n", "out").rows.at(0).cells.size();
     };

@@ -18,8 +18,8 @@ const std::string right = "id,quantity,edge,u,value\n"
 
 } // namespace
 
-TEST_CASE(
-    "corrupted files: of every kind, each unlike the right one, the same from the same seed") {
+TEST_CASE("corrupted files: there are all kinds, each differs from the right file, the same seed "
+          "gives the same") {
     const Csv csv = parse_csv(right, "a.csv");
     CHECK(csv_text(csv) == right);
     const auto list = corruptions(csv, 5, 100);

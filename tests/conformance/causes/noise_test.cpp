@@ -185,7 +185,7 @@ TEST_CASE("known mistakes are named under noise, and no others") {
     }
 }
 
-TEST_CASE("noise alone has no cause, and what is off without one is said to be") {
+TEST_CASE("noise alone has no cause, and errors without a cause are reported as such") {
     const std::vector<QuestionCells> questions = right_questions();
     std::mt19937_64 random(2);
     std::normal_distribution<double> normal;

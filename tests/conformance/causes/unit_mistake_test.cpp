@@ -51,7 +51,7 @@ double a_of(std::size_t contact) { return contact == 0 ? 1 : 2; }
 
 } // namespace
 
-TEST_CASE("a question read otherwise is recognised and said") {
+TEST_CASE("a misread question is recognised and reported") {
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
               return wedge_pressure(a_of(c), u);
           }).empty());
@@ -69,7 +69,8 @@ TEST_CASE("a question read otherwise is recognised and said") {
           }) == Said{"p, right edge: 2 times ours"});
 }
 
-TEST_CASE("however many rows fail, all are held to what is said of them, and counted") {
+TEST_CASE(
+    "however many rows fail, the reported cause is checked on all of them, and they are counted") {
     // p of the wedge at 70 points (60 are examined first), where a is taken for the full width;
     // four points after them follow no convention.
     std::string text = "id," + keys + ",quantity,edge,u,value\n";

@@ -46,7 +46,7 @@ TEST_CASE("condition numbers by hand") {
     CHECK_FALSE(held("3,power-law,1,1,1,1,M,,,0\n").cases.at(0).conditioning);
 }
 
-TEST_CASE("without a target: 12 digits, or what the conditioning leaves; never anything goes") {
+TEST_CASE("without a target: 12 digits, or the digits that the conditioning leaves, are required") {
     const std::string wedge = "w,power-law,0,1,1,1,p,right,0.999999999068677425384521484375,";
     // The exact value is acosh(2^30)/pi = 6.8396025...; the rounding of the inputs explains a
     // relative error of 1e-10.

@@ -39,7 +39,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 } // namespace
 
-TEST_CASE("a grid becomes questions in a fixed order, with ids that say what they ask") {
+TEST_CASE("a grid becomes questions in a fixed order, with ids that describe them") {
     const Recipe recipe = parse_recipe(grid, "r.toml");
     CHECK(recipe.digits.count == 20);
     CHECK(recipe.questions.contacts.size() == 4);
@@ -95,7 +95,7 @@ std::string pieces_against_list(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("contacts by what an engineer has: radii, widths, the kinds of scenes") {
+TEST_CASE("contacts given by radii, by widths and by the kinds of scenes") {
     const Recipe recipe = parse_recipe(R"(digits = 20
 [scenes.cylinders]
 quantities = ["P"]
@@ -145,7 +145,7 @@ contact_modulus = "1"
     CHECK(value(5) == 2);
 }
 
-TEST_CASE("the pieces of a recipe hold every row once, as the whole list has it") {
+TEST_CASE("the pieces of a recipe contain every row of the whole list once") {
     // 7 questions for each contact: 2 contacts in a piece.
     CHECK(pieces_against_list(grid) == "28 rows, 2 pieces");
     const std::string many = replaced(grid, "m = [\"1\", \"2\"]",
@@ -179,7 +179,7 @@ TEST_CASE("a recipe of a hundred million rows is read at once, and any piece of 
     CHECK(last.questions.list.back().id == "hertz:m=2:C=625:a=3/2:right:u=1/2:p");
 }
 
-TEST_CASE("what is wrong with a recipe is told with its own line") {
+TEST_CASE("an error in a recipe is reported with its own line") {
     const std::string radii = "digits = 20\n[scenes.s]\nquantities = [\"P\"]\n"
                               "[scenes.s.profile]\nkind = \"hertz\"\nR1 = \"1\"\nR2 = \"-1\"\n"
                               "[scenes.s.load]\na = \"1\"\ncontact_modulus = \"1\"\n";

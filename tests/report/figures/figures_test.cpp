@@ -168,7 +168,7 @@ TEST_CASE("figures 6 and 7: the tilted wedge, its apex left out, both edges") {
     }
 }
 
-TEST_CASE("every figure of the paper, and no figure of another") {
+TEST_CASE("every figure of the paper is there, and another paper has none") {
     std::set<std::string> ids;
     for (const FigureRecipe& figure : paper_figures("moore-hills")) {
         ids.insert(figure.id);
@@ -180,7 +180,7 @@ TEST_CASE("every figure of the paper, and no figure of another") {
     CHECK(residual_figures("another").empty());
 }
 
-TEST_CASE("residual fit: the tables have the slopes that the legends say") {
+TEST_CASE("residual fit: the tables have the slopes that the legends state") {
     const auto scenes = paper_scenes("moore-hills");
     const auto hertz = std::ranges::find(scenes, "hertz", &NamedScene::id);
     REQUIRE(hertz != scenes.end());

@@ -74,7 +74,7 @@ Plot plot_with(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("no text of a plot is carried out by gnuplot, and the figure is made") {
+TEST_CASE("gnuplot executes no text of a plot, and the figure is made") {
     const auto gnuplot = find_gnuplot();
     if (!gnuplot) {
         MESSAGE("skipped: no gnuplot");
@@ -96,7 +96,7 @@ TEST_CASE("no text of a plot is carried out by gnuplot, and the figure is made")
     }
 }
 
-TEST_CASE("a text stands in a figure as it was written, without the markup of enhanced text") {
+TEST_CASE("a figure shows a text as it was written, without the markup of enhanced text") {
     const auto gnuplot = find_gnuplot();
     if (!gnuplot) {
         MESSAGE("skipped: no gnuplot");
@@ -129,7 +129,7 @@ TEST_CASE("every figure of the paper is drawn") {
     CHECK(drawn == 8);
 }
 
-TEST_CASE("a number for gnuplot is a number") {
+TEST_CASE("a number for gnuplot is one decimal number, and nothing else is accepted") {
     for (const char* number : {"0", "-1.5", "+2.", ".5", "1e-320", "3E+7"}) {
         CHECK(GnuplotNumber(number).text() == number);
     }

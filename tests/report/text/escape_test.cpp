@@ -108,7 +108,7 @@ AuditResult hostile_verdicts() {
 
 } // namespace
 
-TEST_CASE("text of others is one line of text in every format") {
+TEST_CASE("foreign text is one line of text in every format") {
     for (const std::string& text : hostile) {
         CAPTURE(text);
         for (const std::string& out :
@@ -122,7 +122,7 @@ TEST_CASE("text of others is one line of text in every format") {
     }
 }
 
-TEST_CASE("a cell of text is no formula of a spreadsheet, a number stays one") {
+TEST_CASE("a cell of text is no formula of a spreadsheet, and a number stays a number") {
     for (const char* const formula : {"=1+1", "+SUM(A1)", "-2+3+cmd|' /C calc'!A0", "@x", "-a*x"}) {
         CHECK(csv_text_cell(formula) == "'" + std::string(formula));
     }

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("escaping: nothing in a text is markup") {
+TEST_CASE("escaping: the characters of markup in a text are escaped") {
     CHECK(escape_html("<script>alert('x')</script>") ==
           "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;");
     CHECK(escape_html("a & b \"c\"") == "a &amp; b &quot;c&quot;");
@@ -15,21 +15,21 @@ TEST_CASE("escaping: nothing in a text is markup") {
     CHECK(escape_html("line\nline\tend\x01\x7f") == "line\nline\tend  ");
 }
 
-TEST_CASE("escaping: bytes that are no UTF-8 are shown to be none") {
+TEST_CASE("escaping: bytes that are not UTF-8 are replaced by U+FFFD") {
     CHECK(escape_html("a\xFFz") == "a\xEF\xBF\xBDz");
     CHECK(escape_html("\xC3") == "\xEF\xBF\xBD");
     CHECK(escape_html("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD"); // "<" in an overlong encoding
     CHECK(escape_html("\xED\xA0\x80").find('\xED') == std::string::npos);
 }
 
-TEST_CASE("a template is filled once, and asks for nothing that is not there") {
+TEST_CASE("a template is filled once, and an unknown name in it is an error") {
     CHECK(fill_template("a {{x}} b {{x}}{{y}}", {{"x", "{{y}}"}, {"y", "2"}}) ==
           "a {{y}} b {{y}}2");
     CHECK_THROWS_AS((void)fill_template("{{z}}", {}), Error);
     CHECK_THROWS_AS((void)fill_template("{{z", {{"z", ""}}), Error);
 }
 
-TEST_CASE("the templates are in the program, whole") {
+TEST_CASE("the program contains the complete templates") {
     CHECK(report_template::page_html.starts_with("<!doctype html>"));
     CHECK(report_template::page_html.ends_with("</html>\n"));
     CHECK(report_template::page_css.find("@media print") != std::string_view::npos);

@@ -62,7 +62,7 @@ TEST_CASE("sentences of a source: formulas typeset, numbers in place of labels")
     CHECK(left_side("\\frac{a}{b}") == "");
 }
 
-TEST_CASE("what differs between two formulas is marked, and nothing else") {
+TEST_CASE("only the differences between two formulas are marked") {
     MathNode printed = math_of_tex("\\frac{2P}{a}", source());
     MathNode corrected = math_of_tex("\\frac{2P\\sqrt{b}}{4a}", source());
     mark_changes(printed, corrected);

@@ -17,7 +17,7 @@ constexpr double share_for_mesh = 0.05;  ///< and at most this share of the erro
 constexpr double scatter_allowance = 1.6;
 constexpr double share_left = 0.3;
 constexpr double as_little = 1.2;
-constexpr std::size_t fewest_nodes_told = 8;
+constexpr std::size_t fewest_nodes_counted = 8;
 constexpr std::size_t most_nodes = 1000;
 constexpr double edge_share = 0.02; ///< relative to the suspect's contact
 constexpr double roundoff = 1e-12;
@@ -28,7 +28,7 @@ struct Fit {
     double scale = 1;       ///< the factor of the suspect's values that fits the data best
     double scale_error = 0; ///< its standard error from the local scatter
     std::size_t nodes = 0;
-    bool largest_told = false; ///< the largest of all errors is at a node that counts
+    bool largest_counted = false; ///< the largest of all errors is at a node that counts
 
     [[nodiscard]] bool is_scatter(double allowance) const {
         return left <= scatter_allowance * noise + allowance &&
@@ -75,7 +75,7 @@ struct Observed {
 
 std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     const double zone = std::max(2 * data.element, edge_share * (suspect.a + suspect.b));
-    const auto told = [&](std::size_t i) {
+    const auto counts = [&](std::size_t i) {
         const double x = data.nodes[i].x;
         return std::isfinite(suspect.values[i]) &&
                std::min(std::abs(x - suspect.a), std::abs(x + suspect.b)) >= zone &&
@@ -87,7 +87,7 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     double products = 0;
     double squares = 0;
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        if (told(i)) {
+        if (counts(i)) {
             largest = std::max(largest, std::abs(suspect.values[i]));
             products += data.values[i] * suspect.values[i];
             squares += suspect.values[i] * suspect.values[i];
@@ -104,25 +104,25 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     std::array<double, 2> worst{}; // of nodes near an edge, and of those that count
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const double x = data.nodes[i].x;
-        const bool within = told(i) && x < suspect.a && x > -suspect.b;
-        const double off = told(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
+        const bool within = counts(i) && x < suspect.a && x > -suspect.b;
+        const double off = counts(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
         if (std::isfinite(suspect.values[i])) {
-            double& most = worst[told(i) ? 1 : 0];
+            double& most = worst[counts(i) ? 1 : 0];
             most = std::max(most, std::abs(sign * data.values[i] - suspect.values[i]));
         }
         left.push_back(within ? std::optional(LeftOver{off, suspect.values[i] / largest})
                               : std::nullopt);
-        all += told(i) ? 1 : 0;
+        all += counts(i) ? 1 : 0;
         fit.nodes += within ? 1 : 0;
         square += off * off;
     }
-    if (fit.nodes < fewest_nodes_told) {
+    if (fit.nodes < fewest_nodes_counted) {
         return {};
     }
     fit.left = std::sqrt(square / static_cast<double>(all));
     find_scatter(left, fit);
     fit.scale = sign * products / squares;
-    fit.largest_told = worst[1] >= worst[0];
+    fit.largest_counted = worst[1] >= worst[0];
     return fit;
 }
 
@@ -192,7 +192,7 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
-        diagnosis.largest_inside = as_it_is->largest_told;
+        diagnosis.largest_inside = as_it_is->largest_counted;
         diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
     }
     const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_rounded_digits = 9;
 constexpr double half_unit = 0.51; ///< of the last digit, with a little for binary64
-constexpr double beside_edge = 0.02;
+constexpr double near_edge_share = 0.02;
 constexpr double units_of_binary32 = 16;
 /// Rounding errors are uniformly distributed, with an rms of 1/sqrt(3) of the largest; the data's
 /// own noise, which is smaller, adds to them.
@@ -25,7 +25,7 @@ bool explains(const AlignedResult& data, const ExactContact& exact, const Allowe
     double squares = 0;
     std::size_t n = 0;
     for (const Node& node : data.nodes) {
-        if (node.exact.p && node.exact.u() > beside_edge * exact.length()) {
+        if (node.exact.p && node.exact.u() > near_edge_share * exact.length()) {
             const double part = std::abs(node.error) / std::max(allowed(node), node.rounding);
             largest = std::max(largest, part);
             squares += part * part;
@@ -67,7 +67,7 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
     }
     const double single = units_of_binary32 * std::ldexp(exact.scale().value, -24);
     if (digits.binary32 && explains(data, exact, [single](const Node&) { return single; })) {
-        return Cause{"binary32", "p is of binary32 numbers, about 7 digits", 1, 0, {}};
+        return Cause{"binary32", "p consists of binary32 numbers, about 7 digits", 1, 0, {}};
     }
     return {};
 }

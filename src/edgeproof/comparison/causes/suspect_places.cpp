@@ -67,12 +67,12 @@ void suspect_shift(const SuspectMaker& make) {
     const auto large = large_shift(make);
     const auto shift = large ? large : small_shift(make);
     if (shift) {
-        make.add(
-            "shifted-origin",
-            fmt::format("x is shifted by {:.4g}: --origin {:.10g} if the data count from there",
-                        *shift, origin + *shift),
-            exact.a().value + *shift, exact.b().value - *shift,
-            [&](std::size_t i) { return make.pressure(exact, make.nodes()[i].x - *shift); });
+        make.add("shifted-origin",
+                 fmt::format(
+                     "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
+                     *shift, origin + *shift),
+                 exact.a().value + *shift, exact.b().value - *shift,
+                 [&](std::size_t i) { return make.pressure(exact, make.nodes()[i].x - *shift); });
     }
 }
 
@@ -88,18 +88,18 @@ void suspect_maps(const SuspectMaker& make) {
             return make.pressure(exact, place(make.nodes()[i].x + origin));
         });
     };
-    map("x-for-u", "x counts from the left edge", a + b, 0, [=](double x) { return x - b; });
-    map("x-for-u", "x, taken to count from the right edge inwards", a + b, 0,
+    map("x-for-u", "x is measured from the left edge", a + b, 0, [=](double x) { return x - b; });
+    map("x-for-u", "x, understood as measured from the right edge inwards", a + b, 0,
         [=](double x) { return a - x; });
-    map("x-for-u", "|x|, taken to count from the right edge inwards", a + b, a + b,
+    map("x-for-u", "|x|, understood as measured from the right edge inwards", a + b, a + b,
         [=](double x) { return a - std::abs(x); });
-    map("x-for-u", "x counts from the right edge", 0, a + b, [=](double x) { return x + a; });
+    map("x-for-u", "x is measured from the right edge", 0, a + b, [=](double x) { return x + a; });
     if (exact.symmetric()) {
         return;
     }
-    map("x-from-middle", "x counts from the middle of the contact", (a + b) / 2, (a + b) / 2,
+    map("x-from-middle", "x is measured from the middle of the contact", (a + b) / 2, (a + b) / 2,
         [=](double x) { return x + (a - b) / 2; });
-    map("mirrored", "x runs the other way: the tilt is mirrored", b, a,
+    map("mirrored", "x has the opposite direction: the tilt is mirrored", b, a,
         [](double x) { return -x; });
     map("edges-swapped", "the edges are swapped: each distance is from the other one", a, b,
         [=](double x) { return a - b - x; });
@@ -118,8 +118,8 @@ void suspect_means(const SuspectMaker& make) {
         });
     };
     of_rows("p of a node is averaged over its two elements", 0.25, 0.5, 0.25);
-    of_rows("the element's mean stands at its left node", 0, 0.5, 0.5);
-    of_rows("the element's mean stands at its right node", 0.5, 0.5, 0);
+    of_rows("the mean over an element is given at its left node", 0, 0.5, 0.5);
+    of_rows("the mean over an element is given at its right node", 0.5, 0.5, 0);
     // The mean by Gauss's three points; this is inaccurate near an edge, where nodes are not used.
     const auto& all = make.nodes().data.nodes;
     make.add("element-mean", "p is the mean over the width of a node", [&](std::size_t i) {
@@ -141,7 +141,7 @@ void suspect_means(const SuspectMaker& make) {
 
 void suspect_places(const SuspectMaker& make) {
     for (const int rows : {1, -1}) {
-        make.add("shifted-rows", "p stands one row off its x",
+        make.add("shifted-rows", "p is in the row next to that of its x",
                  [&](std::size_t i) { return make.exact_pressure(i, rows); });
     }
     suspect_maps(make);
@@ -163,7 +163,7 @@ void suspect_terms(const SuspectMaker& make) {
         const std::string terms = n == 1 ? "term" : fmt::format("{} terms", n);
         const auto add = [&](const std::string& where, const auto& edge_of) {
             make.add(names[n - 1],
-                     fmt::format("the first {} of the expansion at {} for p", terms, where),
+                     fmt::format("the first {} of the expansion at {} instead of p", terms, where),
                      [&](std::size_t i) {
                          const auto& place = make.nodes()[i].exact;
                          if (!place.inside()) {

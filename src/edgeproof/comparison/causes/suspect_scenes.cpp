@@ -33,19 +33,22 @@ void suspect_moduli(const SuspectMaker& make) {
     const Expr one = integer(1);
     const bool alike = E1 == E2 && nu1 == nu2;
     const auto of_two = [&](const Expr& c1, const Expr& c2) { return one / (c1 + c2); };
-    modulus("e-for-e-star", "E of body 1 for E*", E1);
-    modulus("one-body-modulus", "E/(1 - nu^2) of body 1 for E*", E1 / (one - nu1 * nu1));
-    modulus("shear-modulus", "2G of body 1 for E*", E1 / (one + nu1));
-    modulus("shear-modulus", "G of body 1 for E*", E1 / (integer(2) * (one + nu1)));
+    modulus("e-for-e-star", "E of body 1 instead of E*", E1);
+    modulus("one-body-modulus", "E/(1 - nu^2) of body 1 instead of E*", E1 / (one - nu1 * nu1));
+    modulus("shear-modulus", "2G of body 1 instead of E*", E1 / (one + nu1));
+    modulus("shear-modulus", "G of body 1 instead of E*", E1 / (integer(2) * (one + nu1)));
     if (!alike) {
-        modulus("e-for-e-star", "E of body 2 for E*", E2);
-        modulus("one-body-modulus", "E/(1 - nu^2) of body 2 for E*", E2 / (one - nu2 * nu2));
-        modulus("one-body-modulus", "body 1 for both", E1 / (integer(2) * (one - nu1 * nu1)));
-        modulus("one-body-modulus", "body 2 for both", E2 / (integer(2) * (one - nu2 * nu2)));
+        modulus("e-for-e-star", "E of body 2 instead of E*", E2);
+        modulus("one-body-modulus", "E/(1 - nu^2) of body 2 instead of E*", E2 / (one - nu2 * nu2));
+        modulus("one-body-modulus", "the constants of body 1 for both bodies",
+                E1 / (integer(2) * (one - nu1 * nu1)));
+        modulus("one-body-modulus", "the constants of body 2 for both bodies",
+                E2 / (integer(2) * (one - nu2 * nu2)));
     }
-    modulus("nu-not-squared", "1 - nu for 1 - nu^2", of_two((one - nu1) / E1, (one - nu2) / E2));
+    modulus("nu-not-squared", "1 - nu instead of 1 - nu^2",
+            of_two((one - nu1) / E1, (one - nu2) / E2));
     modulus("plane-stress", "plane stress, 1/E* = 1/E1 + 1/E2", of_two(one / E1, one / E2));
-    modulus("shear-modulus", "2G of the bodies for E/(1 - nu^2)",
+    modulus("shear-modulus", "2G of the bodies instead of E/(1 - nu^2)",
             of_two((one + nu1) / E1, (one + nu2) / E2));
 }
 
@@ -111,16 +114,16 @@ void suspect_angles(const SuspectMaker& make, const Parameters& parameters) {
             }
         }
     };
-    both("tan-of-angle", "the tangent for the angle",
+    both("tan-of-angle", "the tangent instead of the angle",
          [](const Expr& value) { return Expr::call("tan", {value}); });
-    both("tan-of-angle", "the sine for the angle",
+    both("tan-of-angle", "the sine instead of the angle",
          [](const Expr& value) { return Expr::call("sin", {value}); });
-    both("degrees", "the angle in degrees for radians",
+    both("degrees", "the angle in degrees instead of radians",
          [&](const Expr& value) { return value / degree; });
-    both("degrees", "the angle turned from degrees to radians once more",
+    both("degrees", "the angle converted from degrees to radians twice",
          [&](const Expr& value) { return value * degree; });
     if (parameters.contains("alpha")) {
-        suspect_profile(make, "mirrored", "the tilt has the other sign",
+        suspect_profile(make, "mirrored", "the tilt has the wrong sign",
                         [](std::string_view key, const Expr& value) {
                             return key == "alpha" ? -value : value;
                         });
@@ -149,14 +152,14 @@ void suspect_sizes(const SuspectMaker& make) {
                         contact::certainly_zero(parameters.at("m").expr() - integer(1));
     if (circle) {
         parameter("radius-as-diameter", "half the radius", "C", two);
-        parameter("radius-as-diameter", "the diameter for the radius", "C", half);
+        parameter("radius-as-diameter", "the diameter instead of the radius", "C", half);
     } else {
         parameter("factor-2", "C is twice too large", "C", two);
         parameter("factor-2", "C is half as large", "C", half);
     }
-    parameter("radius-as-diameter", "the diameter for the radius", "R", two);
+    parameter("radius-as-diameter", "the diameter instead of the radius", "R", two);
     parameter("radius-as-diameter", "half the radius", "R", half);
-    parameter("flat-as-full-width", "the length of the flat for its half", "t", two);
+    parameter("flat-as-full-width", "the length of the flat instead of its half-length", "t", two);
     parameter("flat-as-full-width", "half of the flat's half-length", "t", half);
     if (scene.radii) {
         const auto curvature = [&](const std::string& what, const Expr& C) {
@@ -166,12 +169,12 @@ void suspect_sizes(const SuspectMaker& make) {
         const Expr R1 = scene.radii->R1.expr();
         const Expr R2 = scene.radii->R2.expr();
         const Expr one = integer(1);
-        curvature("R1 for R, 1/R = 1/R1 + 1/R2", one / R1);
-        curvature("R2 for R, 1/R = 1/R1 + 1/R2", one / R2);
-        curvature("R1 + R2 for R", one / (R1 + R2));
-        curvature("the mean of R1 and R2 for R", two / (R1 + R2));
-        curvature("1/R1 - 1/R2 for 1/R1 + 1/R2", one / R1 - one / R2);
-        curvature("1/R2 - 1/R1 for 1/R1 + 1/R2", one / R2 - one / R1);
+        curvature("R1 instead of R, 1/R = 1/R1 + 1/R2", one / R1);
+        curvature("R2 instead of R, 1/R = 1/R1 + 1/R2", one / R2);
+        curvature("R1 + R2 instead of R", one / (R1 + R2));
+        curvature("the mean of R1 and R2 instead of R", two / (R1 + R2));
+        curvature("1/R1 - 1/R2 instead of 1/R1 + 1/R2", one / R1 - one / R2);
+        curvature("1/R2 - 1/R1 instead of 1/R1 + 1/R2", one / R2 - one / R1);
     }
     suspect_angles(make, parameters);
 }
@@ -189,8 +192,8 @@ void suspect_loads(const SuspectMaker& make) {
         load("half-force", "half of P", half);
         load("half-force", "twice P", two);
     } else {
-        load("full-width-for-half", "the width of the contact for a", two);
-        load("full-width-for-half", "a quarter of the width for a", half);
+        load("full-width-for-half", "the width of the contact instead of a", two);
+        load("full-width-for-half", "a quarter of the width instead of a", half);
     }
     if (scene.moment) {
         const auto moment = [&](const char* name, const std::string& what, const Expr& times) {
@@ -198,7 +201,7 @@ void suspect_loads(const SuspectMaker& make) {
                 s.moment = formula::Exact(s.moment->expr() * times);
             });
         };
-        moment("sign-of-moment", "M of the other sign", integer(-1));
+        moment("sign-of-moment", "M with the wrong sign", integer(-1));
         moment("half-moment", "half of M", half);
         moment("half-moment", "twice M", two);
     }

@@ -103,7 +103,7 @@ void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contact
              [&](auto& s) { times(s.bulk_tension, two); });
         with("no-tension", "the bulk tension is left out",
              [](auto& s) { s.bulk_tension = formula::Exact(); });
-        with("sign-of-tension", "the bulk tension has the other sign beside Q",
+        with("sign-of-tension", "the bulk tension has the wrong sign relative to Q",
              [](auto& s) { s.bulk_tension = formula::Exact(-s.bulk_tension.expr()); });
     }
     if (scene.shear->friction) {
@@ -113,7 +113,7 @@ void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contact
                  [&](std::size_t i) { return f * make.exact_pressure(i); });
     }
     if (!exact.symmetric() || scene.shear->bulk_tension.sign() != 0) {
-        make.add("mirrored", "x runs the other way", exact.b().value, exact.a().value,
+        make.add("mirrored", "x has the opposite direction", exact.b().value, exact.a().value,
                  [&](std::size_t i) {
                      const Real x(-nodes[i].x);
                      return exact.traction(x, exact.at(x)).value_or(no_value);

@@ -227,7 +227,7 @@ ColumnChoice parse_columns(std::string_view text) {
                                                                : nullptr;
         if (place == nullptr || value.empty() || *place) {
             throw InputError("--columns " + std::string(text) + ": '" + std::string(part) +
-                                 "' names no column of x, p or q" +
+                                 "' does not name a column of x, p or q" +
                                  (place != nullptr && *place ? " that is not named already" : ""),
                              "write it as x=1,p=3, by number from 1 or by name");
         }

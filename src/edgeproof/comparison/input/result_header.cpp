@@ -107,13 +107,13 @@ private:
                 return;
             }
             const bool blanks = separator_ == Separator::blank;
-            const bool told = blanks && reading_.columns.x && reading_.columns.p;
-            if (both && !lines_[i].comment && names.size() > 1 && !told) {
+            const bool chosen_columns = blanks && reading_.columns.x && reading_.columns.p;
+            if (both && !lines_[i].comment && names.size() > 1 && !chosen_columns) {
                 reject(lines_[i].number,
                        fmt::format("the header names {} columns, and the rows have {}",
                                    names.size(), size_),
-                       blanks ? "write each name as one word (Node_Label) or in quotes, or say "
-                                "which columns by number: --columns x=1,p=2"
+                       blanks ? "write each name as one word (Node_Label) or in quotes, or give "
+                                "the columns by number: --columns x=1,p=2"
                               : "name every column once, and write no decimal commas where commas "
                                 "separate");
             }
@@ -192,7 +192,7 @@ private:
                 reject(header_line_,
                        fmt::format("columns {} and {} may both be {}", *found->second.index + 1,
                                    *found->second.twin + 1, key),
-                       "say which by --columns x=1,p=2");
+                       "name the right one by --columns x=1,p=2");
             }
             return at_column(*found->second.index);
         }
@@ -204,15 +204,15 @@ private:
             if (other != roles.end() && other->second.index) {
                 index = 1 - *other->second.index;
             }
-            found_.findings.push_back(
-                fmt::format("{} is taken to be column {}, as no name says so", key, index + 1));
+            found_.findings.push_back(fmt::format(
+                "{} is taken to be column {}, because no column has its name", key, index + 1));
             return at_column(index);
         }
         reject(header_line_,
                header_.empty()
                    ? fmt::format("the rows have {} columns and no header names them", size_)
-                   : fmt::format("no column is called {}, or what programs call it", key),
-               "say which they are by --columns x=1,p=2");
+                   : fmt::format("no column has the name {} or a usual name for it", key),
+               "name the columns by --columns x=1,p=2");
     }
     [[nodiscard]] UsedColumn at_column(std::size_t index) const {
         return {index,
@@ -283,25 +283,25 @@ private:
         if (scale) {
             factor = *scale;
             found_.findings.push_back(
-                fmt::format("{} is multiplied by {}, as --scale says", key, exact_text(factor)));
+                fmt::format("{} is multiplied by {}, as --scale states", key, exact_text(factor)));
             return;
         }
         if (!c.name.unread.empty()) {
-            found_.findings.push_back(fmt::format("'{}' behind the name of {} is no unit that is "
-                                                  "known: its numbers are taken as they stand",
-                                                  printable(c.name.unread), key));
+            found_.findings.push_back(fmt::format(
+                "'{}' after the name of {} is not a known unit: its numbers are used unchanged",
+                printable(c.name.unread), key));
         }
         if (!unit) {
             return;
         }
         if (unit->dimension != dimension) {
             reject(header_line_,
-                   fmt::format("{} is in {}, which is no unit of it", key, unit->name),
+                   fmt::format("{} is in {}, which is not a unit of it", key, unit->name),
                    "name the right column by --columns, or the factor by --scale");
         }
         if (!wanted) {
-            found_.findings.push_back(fmt::format("the file has {} in {}, and the scene says no "
-                                                  "units: its numbers are taken as they stand",
+            found_.findings.push_back(fmt::format("the file has {} in {}, and the scene states no "
+                                                  "units: its numbers are used unchanged",
                                                   key, unit->name));
             return;
         }

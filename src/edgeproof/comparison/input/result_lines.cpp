@@ -169,7 +169,7 @@ std::vector<ResultLine> result_lines(std::string_view text, const std::string& f
         throw InputError("the file is in UTF-16", "save it in UTF-8").at(file, 1);
     }
     if (text.find('\0') != std::string_view::npos) {
-        throw InputError("the file is no text: it holds a zero byte",
+        throw InputError("the file is not text: it contains a zero byte",
                          "give a table of x and p as text")
             .at(file, 0);
     }

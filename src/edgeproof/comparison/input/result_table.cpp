@@ -227,7 +227,7 @@ private:
         if (rows.size() < 2) {
             reject(rows.empty() ? 0 : rows.front().line,
                    fmt::format("there {} of numbers", rows.empty() ? "is no row" : "is one row"),
-                   "give the whole contact: a row a node");
+                   "give the whole contact: one row for each node");
         }
         if (std::ranges::all_of(rows, [&](const ResultRow& r) { return r.x == rows[0].x; })) {
             reject(rows.front().line, "every row has the same x",
@@ -235,7 +235,7 @@ private:
         }
         if (skipped_ > 0) {
             table_.findings.push_back(fmt::format(
-                "{} of text among or behind the rows {} not read, the first of them line {}",
+                "{} of text between or after the rows {} not read; the first is line {}",
                 skipped_ == 1 ? "1 line" : fmt::format("{} lines", skipped_),
                 skipped_ == 1 ? "is" : "are", first_skipped_));
         }
@@ -256,7 +256,7 @@ private:
         if (!std::ranges::is_sorted(rows, by_x)) {
             const bool falling = std::ranges::is_sorted(
                 rows, [](const ResultRow& s, const ResultRow& t) { return s.x > t.x; });
-            table_.findings.emplace_back(falling ? "the rows stand from right to left"
+            table_.findings.emplace_back(falling ? "the rows are ordered from right to left"
                                                  : "the rows are not in the order of x");
             std::ranges::stable_sort(rows, by_x);
         }
@@ -270,10 +270,9 @@ private:
             repeated += rows[i].x == rows[i - 1].x ? 1 : 0;
         }
         if (repeated > 0) {
-            table_.findings.push_back(
-                fmt::format("{} of the rows repeat the x of another; each is held against the "
-                            "exact pressure",
-                            repeated));
+            table_.findings.push_back(fmt::format(
+                "{} of the rows repeat the x of another; each is compared with the exact pressure",
+                repeated));
         }
     }
 

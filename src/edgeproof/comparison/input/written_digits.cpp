@@ -86,9 +86,10 @@ std::vector<double> column_rounding(const std::vector<std::string_view>& column)
 CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
     CarriedDigits digits;
     const std::vector<double> half = column_rounding(column);
-    constexpr double tells = 20; // a random decimal is this close with a probability of one in ten
+    // A random decimal is this close to a binary32 number with a probability of one in ten.
+    constexpr double decisive_ratio = 20;
     constexpr std::size_t enough = 8;
-    std::size_t told = 0;
+    std::size_t decisive = 0;
     digits.binary32 = true;
     for (std::size_t i = 0; i < column.size(); ++i) {
         const double value = conformance::written_number(column[i]).value.convert_to<double>();
@@ -105,9 +106,9 @@ CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
                                std::abs(static_cast<double>(single));
         digits.binary32 =
             digits.binary32 && std::abs(value - static_cast<double>(single)) <= half[i] * 1.0001;
-        told += value != 0 && spacing > tells * half[i] ? 1 : 0;
+        decisive += value != 0 && spacing > decisive_ratio * half[i] ? 1 : 0;
     }
-    digits.binary32 = digits.binary32 && told >= enough;
+    digits.binary32 = digits.binary32 && decisive >= enough;
     return digits;
 }
 

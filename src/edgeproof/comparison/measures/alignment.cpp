@@ -33,7 +33,7 @@ public:
         }
         if (result_.origin != 0 && given) {
             result_.findings.push_back(
-                fmt::format("x counts from {:.6g} of the data, as given", result_.origin));
+                fmt::format("x is measured from {:.6g} of the data, as given", result_.origin));
         }
         lay_over();
         return std::move(result_);
@@ -68,7 +68,7 @@ private:
         }
         result_.half = support->right_falls ? contact::Edge::right : contact::Edge::left;
         result_.findings.push_back(
-            fmt::format("the data hold the {} half of a symmetric contact: P is doubled",
+            fmt::format("the data contain the {} half of a symmetric contact: P is doubled",
                         scene::edge_name(*result_.half)));
     }
 
@@ -83,7 +83,7 @@ private:
         result_.origin_found = true;
         result_.findings.push_back(
             fmt::format("the origin of the scene lies at x = {:.10g} of the data, found from the "
-                        "data as --origin auto asks{}",
+                        "data as --origin auto requests{}",
                         result_.origin, found->what));
     }
 
@@ -131,7 +131,7 @@ private:
         }
         if (agreement < 0) {
             result_.shear_sign = -1;
-            result_.findings.emplace_back("q counts the other way in the data");
+            result_.findings.emplace_back("q has the opposite sign in the data");
         }
         for (Node& node : result_.nodes) {
             if (node.shear) {
@@ -159,8 +159,8 @@ private:
         const Real step = here.nearer() == contact::Edge::right ? Real(half) : Real(-half);
         const double value_here = *value(x, here);
         double most = 0;
-        for (const Real& beside : {Real(x + step), Real(x - step)}) {
-            const auto moved = value(beside, exact_.at(beside));
+        for (const Real& neighbour : {Real(x + step), Real(x - step)}) {
+            const auto moved = value(neighbour, exact_.at(neighbour));
             most = std::max(most, moved ? std::abs(*moved - value_here) : 0.0);
         }
         return most;

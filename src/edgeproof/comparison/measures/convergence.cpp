@@ -82,7 +82,7 @@ Convergence converge(std::string quantity, std::vector<MeshValue> values, double
     }
     c.own_order = order_of_triple(values[n - 3], values[n - 2], values[n - 1]);
     if (!c.own_order) {
-        c.why_not = "the last three values do not go to a limit by a power of the width";
+        c.why_not = "the last three values do not converge as a power of the width";
         return c;
     }
     const double rest = (values[n - 1].value - values[n - 2].value) /

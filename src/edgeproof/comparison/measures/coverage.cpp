@@ -49,7 +49,7 @@ private:
         } else if (!found || !(std::abs(*found - value) <= most_off * exact_.length())) {
             add(quantity,
                 fmt::format("{} is not determined: the exact pressure at these nodes gives {:.6g}, "
-                            "and it is {:.6g}",
+                            "but the exact value is {:.6g}",
                             name, found.value_or(0), value));
         }
     }
@@ -107,7 +107,7 @@ private:
         } else if (!(std::abs(found / value - 1) <= most_off)) {
             add(Determined::force,
                 fmt::format("P is not determined: the exact pressure at these nodes gives {:.6g}, "
-                            "and it is {:.6g}",
+                            "but the exact value is {:.6g}",
                             found, value));
         }
     }

@@ -146,8 +146,8 @@ std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactCo
     return list;
 }
 
-std::vector<KnotErrors> beside_knots(const AlignedResult& data, const ExactContact& exact,
-                                     const DataContact& contact) {
+std::vector<KnotErrors> errors_near_knots(const AlignedResult& data, const ExactContact& exact,
+                                          const DataContact& contact) {
     std::vector<KnotErrors> list;
     const double near = std::max(0.01 * exact.length(), 2 * contact.mean_element);
     for (const ContactKnot& knot : exact.knots()) {

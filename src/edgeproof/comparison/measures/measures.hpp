@@ -72,6 +72,6 @@ struct KnotErrors {
 [[nodiscard]] std::vector<DistanceErrors> by_distance(const AlignedResult& data,
                                                       const ExactContact& exact);
 [[nodiscard]] std::vector<KnotErrors>
-beside_knots(const AlignedResult& data, const ExactContact& exact, const DataContact& contact);
+errors_near_knots(const AlignedResult& data, const ExactContact& exact, const DataContact& contact);
 
 } // namespace edgeproof::comparison

@@ -152,9 +152,9 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
         return {}; // no better than the present origin
     }
     const std::array usual{
-        UsualOrigin{-left, ": x counts from the left edge of the contact"},
-        UsualOrigin{-right, ": x counts from the right edge of the contact"},
-        UsualOrigin{-0.5 * (left + right), ": x counts from the middle of the contact"},
+        UsualOrigin{-left, ": x is measured from the left edge of the contact"},
+        UsualOrigin{-right, ": x is measured from the right edge of the contact"},
+        UsualOrigin{-0.5 * (left + right), ": x is measured from the middle of the contact"},
         UsualOrigin{points.front().x, ": it is at the first node"},
         UsualOrigin{points.back().x, ": it is at the last node"},
     };

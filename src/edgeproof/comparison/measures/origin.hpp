@@ -28,7 +28,7 @@ struct Support {
 struct FoundOrigin {
     Real exact;             ///< a round number or a usual place, if the fit agrees with it
     double uncertainty = 0; ///< of x, otherwise
-    std::string_view what;  ///< the usual place: ": x counts from the left edge of the contact"
+    std::string_view what; ///< the usual place: ": x is measured from the left edge of the contact"
 };
 /// Starts from the middle of the loaded interval and refines it by least squares of p over all
 /// nodes. Returns nothing if the origin is less than a fiftieth of a + b from 0, or does not fit

@@ -99,14 +99,14 @@ Real ulp(const Real& x) {
 /// Returns -log10(relative), at least 0 and at most `most`. Binary64 suffices except near a tenth
 /// of a digit, the precision of the printed value.
 double digits_of(const Real& relative, unsigned most) {
-    constexpr double beside = 1e-9;
+    constexpr double near_tenth = 1e-9;
     if (relative == 0) {
         return most;
     }
     long exponent = 0;
     const double mantissa = mpfr_get_d_2exp(&exponent, relative.backend().data(), MPFR_RNDN);
     double digits = -(std::log10(mantissa) + static_cast<double>(exponent) * std::log10(2.0));
-    if (std::abs(digits * 10 - std::round(digits * 10)) < beside) {
+    if (std::abs(digits * 10 - std::round(digits * 10)) < near_tenth) {
         digits = Real(-log10(relative)).convert_to<double>();
     }
     return std::clamp(digits, 0.0, static_cast<double>(most));

@@ -240,7 +240,7 @@ AnswerReader::AnswerReader(const io::Csv& head, std::function<bool(io::Csv::Row&
       known_twice_(std::move(known_twice)) {
     Questions none;
     if (!Echo(head, none).possible()) {
-        throw InputError("the answers do not say what they answer",
+        throw InputError("the answers do not state the questions that they answer",
                          "keep the columns of `edgeproof points`, or give --recipe RECIPE.toml")
             .at(head.file, head.header.line);
     }
@@ -304,7 +304,7 @@ void AnswerReader::add_missing(std::vector<std::string>& faults) const {
         if (asked && *asked > answered_) {
             faults.push_back(place(head_, head_.header.line) + std::to_string(*asked) +
                              " questions were asked and " + std::to_string(answered_) +
-                             " are answered (--recipe says which are missing)");
+                             " are answered (--recipe lists those that are missing)");
         }
     }
 }
@@ -372,9 +372,9 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
         if (echo.possible()) {
             const Question& echoed = answers.questions.list[i] = echo.read(row, id);
             if (!same_question(echoed, asked.list[i])) {
-                answers.faults.push_back(place(csv, row.line) + id +
-                                         " repeats another quantity, edge, u or tolerance than was "
-                                         "asked");
+                answers.faults.push_back(
+                    place(csv, row.line) + id +
+                    " repeats a quantity, edge, u or tolerance other than that of the question");
             }
             const auto [known, is_new] =
                 same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
@@ -384,7 +384,7 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
             }
             if (!known->second) {
                 answers.faults.push_back(place(csv, row.line) + id +
-                                         " repeats another contact than was asked");
+                                         " repeats a contact other than that of the question");
             }
         }
     }

@@ -86,7 +86,7 @@ private:
         }
         answers_.faults.push_back(program_name + " is given up after " + std::to_string(runs_) +
                                   (hopeless ? " runs that answered nothing, the last of which "
-                                            : " runs (--runs), the last bad one of which ") +
+                                            : " runs (--runs), the last failed one of which ") +
                                   (last_ending_.empty() ? "ended well" : last_ending_) + "; " +
                                   std::to_string(left) + " questions are not asked again");
         return true;

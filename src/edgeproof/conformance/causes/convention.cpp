@@ -165,17 +165,17 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     look(true);
     std::vector<Convention> read_otherwise;
     for (Convention& reading : infer_unit_mistakes(answers, agreements, failing, options)) {
-        bool told = false;
+        bool has_factor = false;
         for (auto& [family, factor] : by_factor) {
             if (family == reading.of) {
-                told = true;
+                has_factor = true;
                 if (reading.held >= factor.held - as_good) {
                     factor.also.push_back(reading.relation);
                     factor.also.insert(factor.also.end(), reading.also.begin(), reading.also.end());
                 }
             }
         }
-        if (!told) {
+        if (!has_factor) {
             for (const std::size_t i : failing) {
                 if (family_of(answers.questions.list[i]) == reading.of) {
                     explained.insert(i);

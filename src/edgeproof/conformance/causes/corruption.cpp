@@ -82,7 +82,7 @@ private:
     [[nodiscard]] std::string& value(io::Csv& csv, std::size_t r) const {
         return csv.rows[r].cells[value_];
     }
-    [[nodiscard]] std::string told(const io::Csv& csv, std::size_t r) const {
+    [[nodiscard]] std::string changed_value(const io::Csv& csv, std::size_t r) const {
         return right_.rows[r].cells[id_] + ": " + right_.rows[r].cells[value_] + " to " +
                csv.rows[r].cells[value_];
     }
@@ -95,7 +95,7 @@ private:
             return {};
         }
         v = f(v);
-        return v == was ? std::string{} : told(csv, r);
+        return v == was ? std::string{} : changed_value(csv, r);
     }
     std::string all(io::Csv& csv, const std::function<double(double)>& f) {
         bool any = false;
@@ -148,7 +148,7 @@ private:
         const std::size_t r = row(csv);
         const std::size_t other = row(csv);
         std::swap(value(csv, r), value(csv, other));
-        return value(csv, r) == value(csv, other) ? "" : told(csv, r);
+        return value(csv, r) == value(csv, other) ? "" : changed_value(csv, r);
     }
     /// Exchanges the values of the same question at the two edges.
     std::string other_edge(io::Csv& csv) {
@@ -162,7 +162,7 @@ private:
         for (std::size_t k = 0; k < csv.rows.size(); ++k) {
             if (right_.rows[k].cells[id_] == other) {
                 std::swap(value(csv, r), value(csv, k));
-                return value(csv, r) == value(csv, k) ? "" : told(csv, r);
+                return value(csv, r) == value(csv, k) ? "" : changed_value(csv, r);
             }
         }
         return {};

@@ -137,7 +137,7 @@ const std::vector<Reading>& readings() {
              return q.at_edge();
          }},
         {"ours with E/(1 - nu^2) of one body for the contact modulus",
-         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies give way",
+         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies deform",
          [](Parameters& p, Question&) { return modulus(p, "1/(I-n^I*n)"); }},
         {"ours with Poisson's ratio left out",
          "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: plane strain",

@@ -171,15 +171,15 @@ Asked read_asked(const io::TomlSection& scene) {
                            [&](const scene::NamedQuantity& q) { return is(row_of(q.quantity)); });
     };
     if (asked.tolerances.empty() && any([](const auto& row) { return row.tolerance; })) {
-        scene.reject("quantities", "an extent is asked for and there is no tolerance",
+        scene.reject("quantities", "an extent is requested and there is no tolerance",
                      "add tolerance = \"1%\"");
     }
     if (asked.u.size() == 0 && any([](const auto& row) { return row.at_point(); })) {
-        scene.reject("quantities", "p or q is asked for and there are no points",
+        scene.reject("quantities", "p or q is requested and there are no points",
                      "add u = [\"1e-3\", \"0.1\"]");
     }
     if (asked.quantities.empty() || asked.edges.empty()) {
-        scene.reject(scene.line(), "nothing is asked for",
+        scene.reject(scene.line(), "no quantity or no edge is requested",
                      "add quantities = [\"p\"] and edges = [\"right\"]");
     }
     return asked;
@@ -248,7 +248,7 @@ RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
             {name, scene.line(), std::move(axes), asked_of_one(asked), asked.line});
     }
     if (recipe.scenes.empty()) {
-        top.reject(scenes.line(), "the recipe asks for nothing", "add [scenes.NAME]");
+        top.reject(scenes.line(), "the recipe has no questions", "add [scenes.NAME]");
     }
     return recipe;
 }

@@ -111,7 +111,8 @@ void RecipeGrid::check_names(const GridScene& scene) const {
     for (const Part& part : parts_) {
         if (scene.name.starts_with(part.scene.name + ":") ||
             part.scene.name.starts_with(scene.name + ":")) {
-            throw InputError("the ids of " + scene.name + " may be those of " + part.scene.name,
+            throw InputError("the ids of " + scene.name + " may coincide with those of " +
+                                 part.scene.name,
                              "give the second scene another name")
                 .at(file_, scene.line);
         }

@@ -31,8 +31,8 @@ Plot agreement_plot(const Conformance& c) {
     Plot plot;
     plot.id = "agreement";
     plot.title = "Digits right";
-    plot.description = "Digits right of each answer against the distance u from the edge, beside "
-                       "those that rounding the inputs to binary64 leaves";
+    plot.description = "Digits right of each answer against the distance u from the edge, compared "
+                       "with those that remain after rounding the inputs to binary64";
     plot.x = {"distance u from the edge", true, {}};
     plot.y = {"digits right", false, {}};
     plot.columns = {"u", "p", "q", "inputs"};
@@ -68,8 +68,9 @@ void write_agreement_figure(const Conformance& result, const std::filesystem::pa
     const PrecisionScope scope(figure_digits + 10);
     const Plot plot = agreement_plot(result);
     if (plot.rows.empty()) {
-        throw InputError("there is no answer at a point to draw", "ask for p or q, or leave "
-                                                                  "--figure out");
+        throw InputError("no answer is at a point, so that there is nothing to draw",
+                         "ask for p or q, or leave "
+                         "--figure out");
     }
     write_figure(plot, file);
 }

@@ -96,8 +96,9 @@ Traction pressure_of(const ComparisonReport& report) {
             "|error of p|/p",
             "relative error of the data's pressures",
             [](const Node& node) {
-                const bool told = node.exact.p && *node.exact.p > 0;
-                return told ? std::optional(std::abs(node.error / *node.exact.p)) : std::nullopt;
+                const bool comparable = node.exact.p && *node.exact.p > 0;
+                return comparable ? std::optional(std::abs(node.error / *node.exact.p))
+                                  : std::nullopt;
             },
             t.of == comparison::Norm::local ? std::optional(t.pressure) : std::nullopt};
 }
@@ -117,8 +118,8 @@ Traction shear_of(const ComparisonReport& report) {
         "|error of q|/(|Q|/(a + b) + |bulk tension|/4)",
         "error of the data's shear traction, relative to |Q|/(a + b) + |bulk tension|/4,",
         [scale](const Node& node) {
-            const bool told = node.shear && node.shear->exact;
-            return told ? std::optional(std::abs(node.shear->error) / scale) : std::nullopt;
+            const bool comparable = node.shear && node.shear->exact;
+            return comparable ? std::optional(std::abs(node.shear->error) / scale) : std::nullopt;
         },
         t.of == comparison::Norm::peak ? std::optional(t.q.value_or(t.pressure)) : std::nullopt};
 }
@@ -294,7 +295,7 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
         figures.push_back({"convergence",
                            "Several meshes",
                            "Errors against the mean width of an element; a straight line of slope "
-                           "s is an error that goes like its s-th power.",
+                           "s is an error proportional to its s-th power.",
                            {convergence_plot(report)}});
     }
     return figures;

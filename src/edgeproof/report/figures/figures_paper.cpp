@@ -23,9 +23,9 @@ contact::Profile tilted_flat() {
 // 69 %), in units of the edge's distance from the origin.
 constexpr const char* tilted_flat_half_width = "3/2";
 constexpr const char* size_note =
-    " The paper does not say how large this contact is; a = 3/2 is chosen here, since with it most "
-    "of the shares that the paper quotes come out: all three of the left-hand edge and the first "
-    "of the right-hand one.";
+    " The paper does not say how large this contact is; a = 3/2 is chosen here, since it "
+    "reproduces most of the shares that the paper quotes: all three of the left-hand edge and the "
+    "first of the right-hand one.";
 
 using Maker = Plot (*)(const PanelScene&);
 
@@ -73,7 +73,7 @@ std::vector<FigureRecipe> paper_figures(const std::string& name) {
                                            power_law_scene("fig2c", "c) Hertz, m = 1", "1"),
                                            power_law_scene("fig2d", "d) m = 10", "10")})});
     figures.push_back({"fig3", "Figure 3. Pressure, wedge and Hertz",
-                       "Exact pressure beside the one-, two- and three-term approximations. The "
+                       "Exact pressure and the one-, two- and three-term approximations. The "
                        "wedge's pressure is infinite at its apex, x = 0.",
                        panels(pressure_plot, {power_law_scene("fig3a", "a) wedge, m = 0", "0"),
                                               power_law_scene("fig3b", "b) Hertz, m = 1", "1")})});
@@ -83,7 +83,7 @@ std::vector<FigureRecipe> paper_figures(const std::string& name) {
                        panels(error_plot, {flat_scene("fig4a", "a) t/a = 0.4", "0.4"),
                                            flat_scene("fig4b", "b) t/a = 0.8", "0.8")})});
     figures.push_back({"fig5", "Figure 5. Pressure, flat-and-rounded punches",
-                       "Exact pressure beside the one-, two- and three-term approximations, from "
+                       "Exact pressure and the one-, two- and three-term approximations, from "
                        "the line of symmetry to the edge.",
                        panels(pressure_plot, {flat_scene("fig5a", "a) t/a = 0.4", "0.4"),
                                               flat_scene("fig5b", "b) t/a = 0.8", "0.8")})});
@@ -91,7 +91,7 @@ std::vector<FigureRecipe> paper_figures(const std::string& name) {
                        std::string("Relative error of the approximations for a ") + wedge_words,
                        panels(error_plot, both_edges("fig6", wedge(), "1"))});
     figures.push_back({"fig7", "Figure 7. Pressure, tilted wedge",
-                       std::string("Exact pressure beside the approximations for a ") + wedge_words,
+                       std::string("Exact pressure and the approximations for a ") + wedge_words,
                        panels(pressure_plot, both_edges("fig7", wedge(), "1"))});
     figures.push_back(
         {"fig8", "Figure 8. Relative error, tilted flat-and-rounded punch",
@@ -99,7 +99,7 @@ std::vector<FigureRecipe> paper_figures(const std::string& name) {
          panels(error_plot, both_edges("fig8", tilted_flat(), tilted_flat_half_width))});
     figures.push_back(
         {"fig9", "Figure 9. Pressure, tilted flat-and-rounded punch",
-         std::string("Exact pressure beside the approximations for a ") + flat_words + size_note,
+         std::string("Exact pressure and the approximations for a ") + flat_words + size_note,
          panels(pressure_plot, both_edges("fig9", tilted_flat(), tilted_flat_half_width))});
     return figures;
 }

@@ -104,7 +104,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
         plot.rows.push_back({Real(u / scene_values.length()), size_of(rest - printed * step),
                              size_of(rest - corrected * step)});
     }
-    plot.title = fmt::format("{}: what is left after {} term{}", claim.id, which.k + 1,
+    plot.title = fmt::format("{}: remainder after {} term{}", claim.id, which.k + 1,
                              which.k == 0 ? "" : "s");
     const std::string as_printed = last_slope(plot, 1);
     const std::string as_corrected = last_slope(plot, 2);
@@ -150,7 +150,7 @@ Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
                                 static_cast<unsigned>(fit.n + 4), 1.5}});
     }
     plot.description = fmt::format(
-        "What is left of the pressure after n = 0 to {} terms at the {} edge, log-log against the "
+        "Remainder of the pressure after n = 0 to {} terms at the {} edge, log-log against the "
         "distance from it, with the slopes extrapolated to the edge.",
         orders - 1, edge_words(edge));
     return plot;
@@ -161,7 +161,7 @@ std::vector<FigureRecipe> residual_figures(const std::string& name) {
     for (const NamedScene& scene : paper_scenes(name)) {
         FigureRecipe figure{"residual-" + scene.id,
                             "Residual fit: " + scene.name,
-                            "What is left of the exact pressure after n terms of the expansion, "
+                            "Remainder of the exact pressure after n terms of the expansion, "
                             "against the distance from the edge. The slope of order n is n + 1/2 "
                             "if all coefficients before it are right (the next one where a "
                             "coefficient vanishes).",

@@ -99,7 +99,7 @@ private:
         return static_cast<std::size_t>(even_places) * (scene_.shear ? 2 : 1) +
                scene_.ask.edges.size() * (decades * places_a_decade + 1);
     }
-    void find_exits(OfEdge& of, std::vector<std::string>& told) {
+    void find_exits(OfEdge& of, std::vector<std::string>& exits) {
         for (const std::size_t n : scene_.ask.terms) {
             check_interruption();
             const scene::ExtentValues& e = values_.extent({.quantity = scene::Quantity::extent,
@@ -110,9 +110,9 @@ private:
                                      ": within " + scene_.ask.tolerance->text() + " ";
             of.exits.push_back(e.leaves ? std::optional(e.first_exit.value.midpoint())
                                         : std::nullopt);
-            told.push_back(e.leaves ? head + "up to u = " + printed(e.first_exit, {6}).text +
-                                          (e.first_exit.proved ? "" : " (estimate)")
-                                    : head + "all over the part that is looked at");
+            exits.push_back(e.leaves ? head + "up to u = " + printed(e.first_exit, {6}).text +
+                                           (e.first_exit.proved ? "" : " (estimate)")
+                                     : head + "everywhere in the part considered");
         }
     }
     [[nodiscard]] static Real sum(const std::vector<Real>& c, std::size_t n, const Real& u) {

@@ -61,8 +61,8 @@ const contact::BallSlip& PaperSlip::at(long bits) {
 
 Table slip_table(const std::string& paper, const SlipTableOptions& options) {
     Table table;
-    table.title = "Up to which Q/(f P) n terms of the slip zone's size are within a tolerance";
-    table.notes = {"a shear force alone, P held; 1: up to full sliding",
+    table.title = "Q/(f P) up to which n terms of the slip zone's size are within a tolerance";
+    table.notes = {"a shear force alone, P constant; 1: up to full sliding",
                    "every digit is right: proved (docs/partial-slip.md)"};
     table.columns = {
         {"profile", Column::Kind::text}, {"edge", Column::Kind::text}, {"n", Column::Kind::count}};

@@ -69,7 +69,7 @@ std::string file_html(const ComparisonReport& report, const FileComparison& file
         add(distance_text(d), d.errors);
     }
     for (const comparison::KnotErrors& k : file.knots) {
-        add(fmt::format("beside the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
+        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
             k.errors);
     }
     const char* const scale = report.exact->scale().mean ? "Of the mean pressure" : "Of the peak";
@@ -132,7 +132,7 @@ std::string comparison_page(const ComparisonReport& report, const DrawnCompariso
                         share(files[i].errors.local), share(files[i].errors.l2)});
     }
     part("figures", "Outcome",
-         "<p>Held to: " + escape_html(tolerance_text(report.comparison.tolerances)) + "</p>\n" +
+         "<p>Tolerances: " + escape_html(tolerance_text(report.comparison.tolerances)) + "</p>\n" +
              html_rows({"File", "Outcome", "Nodes inside", "Of the peak", "Of p itself", "L2"},
                        rows));
     for (std::size_t i = 0; i < files.size(); ++i) {

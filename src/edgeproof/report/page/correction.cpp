@@ -107,7 +107,7 @@ std::vector<std::string> reach_steps(const Evidence& c, const Claim& claim,
                 math(p_local + " = " + number_tex(text_in(c, "approximation")) + "\\dots") + ".",
             "The relative error is " +
                 math("|1 - " + p_local + "/p| = " + number_tex(text_in(c, "error")) + "\\dots") +
-                "; by what is printed it would be " + text_in(c, "printed_means") + ", " +
+                "; as printed, it would be " + text_in(c, "printed_means") + ", " +
                 math(tex_of(text_in(c, "tolerance"), claim, source)) + "."};
 }
 
@@ -130,7 +130,7 @@ std::vector<std::string> course_steps(const Evidence& c, const Claim& claim,
     return {"Take " + values_tex(fixed, claim, source) +
                 (place.empty() ? "" : ", at " + note_tex(place, claim, source)) + ".",
             "At " + at("first_at", "first") + ".", "At " + at("second_at", "second") + ".",
-            "By what is printed it " + text_in(c, "claimed") + " from the one to the other."};
+            "As printed, it " + text_in(c, "claimed") + " from the one to the other."};
 }
 
 } // namespace
@@ -247,7 +247,7 @@ std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
                 "Then " +
                     math(tex_of(text_in(*c, "of"), claim, source) + " = " +
                          number_tex(text_in(*c, "value")) + "\\dots") +
-                    ", where print has " + math(text_in(*c, "claimed_value")) + "."};
+                    ", but the printed value is " + math(text_in(*c, "claimed_value")) + "."};
     }
     const std::string power = text_in(*c, "coefficient_of");
     return {"Take " + values_tex(*nested_at(*c, "with"), claim, source) + "." +

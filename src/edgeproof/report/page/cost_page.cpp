@@ -54,7 +54,7 @@ std::string effects_html(const CostReport& report) {
         most = std::max(most, e.seconds);
     }
     std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"cost\"><thead><tr>"
-                      "<th scope=\"col\">Effect</th><th scope=\"col\">Beside</th>"
+                      "<th scope=\"col\">Effect</th><th scope=\"col\">Compared with</th>"
                       "<th scope=\"col\" class=\"number\">Time</th>"
                       "<th scope=\"col\" class=\"number\">Ratio</th><th scope=\"col\"></th></tr>"
                       "</thead><tbody>\n";
@@ -82,9 +82,10 @@ std::string figure_html(const Figure& figure, const Drawing& drawing) {
         write_plot_files(plot, svg, drawing.folder);
         const std::string picture =
             svg.empty() ? "<p>" + escape_html(plot.title) + "</p>" : inline_svg(svg, plot);
-        out += "<div class=\"panel\">" + picture + "<p class=\"data\"><a href=\"figures/" +
-               plot.id.text() +
-               ".csv\">Data (CSV)</a><span class=\"soft\"> beside this page</span></p></div>\n";
+        out +=
+            "<div class=\"panel\">" + picture + "<p class=\"data\"><a href=\"figures/" +
+            plot.id.text() +
+            ".csv\">Data (CSV)</a><span class=\"soft\"> in the folder figures</span></p></div>\n";
     }
     return out + "</div>\n<figcaption>" + escape_html(figure.caption) +
            "</figcaption>\n</figure>\n";

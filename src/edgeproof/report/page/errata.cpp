@@ -122,10 +122,10 @@ std::string errata_count(const std::vector<Erratum>& errata) {
     part(conclusions, conclusions == 1 ? "changes a conclusion" : "change a conclusion");
     part(figures,
          figures == 1 ? "changes a figure that is quoted" : "change a figure that is quoted");
-    part(carried, carried == 1 ? "is a line that a wrong conclusion rests on"
-                               : "are lines that a wrong conclusion rests on");
+    part(carried, carried == 1 ? "is a line on which a wrong conclusion rests"
+                               : "are lines on which a wrong conclusion rests");
     return out + (parts.empty() ? "" : " (" + parts + ")") +
-           fmt::format("; {} {}.", slips, slips == 1 ? "is a slip of print" : "are slips of print");
+           fmt::format("; {} {}.", slips, slips == 1 ? "is a misprint" : "are misprints");
 }
 
 std::string place_words(const audit::Claim& claim, const audit::PrintedSource& source) {

@@ -26,8 +26,8 @@ struct Erratum {
 [[nodiscard]] std::vector<Erratum> errata_of(const audit::AuditResult& result,
                                              const audit::PrintedSource& source);
 
-/// Returns "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are slips of
-/// print."
+/// Returns "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are
+/// misprints."
 [[nodiscard]] std::string errata_count(const std::vector<Erratum>& errata);
 
 /// A later result computed with a line as printed (audit/later_results.hpp).

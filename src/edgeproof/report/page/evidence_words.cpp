@@ -161,7 +161,7 @@ std::string course_html(const Evidence& evidence, const Claim& claim, const Prin
 
 std::string key_words(std::string_view key) {
     static const std::map<std::string_view, std::string_view> words{
-        {"of", "held against"},
+        {"of", "compared with"},
         {"says", "as printed"},
         {"at", "where"},
         {"samples", "samples (scene, place, values)"},
@@ -190,9 +190,9 @@ std::string key_words(std::string_view key) {
         {"units_off", "units of the last quoted place off"},
         {"crossings", "times the error crosses the tolerance"},
         {"first_exit_of_base", "up to where the tolerance is first reached"},
-        {"measure_of_base", "all that is within the tolerance"},
+        {"measure_of_base", "total length within the tolerance"},
         {"first_exit_of_whole_contact", "the same first exit, of the whole contact"},
-        {"measure_of_whole_contact", "the same total, of the whole contact"},
+        {"measure_of_whole_contact", "the same total length, of the whole contact"},
         {"error_at_the_quoted_distance", "error at the distance quoted"},
         {"steps_as_claimed", "steps as claimed"},
         {"steps_against", "steps against it"},
@@ -211,7 +211,7 @@ std::string key_words(std::string_view key) {
         {"loads_of_one_sign", "scenes with loads of one sign"},
         {"break_down", "scenes in which it breaks down"},
         {"uniform", "scenes in which it stays bounded"},
-        {"growth_by_decade", "growth a decade"},
+        {"growth_by_decade", "growth per decade"},
         {"growth_of_the_printed_term", "growth of the printed term"},
         {"samples_left_out", "samples left out"},
         {"scenes_left_out", "scenes left out"},

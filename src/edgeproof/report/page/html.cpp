@@ -34,7 +34,7 @@ std::string_view meaning(audit::Verdict verdict) {
     case audit::Verdict::imprecise:
         return "off by one unit in the last quoted place, or true under one reading only";
     case audit::Verdict::refuted:
-        return "different: by disjoint enclosures, or by estimates where the evidence says so";
+        return "different: by disjoint enclosures, or by estimates where the evidence states so";
     case audit::Verdict::underspecified:
         return "cannot be evaluated as printed";
     case audit::Verdict::undecided:
@@ -134,10 +134,11 @@ std::string figure_html(const DrawnFigure& figure) {
                       escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
     for (const DrawnFigure::Panel& panel : figure.panels) {
         const std::string id = escape_html(panel.id);
-        out += "<div class=\"panel\">" +
-               (panel.svg.empty() ? "<p>" + escape_html(panel.title) + "</p>" : panel.svg) +
-               "<p class=\"data\"><a href=\"figures/" + id +
-               ".csv\">Data (CSV)</a><span class=\"soft\"> beside this page</span></p></div>\n";
+        out +=
+            "<div class=\"panel\">" +
+            (panel.svg.empty() ? "<p>" + escape_html(panel.title) + "</p>" : panel.svg) +
+            "<p class=\"data\"><a href=\"figures/" + id +
+            ".csv\">Data (CSV)</a><span class=\"soft\"> in the folder figures</span></p></div>\n";
     }
     out += "</div>\n<figcaption>" + escape_html(figure.caption) + "</figcaption>\n";
     if (!figure.problem.empty()) {
@@ -152,7 +153,7 @@ std::string figures_html(const std::vector<DrawnFigure>& figures, const std::str
     for (const DrawnFigure& figure : figures) {
         out += figure_html(figure);
     }
-    return out.empty() ? "<p>None are known for this ledger.</p>\n" : out;
+    return out.empty() ? "<p>No figures are defined for this ledger.</p>\n" : out;
 }
 
 std::string option(const std::string& value, const std::string& text) {
@@ -202,8 +203,8 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"section_options", section_options},
          {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
                         " digits: " + escape_html(program_line()) +
-                        ". The page needs no network; the figures' data stand in the folder "
-                        "figures beside it."}});
+                        ". The page needs no network; the data of the figures are in the folder "
+                        "figures next to it."}});
 }
 
 } // namespace edgeproof::report

@@ -75,14 +75,13 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
             const bool right = it != result.claims.end() && holds(it->outcome.verdict);
             const char* verdict =
                 later.as_printed && right
-                    ? "comes out as printed there, and that is right: the error does not show"
+                    ? "is as printed there, and that is right: the error has no effect on it"
                 : later.as_printed
-                    ? "comes out as printed there, and that is not right: the error was "
-                      "carried on"
-                : right ? "would come out otherwise than it is printed there, and what is printed "
-                          "is right: it was not computed with this line"
-                        : "would come out otherwise than it is printed there: this line does not "
-                          "explain that error";
+                    ? "is as printed there, and that is not right: the error was carried over"
+                : right ? "would differ from what is printed there, which is right: it was not "
+                          "computed with this line"
+                        : "would differ from what is printed there: this line does not explain "
+                          "that error";
             std::string what = sentence_html(later.what, source);
             for (const audit::ClaimResult& r : result.claims) { // "EQ44" becomes its printed number
                 const std::string number = source.number_of(r.claim.id);
@@ -119,7 +118,7 @@ std::string weight_words(Weight weight) {
     case Weight::slip:
         break;
     }
-    return "slip of print";
+    return "misprint";
 }
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {

@@ -185,8 +185,7 @@ void ConformanceSummary::add(const std::vector<conformance::Convention>& convent
                              const std::vector<std::string>& unexplained) {
     conventions_.insert(conventions_.end(), conventions.begin(), conventions.end());
     if (!unexplained.empty()) {
-        note(fmt::format("{}: no mistake that is known explains what is off",
-                         fmt::join(unexplained, "; ")));
+        note(fmt::format("{}: no known mistake explains the errors", fmt::join(unexplained, "; ")));
     }
 }
 
@@ -262,8 +261,9 @@ std::string ConformanceSummary::text() const {
             fmt::format("{} of the references are estimates, without a proved bound\n", estimates_);
     }
     if (out_of_order_ > 0) {
-        out += fmt::format("{} in another order than asked: their ids tell what they answer\n",
-                           counted(out_of_order_, "row stands", "rows stand"));
+        out +=
+            fmt::format("{} not in the order of the questions: their ids state what they answer\n",
+                        counted(out_of_order_, "row is", "rows are"));
     }
     out += fmt::format("program: {}\ntarget: {}\n", program_line(), target_text(target_));
     return out + outcome_text() + "\n";

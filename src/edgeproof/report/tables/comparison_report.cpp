@@ -76,7 +76,7 @@ std::string errors_text(const ComparisonReport& report, const FileComparison& fi
         add(distance_text(d), d.errors);
     }
     for (const comparison::KnotErrors& k : file.knots) {
-        add(fmt::format("beside the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
+        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
             k.errors);
     }
     return aligned_rows(rows);
@@ -145,28 +145,29 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
     if (!d.causes.empty()) {
         // the causes are sufficient
     } else if (d.at_edges_only && d.largest_inside) {
-        lines.push_back(fmt::format("away from the edges {} is right to {}, and scatters by {} "
-                                    "from node to node: no known mistake is told from that",
-                                    symbol, percent_text(d.unexplained), percent_text(d.noise)));
+        lines.push_back(fmt::format(
+            "away from the edges {} is right to {}, and scatters by {} "
+            "from node to node: no known mistake can be distinguished from that scatter",
+            symbol, percent_text(d.unexplained), percent_text(d.noise)));
     } else if (d.at_edges_only) {
-        lines.push_back(fmt::format("away from the edges {} is right to {}: what is off lies at "
-                                    "the edges, as what a mesh does to them",
+        lines.push_back(fmt::format("away from the edges {} is right to {}: the errors are at the "
+                                    "edges, as those of a mesh usually are",
                                     symbol, percent_text(d.unexplained)));
     } else if (d.factor) {
         lines.push_back(
             fmt::format("away from the edges {} is {:.6g} +- {:.2g} times the exact {}, "
-                        "by a fit: no cause that is known explains that",
+                        "by a fit: no known cause explains that",
                         symbol, d.factor->value, d.factor->error, symbol));
     } else {
-        lines.push_back(fmt::format("no cause that is known explains {}: {} are left, where the "
-                                    "nodes scatter by {}",
-                                    symbol, percent_text(d.unexplained), percent_text(d.noise)));
+        lines.push_back(fmt::format(
+            "no known cause explains {}: errors of {} remain, and the nodes scatter by {}", symbol,
+            percent_text(d.unexplained), percent_text(d.noise)));
     }
     for (std::size_t i = 0; i < d.causes.size(); ++i) {
         const comparison::Cause& cause = d.causes[i];
         lines.push_back(fmt::format("{}: {} ({}); it leaves {} of {}",
                                     d.causes.size() == 1 ? "likely cause"
-                                    : i == 0 ? "likely causes, not told apart by the data"
+                                    : i == 0 ? "likely causes, which the data do not distinguish"
                                              : "or",
                                     cause.name, cause.what, percent_text(cause.scatter),
                                     percent_text(d.unexplained)));
@@ -251,9 +252,9 @@ std::string tolerance_text(const comparison::Tolerances& t) {
                                   : t.of == comparison::Norm::local ? "of p itself"
                                                                     : "in the L2 norm");
     if (t.zone.length) {
-        out += fmt::format(", {:g} beside each edge left out", *t.zone.length);
+        out += fmt::format(", {:g} at each edge left out", *t.zone.length);
     } else if (t.zone.elements > 0) {
-        out += fmt::format(", {:g} elements beside each edge left out", t.zone.elements);
+        out += fmt::format(", {:g} elements at each edge left out", t.zone.elements);
     }
     const auto add = [&out](const char* name, const std::optional<double>& tolerance) {
         out += tolerance ? fmt::format(", {} within {}", name, percent_text(*tolerance)) : "";
@@ -275,8 +276,8 @@ std::string comparison_text(const ComparisonReport& report) {
     out += fmt::format("exact: a and b {}, P {}, c_0 {}; pressures {}\n", report.exact->a().route,
                        report.exact->force().route, report.exact->c(contact::Edge::right, 0).route,
                        report.exact->pressure_route());
-    out += "edges, fits and limits of the data are estimates; exact p: what the same rule makes of "
-           "the exact pressure at these nodes\n\n";
+    out += "edges, fits and limits of the data are estimates; exact p: the result of the same rule "
+           "for the exact pressure at these nodes\n\n";
     for (const FileComparison& file : report.comparison.files) {
         out += file_text(report, file);
     }

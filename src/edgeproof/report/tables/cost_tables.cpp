@@ -52,7 +52,7 @@ std::vector<std::string> reading_notes(const CostReport& report) {
     const bool failed = std::any_of(report.cells.begin(), report.cells.end(),
                                     [](const cost::CostCell& c) { return c.failed() > 0; });
     std::vector<std::string> notes{
-        "digits: asked for, or all that the arithmetic has; right: digits that are right at the "
+        "digits: requested, or all that the arithmetic has; right: digits that are right at the "
         "worst point, by an enclosure; median: at the median point",
         "evaluations of the integrand: median and most; times are the processor's: median over "
         "the points, their middle half, the slowest point",
@@ -174,7 +174,7 @@ Table bound_table(const CostReport& report) {
                                            {"ratio to bare", ColumnKind::number}});
     t.notes = {"bare: a value without a bound, by the fastest route in MPFR that has all its "
                "digits at every point; enclosure: the same value as a ball; rounded: enclosed, and "
-               "correctly rounded to the digits asked for"};
+               "correctly rounded to the digits requested"};
     for (const cost::BoundCost& b : bound_costs(report.cells)) {
         t.rows.push_back({b.scene, std::to_string(b.digits), b.bare, time_text(b.bare_seconds),
                           time_text(b.enclosure_seconds),

@@ -9,7 +9,7 @@ namespace {
 std::string reach_note(const scene::DesignScene& design) {
     if (design.objective == scene::DesignObjective::slip_load) {
         return "the Q/(f P) up to which the terms of the slip zone's size are within the tolerance "
-               "of it, P and bulk_tension/Q held; 1: up to full sliding";
+               "of it, P and bulk_tension/Q constant; 1: up to full sliding";
     }
     return std::string(design.objective == scene::DesignObjective::measure
                            ? "the length of all places at which the terms are within the tolerance"
@@ -30,7 +30,7 @@ const char* optimum_text(contact::BestReach::Kind kind) {
     case How::end_of_range:
         return "an end of the range";
     case How::everywhere:
-        return "within the tolerance all over the part";
+        return "within the tolerance in the whole part considered";
     case How::box:
         break;
     }

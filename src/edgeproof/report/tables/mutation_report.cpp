@@ -69,9 +69,9 @@ std::vector<const audit::MutantFate*> survivors(const audit::MutationRun& run) {
 
 std::string mutation_text(const audit::MutationRun& run,
                           const std::vector<std::string>& false_alarms) {
-    std::string out =
-        fmt::format("{} mutants of {} formulas that stand, of {} there are; seed {}, {} digits\n\n",
-                    run.fates.size(), run.claims, run.possible, run.seed, run.originals.digits);
+    std::string out = fmt::format(
+        "{} mutants of {} formulas that hold, out of {} possible mutants; seed {}, {} digits\n\n",
+        run.fates.size(), run.claims, run.possible, run.seed, run.originals.digits);
     out += fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>8}\n", "kind", "made", "refuted",
                        "no value", "equivalent", "surviving", "named");
     out += std::string(72, '-') + "\n";

@@ -70,25 +70,26 @@ bool in_fraction(const Expr& sum) { // a sum is placed next to the fraction: (P'
 Expr arranged_product(const Expr& e) {
     Factors factors;
     factors.take(e, true);
-    std::vector<Expr> beside;
+    std::vector<Expr> next_to_fraction;
     if (!factors.below.empty()) {
-        std::ranges::copy_if(factors.above, std::back_inserter(beside),
+        std::ranges::copy_if(factors.above, std::back_inserter(next_to_fraction),
                              [](const Expr& f) { return !in_fraction(f); });
         std::erase_if(factors.above, [](const Expr& f) { return !in_fraction(f); });
     }
     // A fraction with only 1 above takes the sums back: (2 + 3g)/(3 pi), not 1/(3 pi) (2 + 3g).
     constexpr std::size_t most = 80; // a longer one breaks into lines only outside a fraction
     const auto text_size = [](const Expr& f) { return to_text(f).size(); };
-    if (factors.above.empty() &&
-        std::ranges::all_of(beside, [&](const Expr& f) { return text_size(f) <= most; })) {
-        factors.above.swap(beside);
+    if (factors.above.empty() && std::ranges::all_of(next_to_fraction, [&](const Expr& f) {
+            return text_size(f) <= most;
+        })) {
+        factors.above.swap(next_to_fraction);
     }
     Expr all = factors.above.empty() ? Expr::number(1) : product_in_order(factors.above);
     if (!factors.below.empty()) {
         all = all / product_in_order(factors.below);
     }
-    if (!beside.empty()) {
-        all = all * product_in_order(beside);
+    if (!next_to_fraction.empty()) {
+        all = all * product_in_order(next_to_fraction);
     }
     return factors.negative ? -all : all;
 }

@@ -138,7 +138,8 @@ std::string held_to(const scene::BoundedValue& first, const scene::BoundedValue&
         // Zero cannot be excluded; then the finer enclosure must contain zero, too.
         if (!contains_zero(finer.value)) {
             ++cell.wrong;
-            wrong += (wrong.empty() ? "" : "; ") + std::string("0 is printed of what is not 0");
+            wrong +=
+                (wrong.empty() ? "" : "; ") + std::string("0 is printed for a value that is not 0");
         }
         return wrong;
     }

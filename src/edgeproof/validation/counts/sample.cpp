@@ -169,9 +169,9 @@ private:
         const formula::Expr& a = scene.load.value.expr();
         const formula::Expr& knot = inside[dice_.below(inside.size())]->expr();
         const Real size = (a_ + b_) / 1000 * pow(Real(10), -dice_.between(0, 30));
-        const formula::Expr beside = formula::Exact::parse(to_decimal(size, 3)).expr();
+        const formula::Expr distance = formula::Exact::parse(to_decimal(size, 3)).expr();
         const formula::Expr at = right ? a - knot : a + knot;
-        v.asked.u = formula::Exact(dice_.below(2) == 0 ? at - beside : at + beside);
+        v.asked.u = formula::Exact(dice_.below(2) == 0 ? at - distance : at + distance);
         return true;
     }
 

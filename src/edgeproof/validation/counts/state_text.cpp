@@ -24,7 +24,7 @@ void read_state_text(std::string_view text, const std::string& file, const std::
         }
     }
     if (line != "end") {
-        reject("the state ends in the middle");
+        reject("the state is incomplete");
     }
 }
 

@@ -42,6 +42,8 @@ public:
                                                               stick<Jet>(parameters));
     }
 
+    [[nodiscard]] EvaluationCost cost() const override { return {10, 4, 40}; }
+
 private:
     template <class T> [[nodiscard]] FullStick<T> stick(const std::vector<Ball>& at) const {
         const ParameterValues<T> value(question_.names, at);

@@ -63,6 +63,8 @@ public:
                                                slope_.symmetric, question_);
     }
 
+    [[nodiscard]] EvaluationCost cost() const override { return {100, 10, 100}; }
+
 private:
     ParametricSlope slope_;
     ParametricLoad load_;

@@ -103,6 +103,8 @@ public:
                                               question_.terms);
     }
 
+    [[nodiscard]] EvaluationCost cost() const override { return {10, 5, 30}; }
+
 private:
     template <class T> [[nodiscard]] T exponent(const std::vector<Ball>& at) const {
         const ParameterValues<T> value(question_.names, at);
@@ -273,6 +275,8 @@ public:
         return std::make_unique<LinearSlip>(std::move(balls), std::move(middle), std::move(jets),
                                             slope_.symmetric && !tension_, question_);
     }
+
+    [[nodiscard]] EvaluationCost cost() const override { return {300, 300, 600}; }
 
 private:
     template <class T>

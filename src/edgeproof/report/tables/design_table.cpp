@@ -18,7 +18,7 @@ std::string reach_note(const scene::DesignScene& design) {
            (design.unit == contact::ReachUnit::fraction ? ", as a fraction of a + b" : "");
 }
 
-const char* optimum_text(contact::BestReach::Kind kind) {
+const char* optimum_text(contact::BestReach::Kind kind, bool proved) {
     using How = contact::BestReach::Kind;
     switch (kind) {
     case How::touching:
@@ -34,7 +34,8 @@ const char* optimum_text(contact::BestReach::Kind kind) {
     case How::box:
         break;
     }
-    return "the best of the values tried";
+    return proved ? "in the box of all values that are not excluded"
+                  : "the best of the values tried";
 }
 
 } // namespace
@@ -54,7 +55,7 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                    {"digits", std::to_string(search.digits)},
                    {"tolerance", design.tolerance.text()},
                    {"terms", std::to_string(design.terms)},
-                   {"best", optimum_text(best.kind)},
+                   {"best", optimum_text(best.kind, proved)},
                    {"proof", proved ? "yes" : "no (estimate): " + result.missing}};
     if (proved) {
         table.facts.push_back({"boxes", std::to_string(best.boxes)});
@@ -63,6 +64,9 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
             at += (at.empty() ? "" : ", ") + to_decimal(q, 20, Rounding::nearest);
         }
         table.facts.push_back({"reach shown at", at});
+    }
+    if (proved) {
+        table.facts.push_back({"not excluded", contact::text_of(best.not_excluded)});
     }
     if (best.touches_at) {
         table.facts.push_back({"touches at", text(*best.touches_at).text});
@@ -80,7 +84,11 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
         "reach: " + reach_note(design),
         proved ? "gap: no other value in the range reaches farther by more than this: proved by "
                  "branch and bound"
-               : "value and reach are estimates, and no gap is proved"};
+               : "value and reach are estimates: no bound and no gap is proved"};
+    if (proved) {
+        table.notes.emplace_back("not excluded: values that reach as far as the reach shown are in "
+                                 "this range; everywhere else the reach is proved to be less");
+    }
     if (!best.attained) {
         table.notes.emplace_back("the reach jumps at the value: it is approached from one side and "
                                  "not attained");
@@ -94,8 +102,10 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
     const scene::PrintedValue reach = text(best.reach);
     for (std::size_t i = 0; i < design.parameters.size(); ++i) {
         const scene::PrintedValue value = text(best.value[i]);
-        table.rows.push_back({design.parameters[i].name, value.text, value.bound, reach.text,
-                              reach.bound, proved ? exact_text(search.gap) : ""});
+        const auto if_proved = [&](const std::string& bound) { return proved ? bound : ""; };
+        table.rows.push_back({design.parameters[i].name, value.text, if_proved(value.bound),
+                              reach.text, if_proved(reach.bound),
+                              if_proved(exact_text(search.gap))});
     }
     return table;
 }

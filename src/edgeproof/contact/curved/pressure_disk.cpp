@@ -14,7 +14,7 @@ namespace {
 constexpr long box_bits = 64;
 constexpr slong most_box_bits = 1L << 20;
 constexpr int most_radii = 24; ///< radii that are tried
-constexpr long steepest = 256; ///< times the mean slope of g', in a disk
+constexpr long steepest = 256; ///< times the usual slope of g', in a disk
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral that is wide anyway
 
@@ -265,13 +265,16 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
                            const Ball& gap, std::size_t terms, long bits)
     : terms_(terms), bits_(bits) {
     const formula::Expr& slope = integral.formulas[holds];
-    const Ball g0 = slope_series(slope, x, 1, bits)[0];
+    const std::vector<Ball> at_x = slope_series(slope, x, 2, bits);
+    const Ball& g0 = at_x[0];
     if (!g0.is_finite() || !certainly_positive(gap)) {
         return;
     }
     const Magnitude mean = integral.most_change / Magnitude::least(integral.half_length * 2);
-    // The largest disk where g' is no more than so much steeper than on the mean; else the
-    // smallest.
+    const Magnitude here_too(at_x[1]);
+    const Magnitude usual = here_too.is_finite() && mean <= here_too ? here_too : mean;
+    // The largest disk where g' is no more than so much steeper than on the mean or at the centre
+    // (near a branch point it is steep in every disk); else the smallest.
     std::optional<Ball> chosen;
     Magnitude change;
     Ball r = exact_lower(gap * 7 / 4);
@@ -282,7 +285,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         }
         chosen = r;
         change = here;
-        if (change <= mean * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
+        if (change <= usual * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
             break;
         }
     }

@@ -14,8 +14,8 @@ namespace {
 constexpr long reach_bits = 192;
 constexpr double bits_a_digit = 3.3219281;
 constexpr int most_better_values = 12;        ///< that branch and bound may come upon
-constexpr double share_of_samples = 0.3;      ///< of the budget
-constexpr double share_of_best = 0.6;         ///< of samples and of the proof of the best value
+constexpr double share_of_samples = 0.4;      ///< of the budget
+constexpr double share_of_best = 0.7;         ///< of samples and of the proof of the best value
 constexpr double jump_of_reach = 1e-5;        ///< beside it, a difference of reaches is a jump
 constexpr double touching_excess = 1e-2;      ///< of the tolerance: an extremum that may touch it
 constexpr double farthest_from_sample = 1e-4; ///< of the range: the best value from that sampled
@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] BestReach run() {
         count_.most = share_of_samples * options_.budget;
-        sample(ranges_, SampleGrid::of(ranges_.size()));
+        sample(ranges_, SampleGrid::of(ranges_.size(), is_dear(*problem_.edges[0])));
         if (sampled_.value.empty()) {
             throw BudgetError("no reach is found anywhere in the range");
         }
@@ -241,8 +241,7 @@ private:
     void estimate(BestReach& best) const {
         best.value.clear();
         for (std::size_t i = 0; i < ranges_.size(); ++i) {
-            best.value.push_back(
-                Ball::around(real_of(sampled_.value[i]), real_of(2 * sampled_.width[i]), 64));
+            best.value.push_back(Ball(real_of(sampled_.value[i]), 64));
         }
         best.reach = Ball(real_of(sampled_.score), 64);
         best.missing = "the reach at the best value sampled is not proved";

@@ -25,7 +25,7 @@ struct DesignOptions {
     Rational gap{1, 1000000}; ///< by which nothing else in the range may do better
     std::size_t most_boxes = 100'000;
     /// Of the evaluations (EvaluationCost): some 15 s where nothing is decided.
-    double budget = 15e6;
+    double budget = 11e6;
     /// How much of the range is done, in thousandths.
     std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
@@ -74,8 +74,9 @@ struct SampleGrid {
     int first = 96;
     int later = 16;
     int rounds = 14; ///< to what binary64 tells apart: beside a root of the parameter it counts
-    [[nodiscard]] static SampleGrid of(std::size_t parameters) {
-        return parameters == 1 ? SampleGrid{} : SampleGrid{24, 6, 14};
+    [[nodiscard]] static SampleGrid of(std::size_t parameters, bool dear = false) {
+        return parameters == 1 ? (dear ? SampleGrid{24, 8, 14} : SampleGrid{})
+                               : (dear ? SampleGrid{8, 4, 8} : SampleGrid{24, 6, 14});
     }
     /// All of them, ends of cells included.
     [[nodiscard]] std::size_t count(std::size_t parameters) const {

@@ -37,7 +37,8 @@ public:
     Cover(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
           const Rational& shown, const DesignOptions& options)
         : problem_(problem), ranges_(ranges), shown_(shown), target_(shown + options.gap),
-          options_(options), tolerance_(problem.tolerance, cover_bits) {}
+          options_(options), tolerance_(problem.tolerance, cover_bits),
+          fewer_(is_dear(*problem.edges[0]) ? 4U : 1U) {}
 
     /// The widest boxes first, so that what is left at the end of the budget is narrow.
     [[nodiscard]] CoveredRange run() {
@@ -157,8 +158,8 @@ private:
             for (const Ball& x : middles) {
                 at.push_back(x.midpoint().convert_to<double>());
             }
-            const SampledReach reach = sampled_reach(problem_, at);
-            if (reach.reach > target_.convert_to<double>()) {
+            if (sampled_reach(problem_, at).reach > target_.convert_to<double>() &&
+                certainly_less(Ball(target_, cover_bits), proved_at(middles))) {
                 return BoxState::better;
             }
         }
@@ -169,6 +170,14 @@ private:
             }
         }
         return state_by(places);
+    }
+    /// The reach for exact parameters; 0 where it is not proved.
+    [[nodiscard]] Ball proved_at(const std::vector<Ball>& parameters) const {
+        try {
+            return proved_reach(problem_, parameters).reach;
+        } catch (const BudgetError&) {
+            return {0, cover_bits};
+        }
     }
     /// Places up to the target at which the error in the middle of the box is farthest beyond the
     /// tolerance, extrema between samples included: first those that exclude the box.
@@ -183,11 +192,11 @@ private:
             std::vector<Rational> at;
             std::vector<double> e;
             // A knot by the edge may lift the error there only.
-            for (unsigned k = places_by_the_edge; k > 0; --k) {
+            for (unsigned k = places_by_the_edge / fewer_; k > 0; --k) {
                 at.emplace_back(target_ / (even_places * pow(Integer(2), k)));
             }
-            for (long k = 1; k < even_places; ++k) {
-                at.emplace_back(target_ * k / even_places);
+            for (long k = 1; k < even_places / fewer_; ++k) {
+                at.emplace_back(target_ * k * fewer_ / even_places);
             }
             at.push_back(shown_);
             at.push_back(target_);
@@ -267,6 +276,7 @@ private:
     Rational target_;
     const DesignOptions& options_;
     Ball tolerance_;
+    unsigned fewer_; ///< places where an evaluation takes long
 };
 
 } // namespace

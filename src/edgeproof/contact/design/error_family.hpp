@@ -79,6 +79,9 @@ protected:
     ErrorFamily() = default;
 };
 
+/// Samples are fewer where an evaluation takes long.
+[[nodiscard]] inline bool is_dear(const ErrorFamily& f) { return f.cost().at > 60; }
+
 /// A scene's numbers as formulas in the names of its parameters.
 struct ParametricLoad {
     std::optional<formula::Expr> a; ///< or

@@ -63,7 +63,10 @@ public:
                                                slope_.symmetric, question_);
     }
 
-    [[nodiscard]] EvaluationCost cost() const override { return {100, 10, 100}; }
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        return {(load_.P ? 600 : 100) + n * n * n, 8, 100};
+    }
 
 private:
     ParametricSlope slope_;

@@ -51,7 +51,10 @@ public:
                                                                   law<Jet>(parameters));
     }
 
-    [[nodiscard]] EvaluationCost cost() const override { return {8, 40, 150}; }
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        return {10 + 1.2 * n * n, 40, 300};
+    }
 
 private:
     template <class T> [[nodiscard]] PowerLawError<T> law(const std::vector<Ball>& at) const {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
+constexpr int dear_sample_points = 48;          ///< where an evaluation takes long
 constexpr double width_of_a_crossing = 0x1p-48; // relative
 constexpr int bits_of_an_extremum = 27;         // values are flat there: half of those of a double
 /// An extremum of |f| by less than this share of the tolerance is looked at more closely.
@@ -26,8 +27,10 @@ double as_double(const Ball& x) {
 
 class EdgeSamples {
 public:
-    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, double middle, bool whole)
-        : f_(f), tolerance_(tolerance), end_(end), middle_(middle), whole_(whole) {}
+    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, double middle, int points,
+                bool whole)
+        : f_(f), tolerance_(tolerance), end_(end), middle_(middle), points_(points), whole_(whole) {
+    }
 
     /// |f| - tolerance; at a corner, where p is infinite, f = -1.
     [[nodiscard]] double excess(double u) const {
@@ -40,9 +43,9 @@ public:
 
     void into(SampledReach& result, std::size_t edge) const {
         std::vector<double> u;
-        for (int k = 0; k < sample_points; ++k) {
-            const double s = static_cast<double>(k + 1) / sample_points;
-            u.push_back(end_ * (k + 1 == sample_points ? 1 - 1e-9 : s * s * s));
+        for (int k = 0; k < points_; ++k) {
+            const double s = static_cast<double>(k + 1) / points_;
+            u.push_back(end_ * (k + 1 == points_ ? 1 - 1e-9 : s * s * s));
         }
         if (middle_ < u.back()) { // where a power law's error may have a cusp
             u.insert(std::lower_bound(u.begin(), u.end(), middle_), middle_);
@@ -119,6 +122,7 @@ private:
     double tolerance_;
     double end_;
     double middle_;
+    int points_;
     bool whole_;
 };
 
@@ -141,7 +145,8 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
             result.reach = end;
             return result;
         }
-        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, length / 2, whole)
+        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
+                    is_dear(*problem.edges[i]) ? dear_sample_points : sample_points, whole)
             .into(result, i);
     }
     std::sort(result.extrema.begin(), result.extrema.end(),

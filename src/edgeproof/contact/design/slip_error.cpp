@@ -103,7 +103,10 @@ public:
                                               question_.terms);
     }
 
-    [[nodiscard]] EvaluationCost cost() const override { return {10, 5, 30}; }
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        return {5 + 3 * n, 4, 10 + 2 * n};
+    }
 
 private:
     template <class T> [[nodiscard]] T exponent(const std::vector<Ball>& at) const {
@@ -208,7 +211,7 @@ private:
     /// Of one load ratio.
     [[nodiscard]] LinearEdges<Ball> zone(const Ball& tau) const {
         const auto found = solve_edges(balls_.corrective(tau), middle_.corrective(tau), symmetric_,
-                                       {}, balls_.load(tau));
+                                       {}, balls_.load(tau), &middle_.edges);
         return found ? *found : LinearEdges<Ball>{unknown_ball(bits()), unknown_ball(bits())};
     }
     /// Of all load ratios of the ball: both edges move inwards as it grows.
@@ -276,7 +279,12 @@ public:
                                             slope_.symmetric && !tension_, question_);
     }
 
-    [[nodiscard]] EvaluationCost cost() const override { return {300, 300, 600}; }
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        const double over = (load_.P ? 1200 : 400) + 5 * n * n * n * n;
+        return slope_.symmetric && !tension_ ? EvaluationCost{over, 70, 270}
+                                             : EvaluationCost{over, 500, 1400};
+    }
 
 private:
     template <class T>

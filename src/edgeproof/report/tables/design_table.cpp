@@ -3,8 +3,12 @@
 
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <algorithm>
+
 namespace edgeproof::report {
 namespace {
+
+constexpr unsigned digits_of_an_estimate = 10;
 
 std::string reach_note(const scene::DesignScene& design) {
     if (design.objective == scene::DesignObjective::slip_load) {
@@ -47,7 +51,16 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
     scene::Digits digits;
     digits.count = search.digits;
     const auto text = [&](const Ball& x) {
-        return printed(scene::BoundedValue{x, proved, "", {}}, digits);
+        if (!proved) {
+            return scene::PrintedValue{
+                to_decimal(x.midpoint(), std::min(search.digits, digits_of_an_estimate)),
+                "",
+                true,
+                false,
+                {},
+                {}};
+        }
+        return printed(scene::BoundedValue{x, true, "", {}}, digits);
     };
     Table table;
     table.title = design.title;
@@ -102,10 +115,8 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
     const scene::PrintedValue reach = text(best.reach);
     for (std::size_t i = 0; i < design.parameters.size(); ++i) {
         const scene::PrintedValue value = text(best.value[i]);
-        const auto if_proved = [&](const std::string& bound) { return proved ? bound : ""; };
-        table.rows.push_back({design.parameters[i].name, value.text, if_proved(value.bound),
-                              reach.text, if_proved(reach.bound),
-                              if_proved(exact_text(search.gap))});
+        table.rows.push_back({design.parameters[i].name, value.text, value.bound, reach.text,
+                              reach.bound, proved ? exact_text(search.gap) : ""});
     }
     return table;
 }

@@ -25,7 +25,7 @@ struct DesignOptions {
     Rational gap{1, 1000000}; ///< by which nothing else in the range may do better
     std::size_t most_boxes = 100'000;
     /// Of the evaluations (EvaluationCost): some 15 s where nothing is decided.
-    double budget = 11e6;
+    double budget = 14e6;
     /// How much of the range is done, in thousandths.
     std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
@@ -88,7 +88,7 @@ struct SampleGrid {
     }
     /// Where a value takes long.
     [[nodiscard]] static SampleGrid coarse(std::size_t parameters) {
-        return parameters == 1 ? SampleGrid{24, 8, 4} : SampleGrid{8, 4, 4};
+        return parameters == 1 ? SampleGrid{16, 6, 4} : SampleGrid{5, 3, 3};
     }
 };
 [[nodiscard]] SampledBest

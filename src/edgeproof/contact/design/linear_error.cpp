@@ -65,7 +65,7 @@ public:
 
     [[nodiscard]] EvaluationCost cost() const override {
         const auto n = static_cast<double>(question_.terms);
-        return {(load_.P ? 600 : 100) + n * n * n, 8, 100};
+        return {(load_.P ? 800 : 130) + n * n * n, 10, 130};
     }
 
 private:

@@ -53,7 +53,7 @@ public:
 
     [[nodiscard]] EvaluationCost cost() const override {
         const auto n = static_cast<double>(question_.terms);
-        return {10 + 1.2 * n * n, 40, 300};
+        return {10 + 1.2 * n * n, 20, 170};
     }
 
 private:

@@ -281,9 +281,9 @@ public:
 
     [[nodiscard]] EvaluationCost cost() const override {
         const auto n = static_cast<double>(question_.terms);
-        const double over = (load_.P ? 1200 : 400) + 5 * n * n * n * n;
-        return slope_.symmetric && !tension_ ? EvaluationCost{over, 70, 270}
-                                             : EvaluationCost{over, 500, 1400};
+        const double over = (load_.P ? 1500 : 500) + 6 * n * n * n * n;
+        return slope_.symmetric && !tension_ ? EvaluationCost{over, 85, 340}
+                                             : EvaluationCost{over, 600, 1700};
     }
 
 private:

@@ -152,18 +152,27 @@ TEST_CASE("design: where the budget ends, all values that are not excluded are n
     const PowerLawDesign design(1, Rational(1, 10));
     const std::vector<ParameterRange> range{{Rational(0), Rational(2)}};
     const Rational optimum(6363961, 10000000);
+    const auto check_hull = [&](const std::vector<ParameterRange>& hull) {
+        REQUIRE(hull.size() == 1);
+        CHECK(hull[0].from < optimum);
+        CHECK(optimum < hull[0].to);
+        CHECK(hull[0].to - hull[0].from < 2);
+    };
     DesignOptions few_boxes;
-    few_boxes.most_boxes = 12;
-    DesignOptions few_evaluations; // samples and the best of them take their shares
-    few_evaluations.budget = 1e6;
-    for (const DesignOptions& options : {few_boxes, few_evaluations}) {
-        const BestReach best = best_reach(design.problem, range, options);
-        CHECK_FALSE(best.proved);
-        CHECK(best.missing.find(" ... ") != std::string::npos);
-        REQUIRE_FALSE(best.not_excluded.empty());
-        CHECK(best.not_excluded[0].from < optimum);
-        CHECK(optimum < best.not_excluded[0].to);
-    }
+    few_boxes.most_boxes = 24;
+    const BestReach best = best_reach(design.problem, range, few_boxes);
+    CHECK_FALSE(best.proved);
+    CHECK(best.missing.find(" ... ") != std::string::npos);
+    check_hull(best.not_excluded);
+    // By the count of evaluations.
+    EvaluationCount count{0, 50'000};
+    ReachProblem counted = design.problem;
+    counted.count = &count;
+    const CoveredRange cover = covered_by_exits(counted, range, Rational(56489869, 100000000), {});
+    CHECK_FALSE(cover.covered);
+    CHECK(count.spent > count.most);
+    check_hull(cover.open);
+    check_hull(cover.best);
 }
 
 // A slope x up to r and steeper by the factor k beyond: the reach grows towards k = 1/2, the end of

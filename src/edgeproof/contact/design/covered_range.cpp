@@ -148,12 +148,13 @@ private:
                                      : BoxState::excluded;
         };
         const BoxState by_parents = state_by(box.places);
-        if (by_parents != BoxState::open) {
+        if (by_parents == BoxState::excluded) {
             return by_parents;
         }
         std::vector<Rational> fresh = promising(middle);
         std::swap(fresh, box.places);
-        if (box.places.empty()) { // the middle may reach farther than all others
+        if (box.places.empty() &&
+            by_parents == BoxState::open) { // the middle may reach farther than all others
             std::vector<double> at;
             for (const Ball& x : middles) {
                 at.push_back(x.midpoint().convert_to<double>());
@@ -169,7 +170,8 @@ private:
                 places.push_back(u);
             }
         }
-        return state_by(places);
+        const BoxState state = state_by(places);
+        return state == BoxState::excluded || by_parents == BoxState::open ? state : by_parents;
     }
     /// The reach for exact parameters; 0 where it is not proved.
     [[nodiscard]] Ball proved_at(const std::vector<Ball>& parameters) const {

@@ -126,6 +126,7 @@ TEST_CASE("design of a slip load: how much of a wedge to round" * doctest::test_
     CHECK(best.kind == BestReach::Kind::touching);
     CHECK(best.proved);
     CHECK(holds(best.value[0], "0.9614971793256811714098522879564050252621776656", 30));
+    REQUIRE(best.touches_at);
     CHECK(holds(*best.touches_at, "0.1734432441434477105977716887819184960823007733", 30));
     CHECK(holds(best.reach, "0.7487565021203062663026753510143166608576977568", 30));
 }

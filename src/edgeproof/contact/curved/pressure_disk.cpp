@@ -14,7 +14,7 @@ namespace {
 constexpr long box_bits = 64;
 constexpr slong most_box_bits = 1L << 20;
 constexpr int most_radii = 24; ///< number of radii tried
-constexpr long steepest = 256; ///< largest |g' - g0|/r of a disk, over the mean of g''
+constexpr long steepest = 256; ///< largest |g' - g0|/r of a disk, over the usual value of g''
 constexpr int majorant_depth = 400;
 constexpr long outer_bits = 48; ///< of an integral whose result is wide anyway
 
@@ -267,13 +267,17 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
                            const Ball& gap, std::size_t terms, long bits)
     : terms_(terms), bits_(bits) {
     const formula::Expr& slope = integral.formulas[holds];
-    const Ball g0 = slope_series(slope, x, 1, bits)[0];
+    const std::vector<Ball> at_x = slope_series(slope, x, 2, bits);
+    const Ball& g0 = at_x[0];
     if (!g0.is_finite() || !certainly_positive(gap)) {
         return;
     }
     const Magnitude mean = integral.most_change / Magnitude::least(integral.half_length * 2);
+    const Magnitude at_centre(at_x[1]);
+    const Magnitude usual = at_centre.is_finite() && mean <= at_centre ? at_centre : mean;
     // The largest disk where |g' - g0|/r is at most `steepest` times the mean of g'' over the
-    // contact; if there is none, the smallest disk.
+    // contact, or times g'' at the centre: near a branch point every disk is steeper than the mean.
+    // If there is none, the smallest disk.
     std::optional<Ball> chosen;
     Magnitude change;
     Ball r = exact_lower(gap * 7 / 4);
@@ -284,7 +288,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         }
         chosen = r;
         change = here;
-        if (change <= mean * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
+        if (change <= usual * Magnitude(r) * Magnitude(Ball(steepest, box_bits))) {
             break;
         }
     }

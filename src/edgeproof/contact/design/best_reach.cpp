@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,13 @@ namespace {
 
 constexpr long reach_bits = 192;
 constexpr double bits_a_digit = 3.3219281;
-constexpr int most_second_looks = 4;
-constexpr int nearest_look = 46; ///< binary places of the range, from what was not decided
-constexpr int farthest_look = 12;
+constexpr int most_better_values = 12;        ///< that branch and bound may come upon
+constexpr double share_of_samples = 0.4;      ///< of the budget
+constexpr double share_of_best = 0.7;         ///< of samples and of the proof of the best value
 constexpr double jump_of_reach = 1e-5;        ///< beside it, a difference of reaches is a jump
 constexpr double touching_excess = 1e-2;      ///< of the tolerance: an extremum that may touch it
 constexpr double farthest_from_sample = 1e-4; ///< of the range: the best value from that sampled
+constexpr double nearest_to_middle = 1e-6;    ///< of a + b: extrema at a cusp
 
 Real real_of(double x) { return Real(x); }
 
@@ -30,59 +32,65 @@ Rational short_rational(const Ball& x, int side, const Rational& distance) {
 
 class DesignSearch {
 public:
-    DesignSearch(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
+    DesignSearch(ReachProblem problem, const std::vector<ParameterRange>& ranges,
                  const DesignOptions& options)
-        : problem_(problem), ranges_(ranges), options_(options),
-          bits_(static_cast<long>(options.digits * bits_a_digit) * 2 + 128) {}
+        : problem_(std::move(problem)), ranges_(ranges), options_(options),
+          bits_(static_cast<long>(options.digits * bits_a_digit) * 2 + 128) {
+        problem_.count = &count_;
+    }
 
     [[nodiscard]] BestReach run() {
-        sampled_ = sampled_best(
-            [&](const std::vector<double>& x) { return sampled_reach(problem_, x).reach; }, ranges_,
-            SampleGrid::of(ranges_.size()));
+        count_.most = share_of_samples * options_.budget;
+        sample(ranges_, SampleGrid::of(ranges_.size(), is_dear(*problem_.edges[0])));
         if (sampled_.value.empty()) {
             throw BudgetError("no reach is found anywhere in the range");
         }
         BestReach best = from_sample();
-        // What branch and bound does not decide may reach farther, between two samples.
-        for (int k = 0; k < most_second_looks && higher_near(undecided_); ++k) {
-            best = from_sample();
+        for (int k = 0; best.missing.empty(); ++k) {
+            const auto better = prove(best);
+            if (!better || k == most_better_values) {
+                break;
+            }
+            BestReach other = from_better(*better);
+            if (!other.missing.empty() || certainly_less(other.shown_reach, best.shown_reach)) {
+                break;
+            }
+            best = std::move(other);
         }
         return best;
     }
 
 private:
+    void sample(const std::vector<ParameterRange>& ranges, const SampleGrid& grid) {
+        sampled_ = sampled_best(
+            [&](const std::vector<double>& x) { return sampled_reach(problem_, x).reach; }, ranges,
+            grid);
+    }
     [[nodiscard]] BestReach from_sample() {
+        count_.most = share_of_best * options_.budget;
         BestReach best;
-        undecided_.clear();
-        if (ranges_.size() == 1) {
-            one_parameter(best);
-        }
-        if (best.kind == BestReach::Kind::box) {
-            by_samples(best);
-        }
-        if (best.missing.empty()) {
-            prove(best);
+        try {
+            if (ranges_.size() == 1) {
+                one_parameter(best);
+            }
+            if (best.kind == BestReach::Kind::box) {
+                by_samples(best);
+            }
+        } catch (const BudgetError&) {
+            best = {};
+            estimate(best);
         }
         return best;
     }
-    /// Samples towards a place from both sides; whether one is better than all before.
-    [[nodiscard]] bool higher_near(const std::vector<double>& place) {
-        bool found = false;
-        for (int k = nearest_look; place.size() == 1 && k >= farthest_look; --k) {
-            for (const double side : {-1.0, 1.0}) {
-                const double off = std::ldexp(span(), -k);
-                const double x = place[0] + side * off;
-                if (!in_range(Ball(real_of(x), bits_))) {
-                    continue;
-                }
-                const double reach = sampled_reach(problem_, {x}).reach;
-                if (reach > sampled_.score * (1 + jump_of_reach)) {
-                    sampled_ = {{x}, {off}, reach};
-                    found = true;
-                }
-            }
+    /// From values that branch and bound came upon, and those around them.
+    [[nodiscard]] BestReach from_better(const std::vector<ParameterRange>& better) {
+        std::vector<ParameterRange> near;
+        for (std::size_t i = 0; i < ranges_.size(); ++i) {
+            near.push_back(
+                {std::max(better[i].from, ranges_[i].from), std::min(better[i].to, ranges_[i].to)});
         }
-        return found;
+        sample(near, {16, 8, 14});
+        return from_sample();
     }
     [[nodiscard]] double span() const {
         return Rational(ranges_[0].to - ranges_[0].from).convert_to<double>();
@@ -134,9 +142,12 @@ private:
             if (std::fabs(e.excess) > touching_excess * problem_.tolerance.convert_to<double>()) {
                 break;
             }
+            const double middle = length_at(x, e.edge) / 2;
             const auto point =
-                design_point(problem_, {BestReach::Kind::touching, e.edge, e.side, 1}, real_of(e.u),
-                             real_of(x), bits_);
+                std::fabs(e.u - middle) < nearest_to_middle * middle
+                    ? touching_at_middle(problem_, e.edge, e.side, real_of(x), bits_)
+                    : design_point(problem_, {BestReach::Kind::touching, e.edge, e.side, 1},
+                                   real_of(e.u), real_of(x), bits_);
             if (!point || !near_sample(point->parameter, x)) {
                 continue;
             }
@@ -199,56 +210,95 @@ private:
         return in_range(parameter) &&
                certainly_less(off, Ball(real_of(farthest_from_sample * span()), bits_));
     }
+    [[nodiscard]] double length_at(double x, std::size_t edge) const {
+        const auto errors = problem_.over({Ball(real_of(x), reach_bits)});
+        return errors[edge]->length().midpoint().convert_to<double>();
+    }
     /// The reach for parameters that are exact, proved.
     bool show(BestReach& best, const std::vector<Rational>& at) const {
         for (long bits = reach_bits; bits <= 2 * std::max(bits_, reach_bits); bits *= 2) {
             try {
-                ProvedReach r = proved_reach(problem_, at, std::max(bits, bits_));
+                ProvedReach r = proved_reach(problem_, at, bits);
                 best.shown_at = at;
-                best.shown_reach = std::move(r.reach);
+                best.shown_reach = r.leaves ? to_all_digits(r, at) : r.reach;
                 return true;
             } catch (const BudgetError&) {
             }
         }
         return false;
     }
-    void by_samples(BestReach& best) const {
-        std::vector<Rational> at;
+    /// By Newton's method, from an enclosure that holds one exit.
+    [[nodiscard]] Ball to_all_digits(const ProvedReach& r, const std::vector<Rational>& at) const {
+        std::vector<Ball> balls;
+        for (const Rational& q : at) {
+            balls.emplace_back(q, bits_);
+        }
+        const auto errors = problem_.over(balls);
+        const Ball level = Ball(problem_.tolerance, bits_) * r.side;
+        const auto exit = exit_near(*errors[r.edge], level, r.reach.midpoint(), bits_);
+        return exit && contains(r.reach, *exit) ? *exit : r.reach;
+    }
+    void estimate(BestReach& best) const {
         best.value.clear();
         for (std::size_t i = 0; i < ranges_.size(); ++i) {
-            const double x = sampled_.value[i];
-            at.push_back(std::clamp(exact_value(real_of(x)), ranges_[i].from, ranges_[i].to));
-            best.value.push_back(Ball::around(real_of(x), real_of(2 * sampled_.width[i]), 64));
+            best.value.push_back(Ball(real_of(sampled_.value[i]), 64));
         }
-        if (!show(best, at)) {
-            best.reach = Ball(real_of(sampled_.score), 64);
-            best.missing = "the reach at the best value sampled is not proved";
-            return;
-        }
-        best.reach = best.shown_reach;
+        best.reach = Ball(real_of(sampled_.score), 64);
+        best.missing = "the reach at the best value sampled is not proved";
     }
-    void prove(BestReach& best) {
+    void by_samples(BestReach& best) const {
+        std::vector<Rational> at;
+        for (std::size_t i = 0; i < ranges_.size(); ++i) {
+            at.push_back(std::clamp(exact_value(real_of(sampled_.value[i])), ranges_[i].from,
+                                    ranges_[i].to));
+        }
+        estimate(best);
+        if (show(best, at)) {
+            best.reach = best.shown_reach;
+            best.missing.clear();
+        }
+    }
+    /// Values that seem to reach farther than the best by more than the gap, if there are any.
+    std::optional<std::vector<ParameterRange>> prove(BestReach& best) {
+        count_.most = options_.budget;
         const Ball lowest(best.shown_reach.lower(), best.shown_reach.bits());
-        const Rational target = exact_value(lowest.with_bits(96).lower()) + options_.gap;
-        const CoveredRange cover = covered_by_exits(problem_, ranges_, target, options_);
+        const Rational shown = exact_value(lowest.with_bits(96).lower());
+        const CoveredRange cover = covered_by_exits(problem_, ranges_, shown, options_);
         best.boxes = cover.boxes;
         best.proved = cover.covered;
+        best.not_excluded = cover.best;
         if (!cover.covered) {
-            undecided_ = cover.middle;
             best.missing =
-                "that nothing reaches farther is not proved for the values " + cover.where;
+                "that nothing reaches farther is not proved for the values " + text_of(cover.open);
+        } else if (best.kind == BestReach::Kind::box) {
+            best.value.clear();
+            for (const ParameterRange& r : cover.best) {
+                best.value.push_back(Ball::hull(Ball(r.from, reach_bits), Ball(r.to, reach_bits)));
+            }
+            best.reach = Ball::hull(Ball(shown, reach_bits),
+                                    Ball(Rational(shown + options_.gap), reach_bits));
         }
+        return cover.better;
     }
 
-    const ReachProblem& problem_;
+    ReachProblem problem_;
+    EvaluationCount count_;
     const std::vector<ParameterRange>& ranges_;
     const DesignOptions& options_;
     long bits_;
     SampledBest sampled_;
-    std::vector<double> undecided_;
 };
 
 } // namespace
+
+std::string text_of(const std::vector<ParameterRange>& ranges) {
+    std::string text;
+    for (const ParameterRange& r : ranges) {
+        text += (text.empty() ? "" : ", ") + to_decimal(r.from, 12, Rounding::down) + " ... " +
+                to_decimal(r.to, 12, Rounding::up);
+    }
+    return text;
+}
 
 BestReach best_reach(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
                      const DesignOptions& options) {

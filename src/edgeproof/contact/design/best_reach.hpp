@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The parameters for which n terms stay within a tolerance for the longest distance from an edge.
@@ -16,10 +17,15 @@ struct ParameterRange {
     Rational to;
 };
 
+/// "0.1 ... 0.2, 1 ... 2", rounded outwards.
+[[nodiscard]] std::string text_of(const std::vector<ParameterRange>& ranges);
+
 struct DesignOptions {
     unsigned digits = 30;     ///< of the value and of the reach, with one parameter
     Rational gap{1, 1000000}; ///< by which nothing else in the range may do better
     std::size_t most_boxes = 100'000;
+    /// Of the evaluations (EvaluationCost): some 15 s where nothing is decided.
+    double budget = 14e6;
     /// How much of the range is done, in thousandths.
     std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
@@ -31,11 +37,13 @@ struct BestReach {
         two_edges,    ///< both edges reach equally far
         end_of_range, ///< an end of the parameter's range
         everywhere,   ///< within the tolerance all over the part that is looked at
-        box           ///< known by the search alone: the box of the best value tried
+        box           ///< known by the search alone
     };
     Kind kind = Kind::box;
-    std::vector<Ball> value; ///< of each parameter
-    Ball reach;              ///< what is approached as the parameter goes to that value
+    /// Of each parameter. Of the kind `box`, where it is proved: all values that are not proved to
+    /// reach less than shown_reach.
+    std::vector<Ball> value;
+    Ball reach; ///< what is approached as the parameter goes to that value
     /// False where the reach jumps there: it is approached from one side.
     bool attained = true;
     std::optional<Ball> touches_at; ///< where the error touches the tolerance
@@ -45,6 +53,8 @@ struct BestReach {
     /// Every reach of the range is at most shown_reach + gap: proved by branch and bound.
     bool proved = false;
     std::size_t boxes = 0;
+    /// The least box that holds all values that are not proved to reach less than shown_reach.
+    std::vector<ParameterRange> not_excluded;
     std::string missing; ///< why it is not proved
 };
 
@@ -64,8 +74,9 @@ struct SampleGrid {
     int first = 96;
     int later = 16;
     int rounds = 14; ///< to what binary64 tells apart: beside a root of the parameter it counts
-    [[nodiscard]] static SampleGrid of(std::size_t parameters) {
-        return parameters == 1 ? SampleGrid{} : SampleGrid{24, 6, 14};
+    [[nodiscard]] static SampleGrid of(std::size_t parameters, bool dear = false) {
+        return parameters == 1 ? (dear ? SampleGrid{24, 8, 14} : SampleGrid{})
+                               : (dear ? SampleGrid{8, 4, 8} : SampleGrid{24, 6, 14});
     }
     /// All of them, ends of cells included.
     [[nodiscard]] std::size_t count(std::size_t parameters) const {
@@ -77,24 +88,27 @@ struct SampleGrid {
     }
     /// Where a value takes long.
     [[nodiscard]] static SampleGrid coarse(std::size_t parameters) {
-        return parameters == 1 ? SampleGrid{24, 8, 4} : SampleGrid{8, 4, 4};
+        return parameters == 1 ? SampleGrid{16, 6, 4} : SampleGrid{5, 3, 3};
     }
 };
 [[nodiscard]] SampledBest
 sampled_best(const std::function<double(const std::vector<double>&)>& score,
              const std::vector<ParameterRange>& ranges, const SampleGrid& samples);
 
-/// Branch and bound over the range: every box has a distance up to `target` at which the error is
-/// certainly beyond the tolerance for all its parameters.
+/// Branch and bound over the range: every box has a distance up to `shown` + gap at which the error
+/// is certainly beyond the tolerance for all its parameters.
 struct CoveredRange {
     bool covered = false;
     std::size_t boxes = 0;
-    std::string where;          ///< not covered
-    std::vector<double> middle; ///< of the box there
+    std::vector<ParameterRange> open; ///< the hull of all boxes without such a distance
+    /// The hull of those and of all whose distance is above `shown`: the best value is in it.
+    std::vector<ParameterRange> best;
+    /// A box whose middle seems to reach farther than `shown` + gap: the search ended there.
+    std::optional<std::vector<ParameterRange>> better;
 };
 [[nodiscard]] CoveredRange covered_by_exits(const ReachProblem& problem,
                                             const std::vector<ParameterRange>& ranges,
-                                            const Rational& target, const DesignOptions& options);
+                                            const Rational& shown, const DesignOptions& options);
 
 /// A point (distance, parameter) at which two equations hold, by interval Newton.
 struct DesignPoint {
@@ -112,6 +126,15 @@ struct DesignEquations {
                                                       const DesignEquations& equations,
                                                       const Real& u, const Real& parameter,
                                                       long bits);
+/// The same of a touching extremum at the middle of the contact, where f may have a cusp: the
+/// parameter alone is unknown.
+[[nodiscard]] std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem,
+                                                            std::size_t edge, int side,
+                                                            const Real& parameter, long bits);
+/// The one root of a function near a start, from its value and derivative over a ball.
+using ValueAndRate = std::function<std::pair<Ball, Ball>(const Ball&)>;
+[[nodiscard]] std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start,
+                                                long bits);
 /// The root of f = side * tolerance near a start, for every parameter of the ball.
 [[nodiscard]] std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level,
                                             const Real& start, long bits);

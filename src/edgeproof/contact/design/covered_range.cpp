@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <deque>
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
@@ -22,54 +24,83 @@ struct ParameterBox {
     unsigned depth = 0;
 };
 
+/// What is known of a box of parameters.
+enum class BoxState {
+    open,
+    bounded, ///< no reach in it exceeds the target
+    better,  ///< its middle seems to reach farther than the target
+    excluded ///< every reach in it is less than one that is proved
+};
+
 class Cover {
 public:
     Cover(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
-          const Rational& target, const DesignOptions& options)
-        : problem_(problem), ranges_(ranges), target_(target), options_(options),
-          tolerance_(problem.tolerance, cover_bits) {}
+          const Rational& shown, const DesignOptions& options)
+        : problem_(problem), ranges_(ranges), shown_(shown), target_(shown + options.gap),
+          options_(options), tolerance_(problem.tolerance, cover_bits),
+          fewer_(is_dear(*problem.edges[0]) ? 4U : 1U) {}
 
+    /// The widest boxes first, so that what is left at the end of the budget is narrow.
     [[nodiscard]] CoveredRange run() {
         ParameterBox all;
         for (const ParameterRange& r : ranges_) {
             all.lo.push_back(r.from);
             all.hi.push_back(r.to);
         }
-        std::vector<ParameterBox> left{all};
+        std::deque<ParameterBox> left{all};
         CoveredRange result;
         double done = 0;
-        while (!left.empty()) {
+        while (!left.empty() && result.boxes < options_.most_boxes) {
             check_interruption();
-            ParameterBox box = std::move(left.back());
-            left.pop_back();
+            ParameterBox& box = left.front();
+            BoxState state = BoxState::open;
+            try {
+                state = decided(box);
+            } catch (const BudgetError&) {
+                break;
+            }
             ++result.boxes;
-            if (decided(box)) {
+            if (state == BoxState::bounded || state == BoxState::excluded) {
+                if (state == BoxState::bounded) {
+                    widen(result.best, box);
+                }
                 done += share_of(box);
                 if (options_.progress) {
                     options_.progress(static_cast<std::size_t>(done * 1000), 1000);
                 }
-                continue;
+            } else if (state == BoxState::better) {
+                widen(result.better.emplace(), box);
+                break;
+            } else if (box.depth > finest_box * ranges_.size()) {
+                widen(result.open, box);
+                widen(result.best, box);
+            } else {
+                split(box, left);
             }
-            if (result.boxes > options_.most_boxes ||
-                box.depth > finest_box * static_cast<unsigned>(ranges_.size())) {
-                result.where = text_of(box);
-                for (std::size_t i = 0; i < box.lo.size(); ++i) {
-                    result.middle.push_back(
-                        Rational((box.lo[i] + box.hi[i]) / 2).convert_to<double>());
-                }
-                return result;
-            }
-            split(box, left);
+            left.pop_front();
         }
-        result.covered = true;
+        for (const ParameterBox& box : left) {
+            widen(result.open, box);
+            widen(result.best, box);
+        }
+        result.covered = result.open.empty();
         return result;
     }
 
 private:
+    static void widen(std::vector<ParameterRange>& hull, const ParameterBox& box) {
+        for (std::size_t i = 0; i < box.lo.size(); ++i) {
+            if (hull.size() == i) {
+                hull.push_back({box.lo[i], box.hi[i]});
+            }
+            hull[i].from = std::min(hull[i].from, box.lo[i]);
+            hull[i].to = std::max(hull[i].to, box.hi[i]);
+        }
+    }
     [[nodiscard]] bool beyond(const Ball& f) const {
         return f.is_finite() && certainly_less(tolerance_, abs(f));
     }
-    [[nodiscard]] bool decided(ParameterBox& box) const {
+    [[nodiscard]] BoxState decided(ParameterBox& box) const {
         std::vector<Ball> whole;
         std::vector<Ball> middles;
         std::vector<Ball> offsets;
@@ -80,10 +111,12 @@ private:
             offsets.push_back(whole.back() - middles.back());
         }
         const auto over = problem_.over(whole);
+        const Ball part(problem_.part, cover_bits);
         for (const auto& f : over) {
-            const Ball limit = f->length() * Ball(problem_.part, cover_bits);
+            const Ball limit = f->length() * part;
             if (limit.is_finite() && certainly_less(limit, Ball(target_, cover_bits))) {
-                return true;
+                return certainly_less(limit, Ball(shown_, cover_bits)) ? BoxState::excluded
+                                                                       : BoxState::bounded;
             }
         }
         const auto middle = problem_.over(middles);
@@ -94,8 +127,11 @@ private:
                     return true;
                 }
                 // The mean value theorem.
-                const Jet rates = over[e]->jet(place);
                 Ball f = middle[e]->at(place);
+                if (!beyond(f)) {
+                    continue;
+                }
+                const Jet rates = over[e]->jet(place);
                 for (std::size_t i = 0; i < offsets.size(); ++i) {
                     f += rates.g[i + 1] * offsets[i];
                 }
@@ -105,17 +141,48 @@ private:
             }
             return false;
         };
-        if (std::any_of(box.places.begin(), box.places.end(), decides)) {
-            return true;
+        const auto state_by = [&](const std::vector<Rational>& places) {
+            const auto u = std::find_if(places.begin(), places.end(), decides);
+            return u == places.end() ? BoxState::open
+                   : *u > shown_     ? BoxState::bounded
+                                     : BoxState::excluded;
+        };
+        const BoxState by_parents = state_by(box.places);
+        if (by_parents == BoxState::excluded) {
+            return by_parents;
         }
-        const std::vector<Rational> kept = box.places;
-        box.places = promising(middle);
-        return std::any_of(box.places.begin(), box.places.end(), [&](const Rational& u) {
-            return std::find(kept.begin(), kept.end(), u) == kept.end() && decides(u);
-        });
+        std::vector<Rational> fresh = promising(middle);
+        std::swap(fresh, box.places);
+        if (box.places.empty() &&
+            by_parents == BoxState::open) { // the middle may reach farther than all others
+            std::vector<double> at;
+            for (const Ball& x : middles) {
+                at.push_back(x.midpoint().convert_to<double>());
+            }
+            if (sampled_reach(problem_, at).reach > target_.convert_to<double>() &&
+                certainly_less(Ball(target_, cover_bits), proved_at(middles))) {
+                return BoxState::better;
+            }
+        }
+        std::vector<Rational> places;
+        for (const Rational& u : box.places) {
+            if (std::find(fresh.begin(), fresh.end(), u) == fresh.end()) {
+                places.push_back(u);
+            }
+        }
+        const BoxState state = state_by(places);
+        return state == BoxState::excluded || by_parents == BoxState::open ? state : by_parents;
+    }
+    /// The reach for exact parameters; 0 where it is not proved.
+    [[nodiscard]] Ball proved_at(const std::vector<Ball>& parameters) const {
+        try {
+            return proved_reach(problem_, parameters).reach;
+        } catch (const BudgetError&) {
+            return {0, cover_bits};
+        }
     }
     /// Places up to the target at which the error in the middle of the box is farthest beyond the
-    /// tolerance, extrema between samples included, and the target itself.
+    /// tolerance, extrema between samples included: first those that exclude the box.
     [[nodiscard]] std::vector<Rational>
     promising(const std::vector<std::unique_ptr<ErrorOverBox>>& middle) const {
         std::vector<std::pair<double, Rational>> found;
@@ -127,12 +194,20 @@ private:
             std::vector<Rational> at;
             std::vector<double> e;
             // A knot by the edge may lift the error there only.
-            for (unsigned k = places_by_the_edge; k > 0; --k) {
+            for (unsigned k = places_by_the_edge / fewer_; k > 0; --k) {
                 at.emplace_back(target_ / (even_places * pow(Integer(2), k)));
             }
-            for (long k = 1; k <= even_places; ++k) {
-                at.emplace_back(target_ * k / even_places);
+            for (long k = 1; k < even_places / fewer_; ++k) {
+                at.emplace_back(target_ * k * fewer_ / even_places);
             }
+            at.push_back(shown_);
+            at.push_back(target_);
+            const Ball length = f->length();
+            if (length.is_finite()) { // at the middle a power law's error may have a cusp
+                at.push_back(std::min(target_, Rational(exact_value(length.midpoint()) / 2)));
+            }
+            std::sort(at.begin(), at.end());
+            at.erase(std::unique(at.begin(), at.end()), at.end());
             for (const Rational& u : at) {
                 e.push_back(excess(u));
             }
@@ -148,11 +223,12 @@ private:
                 }
             }
         }
+        const auto rank = [&](const auto& x) { return std::pair(x.second > shown_, -x.first); };
         std::sort(found.begin(), found.end(),
-                  [](const auto& x, const auto& y) { return x.first > y.first; });
-        std::vector<Rational> places{target_};
+                  [&](const auto& x, const auto& y) { return rank(x) < rank(y); });
+        std::vector<Rational> places;
         for (const auto& [excess, u] : found) {
-            if (excess > 0 && places.size() < places_kept) {
+            if (excess > 0 && (places.size() < places_kept || u == target_)) {
                 places.push_back(u);
             }
         }
@@ -171,7 +247,7 @@ private:
         }
         return u;
     }
-    void split(const ParameterBox& box, std::vector<ParameterBox>& into) const {
+    void split(const ParameterBox& box, std::deque<ParameterBox>& into) const {
         // The widest beside its range.
         std::size_t widest = 0;
         const auto width = [&](std::size_t i) {
@@ -185,8 +261,8 @@ private:
         left.hi[widest] = right.lo[widest] = (box.lo[widest] + box.hi[widest]) / 2;
         ++left.depth;
         ++right.depth;
-        into.push_back(std::move(right));
         into.push_back(std::move(left));
+        into.push_back(std::move(right));
     }
     [[nodiscard]] double share_of(const ParameterBox& box) const {
         double share = 1;
@@ -196,29 +272,21 @@ private:
         }
         return share;
     }
-    [[nodiscard]] static std::string text_of(const ParameterBox& box) {
-        std::ostringstream text;
-        text.precision(12);
-        for (std::size_t i = 0; i < box.lo.size(); ++i) {
-            text << (i > 0 ? ", " : "") << box.lo[i].convert_to<double>() << " ... "
-                 << box.hi[i].convert_to<double>();
-        }
-        return text.str();
-    }
-
     const ReachProblem& problem_;
     const std::vector<ParameterRange>& ranges_;
+    Rational shown_;
     Rational target_;
     const DesignOptions& options_;
     Ball tolerance_;
+    unsigned fewer_; ///< places where an evaluation takes long
 };
 
 } // namespace
 
 CoveredRange covered_by_exits(const ReachProblem& problem,
-                              const std::vector<ParameterRange>& ranges, const Rational& target,
+                              const std::vector<ParameterRange>& ranges, const Rational& shown,
                               const DesignOptions& options) {
-    return Cover(problem, ranges, target, options).run();
+    return Cover(problem, ranges, shown, options).run();
 }
 
 } // namespace edgeproof::contact

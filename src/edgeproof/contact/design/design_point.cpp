@@ -3,6 +3,7 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <array>
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
@@ -107,13 +108,13 @@ std::optional<DesignPoint> design_point(const ReachProblem& problem,
     return {};
 }
 
-std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Real& start,
-                              long bits) {
+std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start, long bits) {
     Ball x(start, bits);
     Ball last(1, bits);
     for (int k = 0; k < most_newton_steps_of_a_point; ++k) {
-        const Jet at = f.jet(x);
-        const Ball step = centred((at.v - level) / at.g[0]);
+        check_interruption();
+        const auto [value, rate] = f(x);
+        const Ball step = centred(value / rate);
         if (!step.is_finite()) {
             return {};
         }
@@ -124,8 +125,8 @@ std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Re
             break;
         }
     }
-    const Ball residual = f.at(x) - level;
-    const Ball by = residual / f.jet(x).g[0];
+    const auto [residual, rate] = f(x);
+    const Ball by = residual / rate;
     if (!by.is_finite()) {
         return {};
     }
@@ -133,13 +134,38 @@ std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Re
                   Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits - 16)), bits);
     for (int k = 0; k < most_inflations_of_a_point; ++k) {
         const Ball X = Ball::around(x.midpoint(), radius.upper(), bits);
-        const Ball image = x - residual / f.jet(X).g[0];
+        const Ball image = x - residual / f(X).second;
         if (strictly_inside(image, X)) {
             return image;
         }
         radius = centred(radius * 16);
     }
     return {};
+}
+
+std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Real& start,
+                              long bits) {
+    return isolated_root(
+        [&](const Ball& u) {
+            const Jet at = f.jet(u);
+            return std::pair(at.v - level, at.g[0]);
+        },
+        start, bits);
+}
+
+std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem, std::size_t edge,
+                                              int side, const Real& parameter, long bits) {
+    const Ball level = Ball(problem.tolerance, bits) * side;
+    std::optional<Ball> middle;
+    const auto root = isolated_root(
+        [&](const Ball& t) {
+            const auto errors = problem.over({t});
+            middle = errors[edge]->length() / 2;
+            const Jet at = errors[edge]->jet(*middle);
+            return std::pair(at.v - level, at.g[1]);
+        },
+        parameter, bits);
+    return root ? std::optional(DesignPoint{*middle, *root}) : std::nullopt;
 }
 
 } // namespace edgeproof::contact

@@ -56,6 +56,15 @@ private:
     Form<Jet> jets_;
 };
 
+/// What evaluations cost, in units that are about a microsecond of the machine that they were
+/// measured on (128 bits, one core). Budgets are counted in them, so that a result does not depend
+/// on the machine.
+struct EvaluationCost {
+    double over; ///< of ErrorFamily::over
+    double at;   ///< of ErrorOverBox::at
+    double jet;
+};
+
 class ErrorFamily {
 public:
     virtual ~ErrorFamily() = default;
@@ -64,10 +73,14 @@ public:
     /// One ball a parameter, at the working precision.
     [[nodiscard]] virtual std::unique_ptr<ErrorOverBox>
     over(const std::vector<Ball>& parameters) const = 0;
+    [[nodiscard]] virtual EvaluationCost cost() const = 0;
 
 protected:
     ErrorFamily() = default;
 };
+
+/// Samples are fewer where an evaluation takes long.
+[[nodiscard]] inline bool is_dear(const ErrorFamily& f) { return f.cost().at > 60; }
 
 /// A scene's numbers as formulas in the names of its parameters.
 struct ParametricLoad {

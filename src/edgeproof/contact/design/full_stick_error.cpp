@@ -42,6 +42,10 @@ public:
                                                               stick<Jet>(parameters));
     }
 
+    [[nodiscard]] EvaluationCost cost() const override {
+        return {7, 4, 8 + 5 * static_cast<double>(question_.terms)};
+    }
+
 private:
     template <class T> [[nodiscard]] FullStick<T> stick(const std::vector<Ball>& at) const {
         const ParameterValues<T> value(question_.names, at);

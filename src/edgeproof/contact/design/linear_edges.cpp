@@ -151,8 +151,12 @@ std::optional<Ball> left_edge(const LinearContact<Ball>& contact, const LinearCo
 std::optional<LinearEdges<Ball>> solve_edges(const LinearContact<Ball>& contact,
                                              const LinearContact<Ball>& middle, bool symmetric,
                                              const std::optional<Ball>& a,
-                                             const std::optional<Ball>& P) {
+                                             const std::optional<Ball>& P,
+                                             const LinearEdges<Ball>* start) {
     std::optional<Ball> last; // of the left edges, as a start for the next
+    if (start != nullptr) {
+        last = start->b;
+    }
     const auto left = [&](const Ball& right) {
         return symmetric ? std::optional(right)
                          : left_edge(contact, middle, right, last ? *last : centre(right));
@@ -175,7 +179,7 @@ std::optional<LinearEdges<Ball>> solve_edges(const LinearContact<Ball>& contact,
     const auto about =
         approximate_zero([&](const Ball& x) { return load - middle.force(x, left_in_middle(x)); },
                          [&](const Ball& x) { return -middle.force_rate(x, left_in_middle(x)); },
-                         centre(load / middle.modulus));
+                         start != nullptr ? start->a : centre(load / middle.modulus));
     if (!about) {
         return {};
     }

@@ -63,6 +63,11 @@ public:
                                                slope_.symmetric, question_);
     }
 
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        return {(load_.P ? 800 : 130) + n * n * n, 10, 130};
+    }
+
 private:
     ParametricSlope slope_;
     ParametricLoad load_;

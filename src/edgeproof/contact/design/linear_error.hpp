@@ -33,7 +33,8 @@ template <class T> struct LinearError {
     T length;
     T arc;
     std::vector<Knot> knots;
-    std::vector<T> coefficients; ///< c_k times 2 pi/E*
+    std::vector<T> inverse_powers; ///< of the length
+    std::vector<T> coefficients;   ///< c_k times 2 pi/E*
     bool fraction = true;
     long bits = 64;
 
@@ -54,8 +55,10 @@ template <class T> struct LinearError {
             knots.push_back({right ? from_right : from_left, contact.jumps[i], drop,
                              static_cast<bool>(contact.corner[i])});
         }
+        inverse_powers = {number(Rational(1))};
         for (std::size_t k = 0; k < question.terms; ++k) {
             coefficients.push_back(coefficient(k));
+            inverse_powers.push_back(inverse_powers.back() / length);
         }
     }
 
@@ -68,21 +71,16 @@ template <class T> struct LinearError {
         return q;
     }
     [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits)); }
-    [[nodiscard]] T power(const T& x, std::size_t n) const {
-        T y = number(Rational(1));
-        for (std::size_t i = 0; i < n; ++i) {
-            y *= x;
-        }
-        return y;
-    }
     /// Of u^k in G/sqrt(u): 2 sqrt(kappa) times the sum of kappa^j (1 - u/D)^(-j-1/2) u^j/(2j + 1),
     /// kappa = (D - u_v)/(D u_v).
     [[nodiscard]] T green_coefficient(const Knot& knot, std::size_t k) const {
         const T kappa = kappa_of(knot);
         T sum = number(Rational(0));
+        T kappa_j = number(Rational(1));
         for (std::size_t j = 0; j <= k; ++j) {
             const Rational s(2 * static_cast<long>(j) + 1, 2);
-            sum += power(kappa, j) * number(rising(s, k - j) / (2 * s)) / power(length, k - j);
+            sum += kappa_j * number(rising(s, k - j) / (2 * s)) * inverse_powers[k - j];
+            kappa_j *= kappa;
         }
         return sum * root(kappa) * 2;
     }
@@ -99,7 +97,7 @@ template <class T> struct LinearError {
     }
     [[nodiscard]] T coefficient(std::size_t k) const {
         // sqrt(D - u) = sqrt(D) (1 - u/D)^(1/2)
-        T sum = arc * sqrt(length) * number(rising(Rational(-1, 2), k)) / power(length, k);
+        T sum = arc * sqrt(length) * number(rising(Rational(-1, 2), k)) * inverse_powers[k];
         for (const Knot& knot : knots) {
             if (k == 0) { // u_v sqrt(kappa), which a knot by the edge leaves small
                 sum -= knot.drop * root(knot.distance * (length - knot.distance) / length) * 2;

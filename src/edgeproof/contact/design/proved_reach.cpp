@@ -5,6 +5,7 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace edgeproof::contact {
@@ -13,7 +14,40 @@ namespace {
 constexpr std::size_t most_intervals = 60'000;
 constexpr int most_halvings_at_edge = 400;
 constexpr int most_newton_images = 60;
+constexpr double bits_of_the_costs = 192;
 const Rational narrowest_interval(1, Integer(1) << 44); // NOLINT: no exception can matter here
+
+void charge(EvaluationCount& count, double cost) {
+    if (count.spent > count.most) {
+        throw BudgetError("the budget of evaluations is spent");
+    }
+    count.spent += cost;
+}
+
+double cost_of_bits(long bits) {
+    return std::max(1.0, std::pow(static_cast<double>(bits) / bits_of_the_costs, 1.5));
+}
+
+class CountedOverBox : public ErrorOverBox {
+public:
+    CountedOverBox(std::unique_ptr<ErrorOverBox> f, const EvaluationCost& cost,
+                   EvaluationCount& count)
+        : f_(std::move(f)), cost_(cost), count_(count) {}
+    [[nodiscard]] Ball at(const Ball& u) const override {
+        charge(count_, cost_.at);
+        return f_->at(u);
+    }
+    [[nodiscard]] Jet jet(const Ball& u) const override {
+        charge(count_, cost_.jet);
+        return f_->jet(u);
+    }
+    [[nodiscard]] Ball length() const override { return f_->length(); }
+
+private:
+    std::unique_ptr<ErrorOverBox> f_;
+    EvaluationCost cost_;
+    EvaluationCount& count_;
+};
 
 /// The scan of one edge.
 class ReachScan {
@@ -134,7 +168,15 @@ std::vector<std::unique_ptr<ErrorOverBox>> ReachProblem::over(const std::vector<
     std::vector<std::unique_ptr<ErrorOverBox>> all;
     all.reserve(edges.size());
     for (const ErrorFamily* family : edges) {
-        all.push_back(family->over(box));
+        if (count == nullptr) {
+            all.push_back(family->over(box));
+            continue;
+        }
+        EvaluationCost cost = family->cost();
+        const double more = cost_of_bits(box.front().bits());
+        cost = {cost.over * more, cost.at * more, cost.jet * more};
+        charge(*count, cost.over);
+        all.push_back(std::make_unique<CountedOverBox>(family->over(box), cost, *count));
     }
     return all;
 }

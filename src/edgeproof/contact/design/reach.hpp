@@ -7,13 +7,20 @@
 
 namespace edgeproof::contact {
 
+/// The evaluations of a search, weighted by their cost. Beyond `most` they throw BudgetError.
+struct EvaluationCount {
+    double spent = 0;
+    double most = 0;
+};
+
 /// |f| against a tolerance, up to a part of the contact, at one edge or at two (where the lesser
 /// reach counts).
 struct ReachProblem {
     std::vector<const ErrorFamily*> edges; ///< not owned
     Rational tolerance;
-    Rational part = 1;          ///< of a + b, that is looked at
-    std::size_t parameters = 1; ///< one or two
+    Rational part = 1;                ///< of a + b, that is looked at
+    std::size_t parameters = 1;       ///< one or two
+    EvaluationCount* count = nullptr; ///< not owned; nothing is counted without it
     [[nodiscard]] std::vector<std::unique_ptr<ErrorOverBox>>
     over(const std::vector<Ball>& box) const;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
@@ -16,6 +17,10 @@ struct GridSearch {
     void refine(const std::function<double(const std::vector<double>&)>& score, int points,
                 SampledBest& best) {
         std::vector<int> at(lo.size(), 0);
+        best.width.clear();
+        for (std::size_t i = 0; i < lo.size(); ++i) {
+            best.width.push_back((hi[i] - lo[i]) / points);
+        }
         const auto value = [&](std::size_t i, int k) {
             return k == points ? hi[i] : lo[i] + (hi[i] - lo[i]) * k / points;
         };
@@ -42,12 +47,9 @@ struct GridSearch {
         if (best.value.empty()) {
             return;
         }
-        best.width.clear();
         for (std::size_t i = 0; i < lo.size(); ++i) {
-            const double cell = (hi[i] - lo[i]) / points;
-            lo[i] = std::max(lo[i], best.value[i] - cell);
-            hi[i] = std::min(hi[i], best.value[i] + cell);
-            best.width.push_back(cell);
+            lo[i] = std::max(lo[i], best.value[i] - best.width[i]);
+            hi[i] = std::min(hi[i], best.value[i] + best.width[i]);
         }
     }
 };
@@ -62,9 +64,12 @@ SampledBest sampled_best(const std::function<double(const std::vector<double>&)>
         grid.hi.push_back(r.to.convert_to<double>());
     }
     SampledBest best;
-    grid.refine(score, samples.first, best);
-    for (int k = 0; k < samples.rounds && !best.value.empty(); ++k) {
-        grid.refine(score, samples.later, best);
+    try {
+        grid.refine(score, samples.first, best);
+        for (int k = 0; k < samples.rounds && !best.value.empty(); ++k) {
+            grid.refine(score, samples.later, best);
+        }
+    } catch (const BudgetError&) { // the best of those tried
     }
     return best;
 }

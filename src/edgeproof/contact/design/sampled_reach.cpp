@@ -14,6 +14,7 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
+constexpr int dear_sample_points = 48;          ///< where an evaluation takes long
 constexpr double width_of_a_crossing = 0x1p-48; // relative
 constexpr int bits_of_an_extremum = 27;         // values are flat there: half of those of a double
 /// An extremum of |f| by less than this share of the tolerance is looked at more closely.
@@ -26,8 +27,10 @@ double as_double(const Ball& x) {
 
 class EdgeSamples {
 public:
-    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, bool whole)
-        : f_(f), tolerance_(tolerance), end_(end), whole_(whole) {}
+    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, double middle, int points,
+                bool whole)
+        : f_(f), tolerance_(tolerance), end_(end), middle_(middle), points_(points), whole_(whole) {
+    }
 
     /// |f| - tolerance; at a corner, where p is infinite, f = -1.
     [[nodiscard]] double excess(double u) const {
@@ -40,9 +43,12 @@ public:
 
     void into(SampledReach& result, std::size_t edge) const {
         std::vector<double> u;
-        for (int k = 0; k < sample_points; ++k) {
-            const double s = static_cast<double>(k + 1) / sample_points;
-            u.push_back(end_ * (k + 1 == sample_points ? 1 - 1e-9 : s * s * s));
+        for (int k = 0; k < points_; ++k) {
+            const double s = static_cast<double>(k + 1) / points_;
+            u.push_back(end_ * (k + 1 == points_ ? 1 - 1e-9 : s * s * s));
+        }
+        if (middle_ < u.back()) { // where a power law's error may have a cusp
+            u.insert(std::lower_bound(u.begin(), u.end(), middle_), middle_);
         }
         std::vector<double> e;
         bool passed = false;
@@ -61,6 +67,7 @@ public:
             if (!leaves && k > 0 && k + 1 < u.size() && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
                 e[k] < 0 && e[k] > -near_the_tolerance * tolerance_) {
                 top = highest(u[k - 1], u[k + 1]);
+                top = e[k] > excess(top) ? u[k] : top;
                 const double most = excess(top);
                 result.extrema.push_back({edge, top, most, error(top) > 0 ? 1 : -1});
                 if (most >= 0) { // passed between two samples
@@ -85,6 +92,7 @@ public:
             if (k > 0 && k + 1 < u.size() && e[k] >= 0 && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
                 e[k] < near_the_tolerance * tolerance_) {
                 top = highest(u[k - 1], u[k + 1]);
+                top = e[k] > excess(top) ? u[k] : top;
                 result.extrema.push_back({edge, top, excess(top), error(top) > 0 ? 1 : -1});
             }
         }
@@ -113,6 +121,8 @@ private:
     const ErrorOverBox& f_;
     double tolerance_;
     double end_;
+    double middle_;
+    int points_;
     bool whole_;
 };
 
@@ -129,12 +139,15 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
     const auto errors = problem.over(at);
     SampledReach result;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const double end = as_double(errors[i]->length()) * problem.part.convert_to<double>();
+        const double length = as_double(errors[i]->length());
+        const double end = length * problem.part.convert_to<double>();
         if (std::isnan(end)) {
             result.reach = end;
             return result;
         }
-        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, whole).into(result, i);
+        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
+                    is_dear(*problem.edges[i]) ? dear_sample_points : sample_points, whole)
+            .into(result, i);
     }
     std::sort(result.extrema.begin(), result.extrema.end(),
               [](const SampledReach::Extremum& x, const SampledReach::Extremum& y) {

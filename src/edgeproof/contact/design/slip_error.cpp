@@ -103,6 +103,11 @@ public:
                                               question_.terms);
     }
 
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        return {5 + 3 * n, 4, 10 + 2 * n};
+    }
+
 private:
     template <class T> [[nodiscard]] T exponent(const std::vector<Ball>& at) const {
         const ParameterValues<T> value(question_.names, at);
@@ -206,7 +211,7 @@ private:
     /// Of one load ratio.
     [[nodiscard]] LinearEdges<Ball> zone(const Ball& tau) const {
         const auto found = solve_edges(balls_.corrective(tau), middle_.corrective(tau), symmetric_,
-                                       {}, balls_.load(tau));
+                                       {}, balls_.load(tau), &middle_.edges);
         return found ? *found : LinearEdges<Ball>{unknown_ball(bits()), unknown_ball(bits())};
     }
     /// Of all load ratios of the ball: both edges move inwards as it grows.
@@ -272,6 +277,13 @@ public:
         }
         return std::make_unique<LinearSlip>(std::move(balls), std::move(middle), std::move(jets),
                                             slope_.symmetric && !tension_, question_);
+    }
+
+    [[nodiscard]] EvaluationCost cost() const override {
+        const auto n = static_cast<double>(question_.terms);
+        const double over = (load_.P ? 1500 : 500) + 6 * n * n * n * n;
+        return slope_.symmetric && !tension_ ? EvaluationCost{over, 85, 340}
+                                             : EvaluationCost{over, 600, 1700};
     }
 
 private:

@@ -3,8 +3,12 @@
 
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <algorithm>
+
 namespace edgeproof::report {
 namespace {
+
+constexpr unsigned digits_of_an_estimate = 10;
 
 std::string reach_note(const scene::DesignScene& design) {
     if (design.objective == scene::DesignObjective::slip_load) {
@@ -18,7 +22,7 @@ std::string reach_note(const scene::DesignScene& design) {
            (design.unit == contact::ReachUnit::fraction ? ", as a fraction of a + b" : "");
 }
 
-const char* optimum_text(contact::BestReach::Kind kind) {
+const char* optimum_text(contact::BestReach::Kind kind, bool proved) {
     using How = contact::BestReach::Kind;
     switch (kind) {
     case How::touching:
@@ -34,7 +38,8 @@ const char* optimum_text(contact::BestReach::Kind kind) {
     case How::box:
         break;
     }
-    return "the best of the values tried";
+    return proved ? "in the box of all values that are not excluded"
+                  : "the best of the values tried";
 }
 
 } // namespace
@@ -46,7 +51,16 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
     scene::Digits digits;
     digits.count = search.digits;
     const auto text = [&](const Ball& x) {
-        return printed(scene::BoundedValue{x, proved, "", {}}, digits);
+        if (!proved) {
+            return scene::PrintedValue{
+                to_decimal(x.midpoint(), std::min(search.digits, digits_of_an_estimate)),
+                "",
+                true,
+                false,
+                {},
+                {}};
+        }
+        return printed(scene::BoundedValue{x, true, "", {}}, digits);
     };
     Table table;
     table.title = design.title;
@@ -54,7 +68,7 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                    {"digits", std::to_string(search.digits)},
                    {"tolerance", design.tolerance.text()},
                    {"terms", std::to_string(design.terms)},
-                   {"best", optimum_text(best.kind)},
+                   {"best", optimum_text(best.kind, proved)},
                    {"proof", proved ? "yes" : "no (estimate): " + result.missing}};
     if (proved) {
         table.facts.push_back({"boxes", std::to_string(best.boxes)});
@@ -63,6 +77,9 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
             at += (at.empty() ? "" : ", ") + to_decimal(q, 20, Rounding::nearest);
         }
         table.facts.push_back({"reach shown at", at});
+    }
+    if (proved) {
+        table.facts.push_back({"not excluded", contact::text_of(best.not_excluded)});
     }
     if (best.touches_at) {
         table.facts.push_back({"touches at", text(*best.touches_at).text});
@@ -80,7 +97,11 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
         "reach: " + reach_note(design),
         proved ? "gap: no other value in the range reaches farther by more than this: proved by "
                  "branch and bound"
-               : "value and reach are estimates, and no gap is proved"};
+               : "value and reach are estimates: no bound and no gap is proved"};
+    if (proved) {
+        table.notes.emplace_back("not excluded: values that reach as far as the reach shown are in "
+                                 "this range; everywhere else the reach is proved to be less");
+    }
     if (!best.attained) {
         table.notes.emplace_back("the reach jumps at the value: it is approached from one side and "
                                  "not attained");

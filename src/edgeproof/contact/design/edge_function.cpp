@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/edge_function.hpp"
+
+#include "edgeproof/contact/design/edge_sum.hpp"
+#include "edgeproof/precision/ball/acb_include.hpp"
+
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr std::size_t most_parameters_of_a_series = 2;
+
+/// An array of Arb's polynomials.
+class PolyArray {
+public:
+    PolyArray() {
+        for (acb_poly_struct& p : all_) {
+            acb_poly_init(&p);
+        }
+    }
+    ~PolyArray() {
+        for (acb_poly_struct& p : all_) {
+            acb_poly_clear(&p);
+        }
+    }
+    PolyArray(const PolyArray&) = delete;
+    PolyArray& operator=(const PolyArray&) = delete;
+    void set(std::size_t i, const Ball& constant) {
+        acb_t c;
+        acb_init(c);
+        arb_set(acb_realref(c), constant.data());
+        acb_poly_set_acb(&all_[i], c);
+        acb_clear(c);
+    }
+    [[nodiscard]] acb_poly_struct* data() { return all_; }
+
+private:
+    acb_poly_struct all_[most_parameters_of_a_series]{};
+};
+
+/// 2F1(1 + k, b + k; 3/2 + k; y), 0 <= y < 1, and its derivatives by b, divided by factorials,
+/// `count` numbers. Arb's sum of power series bounds what it leaves out.
+std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t count) {
+    const long bits = y.bits();
+    PolyArray over;
+    PolyArray under;
+    PolyArray in;
+    over.set(0, b + k);
+    acb_poly_set_coeff_si(over.data(), 1, 1);
+    under.set(0, Ball(Rational(3, 2), bits) + k);
+    over.set(1, Ball(1 + k, bits));
+    under.set(1, Ball(1, bits));
+    in.set(0, y);
+    // With k = 0 the last two cancel.
+    const slong pairs = k == 0 ? 1 : 2;
+    acb_hypgeom_pfq_series_direct(in.data() + 1, over.data(), pairs, under.data(), pairs, in.data(),
+                                  0, -1, static_cast<slong>(count), bits);
+    std::vector<Ball> coefficients;
+    acb_t c;
+    acb_init(c);
+    for (std::size_t i = 0; i < count; ++i) {
+        acb_poly_get_coeff_acb(c, in.data() + 1, static_cast<slong>(i));
+        Ball real(0, bits);
+        arb_set(real.data(), acb_realref(c));
+        coefficients.push_back(std::move(real));
+    }
+    acb_clear(c);
+    return coefficients;
+}
+
+/// One polynomial of Arb's.
+struct Poly {
+    Poly() { acb_poly_init(p); }
+    ~Poly() { acb_poly_clear(p); }
+    Poly(const Poly&) = delete;
+    Poly& operator=(const Poly&) = delete;
+    acb_poly_t p{};
+};
+
+void set_linear(Poly& p, const Ball& constant, long rate) {
+    acb_t c;
+    acb_init(c);
+    arb_set(acb_realref(c), constant.data());
+    acb_poly_set_acb(p.p, c);
+    acb_poly_set_coeff_si(p.p, 1, rate);
+    acb_clear(c);
+}
+
+std::vector<Ball> coefficients_of(const Poly& p, std::size_t count, long bits) {
+    std::vector<Ball> coefficients;
+    acb_t c;
+    acb_init(c);
+    for (std::size_t i = 0; i < count; ++i) {
+        acb_poly_get_coeff_acb(c, p.p, static_cast<slong>(i));
+        Ball real(0, bits);
+        arb_set(real.data(), acb_realref(c));
+        coefficients.push_back(std::move(real));
+    }
+    acb_clear(c);
+    return coefficients;
+}
+
+/// F(y, b + t) in powers of t, for y near 1, by F = 2F1(1, b; b + 1/2; 1 - y)/m + y^(-1/2)
+/// (1 - y)^(m/2) (sqrt(pi)/2) Gamma(-m/2)/Gamma(b), m = 1 - 2b (DLMF 15.8.4). Not finite for even
+/// m.
+std::vector<Ball> series_by_far_end(const Ball& b, const Ball& y, std::size_t count) {
+    const long bits = y.bits();
+    const auto len = static_cast<slong>(count);
+    const Ball half(Rational(1, 2), bits);
+    const Ball rest = 1 - y;
+    PolyArray over;
+    PolyArray under;
+    over.set(0, b);
+    under.set(0, b + half);
+    acb_poly_set_coeff_si(over.data(), 1, 1);
+    acb_poly_set_coeff_si(under.data(), 1, 1);
+    Poly z;
+    Poly sum;
+    Poly part;
+    Poly other;
+    acb_t c;
+    acb_init(c);
+    arb_set(acb_realref(c), rest.data());
+    acb_poly_set_acb(z.p, c);
+    acb_hypgeom_pfq_series_direct(sum.p, over.data(), 1, under.data(), 1, z.p, 0, -1, len, bits);
+    set_linear(part, 1 - b * 2, -2);
+    acb_poly_div_series(sum.p, sum.p, part.p, len, bits);
+    set_linear(part, b - half, 1);
+    acb_poly_gamma_series(part.p, part.p, len, bits);
+    set_linear(other, b, 1);
+    acb_poly_rgamma_series(other.p, other.p, len, bits);
+    acb_poly_mullow(part.p, part.p, other.p, len, bits);
+    const Ball logarithm = log(rest);
+    set_linear(other, (half - b) * logarithm, 0);
+    arb_neg(acb_realref(c), logarithm.data());
+    acb_poly_set_coeff_acb(other.p, 1, c);
+    acb_poly_exp_series(other.p, other.p, len, bits);
+    acb_poly_mullow(part.p, part.p, other.p, len, bits);
+    const Ball factor = sqrt(Ball::pi(bits) / y) / 2;
+    arb_set(acb_realref(c), factor.data());
+    acb_poly_scalar_mul(part.p, part.p, c, bits);
+    acb_poly_add(sum.p, sum.p, part.p, bits);
+    acb_clear(c);
+    return coefficients_of(sum, count, bits);
+}
+
+Ball lower_end(const Ball& x) { return {x.lower(), x.bits()}; }
+Ball upper_end(const Ball& x) { return {x.upper(), x.bits()}; }
+
+/// Beyond, the series in 1 - y converges faster.
+bool near_far_end(const Ball& y) {
+    return certainly_less(Ball(Rational(3, 4), y.bits()), y) &&
+           certainly_less(y, Ball(1, y.bits()));
+}
+
+Ball both(const Ball& x, const Ball& y) {
+    return x.is_finite() && y.is_finite() ? Ball::hull(x, y) : unknown_ball(x.bits());
+}
+
+/// F(y, b) and its derivatives by b, divided by factorials, for an exact b.
+std::vector<Ball> edge_series_at(const Ball& b, const Ball& y, std::size_t count) {
+    thread_local EdgeSum sum;
+    const long bits = y.bits();
+    if (const auto value = count == 1 ? sum(b, y) : std::nullopt) {
+        return {*value};
+    }
+    if (near_far_end(y)) {
+        std::vector<Ball> f = series_by_far_end(b, y, count);
+        if (f.back().is_finite()) {
+            return f;
+        }
+        // Both terms have a pole at even m. Values at both sides of it enclose the value.
+        const Ball near(Rational(1, Integer(1) << static_cast<unsigned>(bits)), 3 * bits);
+        f = series_by_far_end(b - near, y.with_bits(3 * bits), count);
+        const std::vector<Ball> high = series_by_far_end(b + near, y.with_bits(3 * bits), count);
+        for (std::size_t i = 0; i < count; ++i) {
+            f[i] = both(f[i], high[i]).with_bits(bits);
+        }
+        if (f.back().is_finite()) {
+            return f;
+        }
+    }
+    if (certainly_less(y, Ball(1, bits))) {
+        return series_by_b(b, y, 0, count);
+    }
+    // F(1, b) = 1/(1 - 2b): DLMF 15.4.20.
+    const Ball m = 1 - b * 2;
+    std::vector<Ball> f(count, unknown_ball(bits));
+    for (std::size_t i = 0; i < count && arb_is_one(y.data()) != 0 && certainly_positive(m); ++i) {
+        f[i] = pow_int(Ball(2, bits) / m, static_cast<long>(i)) / m;
+    }
+    return f;
+}
+
+/// The same for all of b.
+std::vector<Ball> edge_series(const Ball& y, const Ball& b, std::size_t count) {
+    std::vector<Ball> f = edge_series_at(lower_end(b), y, count);
+    if (!b.is_exact()) {
+        const std::vector<Ball> high = edge_series_at(upper_end(b), y, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            f[i] = both(f[i], high[i]);
+        }
+    }
+    return f;
+}
+
+template <class T> T argument(const T& z) { return z * (1 - z) * 4; }
+
+/// 1/F for exact arguments, y <= 1; 0 where F is infinite: y = 1 and m <= 0.
+Ball reciprocal_at(const Ball& b, const Ball& y) {
+    const Ball m = 1 - b * 2;
+    return arb_is_one(y.data()) != 0 && !certainly_positive(m) ? Ball(0, y.bits())
+                                                               : 1 / edge_series_at(b, y, 1)[0];
+}
+
+} // namespace
+
+Ball reciprocal_edge_function(const Ball& z, const Ball& b) {
+    const long bits = z.bits();
+    const Ball one(1, bits);
+    const Ball low = argument(lower_end(z));
+    const Ball high = argument(upper_end(z));
+    if (!low.is_finite() || !high.is_finite() || !b.is_finite()) {
+        return unknown_ball(bits);
+    }
+    const Ball least = lower_end(min(low, high));
+    Ball most = upper_end(max(low, high));
+    if (contains(z, Rational(1, 2)) || !certainly_less(most, one)) {
+        most = one;
+    }
+    const Ball b_low = lower_end(b);
+    const Ball b_high = upper_end(b);
+    const Ball greatest = reciprocal_at(b_low, certainly_negative(b_low) ? most : least);
+    return both(greatest, reciprocal_at(b_high, certainly_negative(b_high) ? least : most));
+}
+
+Jet reciprocal_edge_function(const Jet& z, const Jet& b) {
+    const Ball y = argument(z.v);
+    const std::vector<Ball> f = edge_series(y, b.v, 3);
+    const Ball& F = f[0];
+    Ball F_y = F;
+    Ball F_yb = F;
+    Ball F_yy = F;
+    if (near_far_end(y)) {
+        // From y (1 - y) F' + (1/2 - b y) F = 1/2, which the series satisfies.
+        const Ball half(Rational(1, 2), y.bits());
+        const Ball weight = half - b.v * y;
+        const Ball scale = y * (1 - y);
+        F_y = (half - weight * F) / scale;
+        F_yb = (y * F - weight * f[1]) / scale;
+        F_yy = (b.v * F - (weight + 1 - y * 2) * F_y) / scale;
+    } else if (certainly_less(y, Ball(1, y.bits()))) {
+        // d^k/dy^k 2F1(1, b; 3/2; y) = (1)_k (b)_k/(3/2)_k 2F1(1 + k, b + k; 3/2 + k; y):
+        // DLMF 15.5.2.
+        const std::vector<Ball> first = series_by_b(b.v, y, 1, 2);
+        F_y = b.v * first[0] * 2 / 3;
+        F_yb = (first[0] + b.v * first[1]) * 2 / 3;
+        F_yy = b.v * (b.v + 1) * series_by_b(b.v, y, 2, 1)[0] * 8 / 15;
+    } else { // the pressure need not have a derivative at the middle
+        F_y = F_yb = F_yy = unknown_ball(y.bits());
+    }
+    const Ball y_z = (1 - z.v * 2) * 4;
+    const Ball F_z = F_y * y_z;
+    const Ball F_zb = F_yb * y_z;
+    const Ball F_zz = F_yy * y_z * y_z - F_y * 8;
+    // What does not depend on z has derivatives at the middle, too.
+    const auto times = [](const Ball& rate, const Ball& by) {
+        return arb_is_zero(by.data()) != 0 ? by : rate * by;
+    };
+    Jet r(F);
+    for (std::size_t i = 0; i < Jet::variables; ++i) {
+        r.g[i] = times(F_z, z.g[i]) + f[1] * b.g[i];
+        for (std::size_t j = i; j < Jet::variables; ++j) {
+            const std::size_t k = Jet::second(i, j);
+            r.h[k] = times(F_z, z.h[k]) + f[1] * b.h[k] + times(F_zz, z.g[i] * z.g[j]) +
+                     times(F_zb, z.g[i] * b.g[j] + z.g[j] * b.g[i]) + f[2] * 2 * b.g[i] * b.g[j];
+        }
+    }
+    const Ball R = 1 / F;
+    return composed(r, R, -(R * R), R * R * R * 2);
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/design/jet.hpp"
+
+namespace edgeproof::contact {
+
+/// 1/F for the pressure of a power law, which is proportional to sqrt(z (1 - z)) F with z = u/(2a),
+/// F = 2F1(1, b; 3/2; y), y = 4 z (1 - z) and b = (1 - m)/2. From Euler's integral (DLMF 15.6.1),
+///   F = 1/2 int_0^1 (1 - t)^(-1/2) (1 - y t)^(-b) dt,
+/// follows that F and all of its derivatives by b grow with b, and that F grows with y where b > 0
+/// and falls where b < 0. Values at the ends of z and b therefore enclose all between, the middle
+/// of the contact (y = 1) included, where F has no derivative by z if m < 1.
+[[nodiscard]] Ball reciprocal_edge_function(const Ball& z, const Ball& b);
+/// At the middle only the derivatives by variables that do not move z are finite.
+[[nodiscard]] Jet reciprocal_edge_function(const Jet& z, const Jet& b);
+
+} // namespace edgeproof::contact

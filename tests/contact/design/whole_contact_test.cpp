@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/design/edge_function.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "tests/contact/design/families.hpp"
+
+#include <map>
+#include <memory>
+
+using namespace edgeproof::families;
+
+namespace {
+
+using formula::Exact;
+
+/// The first exit over a + b by the search of `edgeproof extent`, which shares no formula with a
+/// design.
+Ball reach_by_extent(const Profile& profile, std::size_t n, const Rational& tolerance) {
+    std::map<long, std::unique_ptr<BallContact>> made;
+    BallExtentSearch search(
+        [&](long bits) -> const BallContact& {
+            auto& contact = made[bits];
+            if (!contact) {
+                contact = std::make_unique<BallContact>(profile, Exact::of(1),
+                                                        Load::right_edge(Exact::of(1)), bits);
+            }
+            return *contact;
+        },
+        Edge::right, n, Exact::of(tolerance), {});
+    const EnclosedExtents found = search.at(256);
+    return found.first_exit / found.length;
+}
+Ball reach_of_power_law(const Rational& m, std::size_t n, const Rational& tolerance) {
+    return reach_by_extent(Profile::power_law(Exact::of(1), Exact::of(m)), n, tolerance);
+}
+
+struct PowerLawDesign {
+    PowerLawDesign(std::size_t n, const Rational& tolerance)
+        : errors(power_law_errors(in("m", {"m"}), {}, about("m", n))) {
+        problem.edges = {errors.get()};
+        problem.tolerance = tolerance;
+    }
+    std::unique_ptr<ErrorFamily> errors;
+    ReachProblem problem;
+};
+
+/// No exponent of a scan reaches farther by more than the gap, and those that reach as far are not
+/// excluded.
+void check_scan(const BestReach& best, const ParameterRange& range, std::size_t n,
+                const Rational& tolerance, long steps) {
+    for (long k = 0; k <= steps; ++k) {
+        const Rational m = range.from + (range.to - range.from) * Rational(k, steps);
+        CAPTURE(m.convert_to<double>());
+        const Ball reach = reach_of_power_law(m, n, tolerance);
+        CHECK(certainly_less(reach, best.shown_reach + Ball(Rational(1, 1'000'000), 256)));
+        if (m < best.not_excluded[0].from || m > best.not_excluded[0].to) {
+            CHECK(certainly_less(reach, best.shown_reach));
+        }
+    }
+    const Ball again = reach_of_power_law(best.shown_at[0], n, tolerance);
+    CHECK(overlaps(again, best.shown_reach));
+    CHECK(again.relative_accuracy_bits() > 100);
+}
+
+/// F = 2F1(1, b; 3/2; y) by Arb's own function; at the middle 1/m.
+Ball reciprocal_by_arb(const Rational& z, const Rational& b, long bits) {
+    const Rational y = 4 * z * (1 - z);
+    if (y == 1) {
+        return Ball(Rational(1 - 2 * b), bits);
+    }
+    return 1 / hypergeometric_2f1(Ball(1, bits), Ball(b, bits), Ball(Rational(3, 2), bits),
+                                  Ball(y, bits));
+}
+
+} // namespace
+
+TEST_CASE("design: the series by the edge is enclosed across the middle of the contact") {
+    constexpr long bits = 128;
+    const auto between = [](const Rational& lo, const Rational& hi) {
+        return Ball::hull(Ball(lo, bits), Ball(hi, bits));
+    };
+    for (const std::string m : {"1/10", "1/2", "3/4", "1", "3/2", "2", "3"}) {
+        const Rational b = (1 - Rational(m)) / 2;
+        for (const std::string z : {"1/100", "2/5", "499/1000", "1/2", "501/1000", "7/10"}) {
+            CAPTURE(m);
+            CAPTURE(z);
+            // Even m are poles of Arb's formula, too: it is taken next to them.
+            const Rational near = b == Rational(-1, 2) ? b + Rational(1, Integer(1) << 200U) : b;
+            const Ball exact = reciprocal_by_arb(Rational(z), near, 900);
+            const Ball value = reciprocal_edge_function(Ball(Rational(z), bits), Ball(b, bits));
+            CHECK(certainly_less(abs(value - exact), Ball(Rational(1, Integer(1) << 100U), 128)));
+            for (const Rational& h : {Rational(1, 10000), Rational(1, 100)}) {
+                const Ball wide = reciprocal_edge_function(
+                    between(Rational(z) - h / 2, Rational(z) + h / 3), between(b - h, b + h));
+                CHECK(contains(wide, exact.midpoint()));
+                CHECK(certainly_less(Ball(wide.radius(), bits), Ball(Rational(1, 2), bits)));
+            }
+        }
+    }
+    // At the middle, by the exponent alone: 1/F = m = 1 - 2b.
+    const Jet middle = reciprocal_edge_function(Jet(Ball(Rational(1, 2), bits)),
+                                                Jet::variable(between(0, Rational(1, 8)), 1));
+    CHECK(contains(middle.g[1], Rational(-2)));
+    CHECK(middle.g[1].is_finite());
+    CHECK(contains(middle.h[Jet::second(1, 1)], Rational(0)));
+    // By the place there is none for m < 1.
+    CHECK_FALSE(reciprocal_edge_function(Jet::variable(Ball(Rational(1, 2), bits), 0),
+                                         Jet(Ball(Rational(1, 8), bits)))
+                    .g[0]
+                    .is_finite());
+}
+
+// f at the middle is sqrt(2) m (17/12 - 2m/3) - 1 for two terms, and reaches -1/100 at a root of a
+// quadratic equation; beyond it the error passes the middle within the tolerance.
+TEST_CASE("design: two terms of a power law reach beyond the middle") {
+    const Rational tolerance(1, 100);
+    const PowerLawDesign design(2, tolerance);
+    const ParameterRange range{Rational(7812, 10000), Rational(79, 100)};
+    const BestReach best = best_reach(design.problem, {range}, {});
+    CHECK(best.kind == BestReach::Kind::touching);
+    CHECK(best.proved);
+    constexpr long bits = 300;
+    const Ball p(Rational(17, 12), bits);
+    const Ball m =
+        (p - sqrt(p * p - Ball(Rational(8 * 99, 3 * 100), bits) / sqrt(Ball(2, bits)))) * 3 / 4;
+    CHECK(overlaps(best.value[0], m));
+    CHECK(best.value[0].relative_accuracy_bits() > 90);
+    REQUIRE(best.touches_at);
+    CHECK(contains(*best.touches_at, Rational(1, 2)));
+    check_scan(best, range, 2, tolerance, 10);
+}
+
+TEST_CASE("design: one and two terms of a power law over all exponents" *
+          doctest::test_suite("slow")) {
+    const ParameterRange range{Rational(0), Rational(2)};
+    const Rational tenth(1, 10);
+    const PowerLawDesign coarse(1, tenth);
+    const BestReach best = best_reach(coarse.problem, {range}, {});
+    CHECK(best.proved);
+    // One term at the middle: sqrt(2) m - 1 = -1/10.
+    CHECK(overlaps(best.value[0], Ball(Rational(9, 10), 300) / sqrt(Ball(2, 300))));
+    const ParameterRange positive{Rational(1, 20), Rational(2)};
+    check_scan(best, positive, 1, tenth, 13);
+    const Rational hundredth(1, 100);
+    const PowerLawDesign fine(2, hundredth);
+    const BestReach two = best_reach(fine.problem, {range}, {});
+    CHECK(two.proved);
+    check_scan(two, positive, 2, hundredth, 13);
+}
+
+TEST_CASE("design: where the budget ends, all values that are not excluded are named") {
+    const PowerLawDesign design(1, Rational(1, 10));
+    const std::vector<ParameterRange> range{{Rational(0), Rational(2)}};
+    const Rational optimum(6363961, 10000000);
+    const auto check_hull = [&](const std::vector<ParameterRange>& hull) {
+        REQUIRE(hull.size() == 1);
+        CHECK(hull[0].from < optimum);
+        CHECK(optimum < hull[0].to);
+        CHECK(hull[0].to - hull[0].from < 2);
+    };
+    DesignOptions few_boxes;
+    few_boxes.most_boxes = 24;
+    const BestReach best = best_reach(design.problem, range, few_boxes);
+    CHECK_FALSE(best.proved);
+    CHECK(best.missing.find(" ... ") != std::string::npos);
+    check_hull(best.not_excluded);
+    // By the count of evaluations.
+    EvaluationCount count{0, 50'000};
+    ReachProblem counted = design.problem;
+    counted.count = &count;
+    const CoveredRange cover = covered_by_exits(counted, range, Rational(56489869, 100000000), {});
+    CHECK_FALSE(cover.covered);
+    CHECK(count.spent > count.most);
+    check_hull(cover.open);
+    check_hull(cover.best);
+}
+
+// A slope x up to r and steeper by the factor k beyond: the reach grows towards k = 1/2, the end of
+// the range.
+TEST_CASE("design: two parameters, the best at an end of the range of one" *
+          doctest::test_suite("slow")) {
+    const auto e = [](const std::string& text) { return in(text, {"r", "k"}); };
+    ParametricSlope s;
+    s.knots = {e("-r"), e("0"), e("r")};
+    s.pieces = {
+        {e("-r*(1 - k)"), e("k")}, {e("0"), e("1")}, {e("0"), e("1")}, {e("r*(1 - k)"), e("k")}};
+    s.corner = {false, false, false};
+    s.origin = 1;
+    s.symmetric = true;
+    ParametricLoad load;
+    load.a = in("1", {});
+    load.contact_modulus = in("1", {});
+    ErrorQuestion question = about("r");
+    question.names = {"r", "k"};
+    const auto errors = linear_slope_errors(s, load, question);
+    ReachProblem problem;
+    problem.edges = {errors.get()};
+    problem.tolerance = Rational(1, 20);
+    problem.parameters = 2;
+    const BestReach best = best_reach(
+        problem, {{Rational(1, 10), Rational(9, 10)}, {Rational(1, 2), Rational(2)}}, {});
+    CHECK(best.proved);
+    CHECK(best.kind == BestReach::Kind::box);
+    CHECK(contains(best.value[1], Rational(1, 2)));
+    // By extents, along that end.
+    std::size_t as_far = 0;
+    const auto look = [&](const Rational& r) {
+        const std::string text = r.str();
+        const Profile profile = Profile::piecewise(
+            {Exact::of(Rational(-r)), Exact::of(r)},
+            {in("(x - " + text + ")/2", {"x"}), in("x", {"x"}), in("(x + " + text + ")/2", {"x"})});
+        const Ball reach = reach_by_extent(profile, 1, Rational(1, 20));
+        CHECK(certainly_less(reach, Ball(best.reach.upper(), 256)));
+        if (!certainly_less(reach, Ball(best.reach.lower(), 256))) {
+            ++as_far;
+            CHECK(contains(best.value[0], r));
+        }
+    };
+    for (const char* r : {"1/5", "2/5", "43/100", "44/100", "45/100", "3/5"}) {
+        look(Rational(r));
+    }
+    look(best.shown_at[0]);
+    CHECK(as_far >= 1);
+}
